@@ -85,7 +85,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectColumns();
     const auto showWith = [this](Command mode, QWidget* panel) {
         connect(actions()[mode], &QAction::toggled, this, [this, panel](bool on) {
-            if (on) {   // once its list has unfolded
+            if (on) {   // after its list has expanded
                 QTimer::singleShot(0, this, [this, panel] { showInRightColumn(panel); });
             }
         });
@@ -99,7 +99,7 @@ MainWindow::MainWindow(QWidget* parent)
         showWith(mode, marks_);
     }
     connect(geometry_, &Section::foldedChanged, this, [this](bool folded) {
-        if (!folded) {   // also when something is missing: what has to be filled in is in sight
+        if (!folded) {   // also on missing values: scrolls to the fields to fill in
             QTimer::singleShot(0, this, [this] { rightPanels_->ensureWidgetVisible(geometry_); });
         }
     });
@@ -108,7 +108,7 @@ MainWindow::MainWindow(QWidget* parent)
     new WheelGuard(this);
 }
 
-/// Header and steps above, three columns, the strip below.
+/// Lays out header and steps at the top, three columns, and the strip at the bottom.
 void MainWindow::layOut()
 {
     columns_->setProperty("role", "columns");
@@ -151,7 +151,7 @@ QWidget* MainWindow::makeLeftColumn()
     return leftSplitter_;
 }
 
-/// The angiogram with the strip of its views, and those beside it: they leave together.
+/// Creates the frame of the angiogram, its view strip and the side-by-side views, which pop out together.
 QWidget* MainWindow::makeImagePlace()
 {
     auto* place = new QWidget;
@@ -185,7 +185,7 @@ QWidget* MainWindow::makeRightColumn()
     layout->addWidget(pose_);
     layout->addWidget(registration_);
     layout->addWidget(result_);
-    auto* verdict = static_cast<QVBoxLayout*>(result_->layout());   // poses belong to it: above the plots
+    auto* verdict = static_cast<QVBoxLayout*>(result_->layout());   // snapshots belong to the result: above the plots
     verdict->insertWidget(verdict->indexOf(&result_->solutions()) + 1, snapshots_);
     layout->addWidget(landmarks_);
     layout->addWidget(measure_);
@@ -202,7 +202,7 @@ QWidget* MainWindow::makeRightColumn()
     return rightPanels_;
 }
 
-/// A part that unfolds may need more width than the column has; nobody could scroll to what is cut off.
+/// Widens the column if an expanded section needs more width; clipped content could not be scrolled to.
 void MainWindow::giveRightColumnRoom()
 {
     const int scrollBar = rightPanels_->verticalScrollBar()->sizeHint().width();
@@ -221,7 +221,8 @@ void MainWindow::connectColumns()
     }
 }
 
-/// A folded column is as wide as its rail, an unfolded one as it was; the centre gives or takes.
+/// Gives a folded column the width of its rail and an unfolded one its previous width; the center absorbs the
+/// difference.
 void MainWindow::keepWidthOf(ColumnSide side)
 {
     QList<int> widths = columns_->sizes();
@@ -239,7 +240,7 @@ void MainWindow::showInRightColumn(QWidget* panel)
 {
     if (rightColumn_->isFolded()) {
         rightColumn_->setFolded(false);
-        QTimer::singleShot(0, this, [this, panel] { rightPanels_->ensureWidgetVisible(panel); });   // once laid out
+        QTimer::singleShot(0, this, [this, panel] { rightPanels_->ensureWidgetVisible(panel); });   // after layout
     } else {
         rightPanels_->ensureWidgetVisible(panel);
     }
@@ -301,7 +302,7 @@ void MainWindow::showAlone(std::optional<MovableView> view)
     }
     const bool comesBack = alone_ && !view;
     alone_ = view;
-    if (comesBack) {   // first: what is hidden yet is not laid out for a width that it does not keep
+    if (comesBack) {   // before showing: avoids a layout at a temporary width
         columns_->restoreState(columnsBefore_);
         leftSplitter_->restoreState(leftBefore_);
     }
@@ -351,7 +352,7 @@ void MainWindow::focusStep(Step step)
             break;
         case Step::Review:
             showInRightColumn(result_);
-            rightPanels_->verticalScrollBar()->setValue(result_->y());   // its verdict is at its top
+            rightPanels_->verticalScrollBar()->setValue(result_->y());   // the verdict is at the top of the result
             break;
         case Step::Export:
             actions()[Command::ExportOverlay]->trigger();
@@ -363,7 +364,7 @@ void MainWindow::focusStep(Step step)
 void MainWindow::closeNow()
 {
     closeAllowed_ = true;
-    // Queued: this may be the answer to a close event, in which closing again would be ignored.
+    // Queued: inside a close event a second close would be ignored.
     QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
 }
 

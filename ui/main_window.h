@@ -43,10 +43,10 @@ class SlicesPage;
 class TreeView;
 class ViewFrame;
 
-/// Views that can have the whole window, or a window of their own.
+/// Views that can fill the window or be popped out.
 enum class MovableView { Image, Corner, Slices };
 
-/// Places views and panels. Knows no case: whoever owns it connects the parts.
+/// Lays out views and panels. Does not know the case: its owner connects the parts.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 public:
@@ -80,24 +80,24 @@ public:
     WelcomePage& welcome() { return *welcome_; }
     WindowActions& actions() { return *actions_; }
 
-    void showImagePage();   ///< the angiogram, or the slices while these are large
+    void showImagePage();   ///< shows the angiogram, or the slices if they are enlarged
     void setSlicesLarge(bool large);
     void showWelcomePage();
-    void focusStep(Step step);   ///< brings the step's part of the window to the user
+    void focusStep(Step step);   ///< shows and focuses the panel of a step
 
     ViewFrame& frameOf(MovableView view);
-    /// One view has the window to itself, between header and strip; none: everything in its place. The slices share the
-    /// image's place.
+    /// Lets one view fill the area between header and strip; none restores the layout. The slices share the place of
+    /// the image.
     void showAlone(std::optional<MovableView> view);
     bool isOneAlone() const { return alone_.has_value(); }
 
     FoldingColumn& column(ColumnSide side) { return side == ColumnSide::Left ? *leftColumn_ : *rightColumn_; }
-    ColumnLayout columns() const;   ///< as they are, or were before a view had the window to itself
+    ColumnLayout columns() const;   ///< current layout, or the one before a view was maximized
     void setColumns(const ColumnLayout& layout);
 
-    QByteArray layoutState() const;   ///< place, widths, folded parts, views in windows of their own
+    QByteArray layoutState() const;   ///< geometry, widths, folded sections, popped-out views
     void restoreLayout(const QByteArray& state);
-    void closeNow();   ///< closes without asking again
+    void closeNow();   ///< closes without confirmation
 
 signals:
     void filesDropped(const QStringList& paths);
@@ -105,7 +105,7 @@ signals:
     void hideKeyHeld(bool held);   ///< H pressed and released
     void escapePressed();
     void welcomeShown();
-    /// A left click (or Enter) in a slice, or on a branch in the 3-D view.
+    /// Left click (or Enter) in a slice, or on a branch in the 3-D view.
     void pointPicked(const Eigen::Vector3d& pointInPatient);
 
 protected:
@@ -168,8 +168,8 @@ private:
     QSplitter* leftSplitter_;
     FoldingColumn* leftColumn_;
     FoldingColumn* rightColumn_;
-    ColumnLayout layoutBefore_;   ///< of the columns, from before a view had the window to itself
-    QByteArray columnsBefore_;   ///< widths from before a view had the window to itself
+    ColumnLayout layoutBefore_;   ///< column layout before a view was maximized
+    QByteArray columnsBefore_;   ///< splitter state before a view was maximized
     QByteArray leftBefore_;
     std::optional<MovableView> alone_;
     bool slicesLarge_ = false;

@@ -13,7 +13,7 @@
 #include <QPlainTextEdit>
 #include <QScrollArea>
 
-// What reaches the window from outside: closing, dropped files, and the keys that are held or repeat.
+// Events from outside the main window: closing, dropped files, and keys that are held or repeat.
 
 namespace angiopose::ui {
 namespace {
@@ -99,7 +99,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
     return QMainWindow::eventFilter(watched, event);
 }
 
-/// A slice's tool goes before the image's, which is in the same mode.
+/// True for events of a slice view; its tool has priority over the image tool of the same mode.
 bool MainWindow::isOfSlices(QObject* watched, const QEvent& event)
 {
     const auto* slice = qobject_cast<const SliceView*>(watched);

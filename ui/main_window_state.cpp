@@ -1,4 +1,4 @@
-// How MainWindow remembers its layout: place, widths, folded parts, views in windows of their own.
+// Saving and restoring the layout of MainWindow: geometry, widths, folded sections, popped-out views.
 #include "ui/controls/screen_room.h"
 #include "ui/main_window.h"
 #include "ui/places/folding_column.h"
@@ -15,7 +15,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// Names of the parts that are folded now.
+/// Returns the names of the folded sections.
 QStringList foldedSections(const QWidget& window)
 {
     QStringList names;
@@ -27,7 +27,7 @@ QStringList foldedSections(const QWidget& window)
     return names;
 }
 
-/// Shares of the height, as a splitter wants them.
+/// Splitter sizes for a share of the height.
 QList<int> heightsOf(double lowerShare, int height)
 {
     const int lower = static_cast<int>(std::lround(std::clamp(lowerShare, 0.05, 0.95) * height));
@@ -49,7 +49,7 @@ ColumnLayout MainWindow::columns() const
 
 void MainWindow::setColumns(const ColumnLayout& layout)
 {
-    leftColumn_->setOpenWidth(layout.leftWidth);   // first: a column that unfolds is laid out once, as wide as it stays
+    leftColumn_->setOpenWidth(layout.leftWidth);   // before unfolding, so the column is laid out only once
     rightColumn_->setOpenWidth(layout.rightWidth);
     leftColumn_->setFolded(layout.isLeftFolded);
     rightColumn_->setFolded(layout.isRightFolded);
@@ -66,7 +66,7 @@ QByteArray MainWindow::layoutState() const
     stream << saveGeometry() << (alone_ ? columnsBefore_ : columns_->saveState())
            << (alone_ ? leftBefore_ : leftSplitter_->saveState()) << foldedSections(*this);
     for (const ViewFrame* frame : {imageFrame_, cornerFrame_, slicesFrame_}) {
-        stream << frame->windowPlace() << (frame->isOut() && frame != slicesFrame_);   // slices come with a scan
+        stream << frame->windowPlace() << (frame->isOut() && frame != slicesFrame_);   // slices need a scan
     }
     const ColumnLayout now = columns();
     stream << now.isLeftFolded << now.isRightFolded << now.leftWidth << now.rightWidth;
@@ -84,11 +84,11 @@ void MainWindow::restoreLayout(const QByteArray& state)
     restoreGeometry(windowGeometry);
     fitInto(screen()->availableGeometry(), *this);
     columns_->restoreState(columnState);
-    columns_->setHandleWidth(columnBorderWidth);   // not those of an older version
+    columns_->setHandleWidth(columnBorderWidth);   // not the value saved by an older version
     columns_->setChildrenCollapsible(false);
     leftSplitter_->restoreState(leftState);
     if (stream.status() != QDataStream::Ok) {
-        return;   // written by a version that did not remember it
+        return;   // saved by a version without this entry
     }
     for (Section* section : findChildren<Section*>()) {
         if (section->isFoldable()) {
@@ -98,14 +98,14 @@ void MainWindow::restoreLayout(const QByteArray& state)
     for (ViewFrame* frame : {imageFrame_, cornerFrame_, slicesFrame_}) {
         QByteArray place;
         bool isOut = false;
-        stream >> place >> isOut;   // a version that did not know them leaves both as they are
+        stream >> place >> isOut;   // missing in older versions: both keep their values
         frame->setWindowPlace(place);
         frame->setOut(isOut);
     }
     restoreFolding(stream);
 }
 
-/// A version that did not know folded columns leaves them open.
+/// Restores folded columns; layouts saved by older versions leave them open.
 void MainWindow::restoreFolding(QDataStream& stream)
 {
     ColumnLayout stored = columns();

@@ -12,7 +12,7 @@ bool saysWhose(const StudyIdentity& identity)
     return !identity.patientName.empty() || !identity.patientId.empty() || !identity.birthDate.empty();
 }
 
-/// What the one does not say the other may.
+/// Fills the empty fields of `identity` from `other`.
 void complete(StudyIdentity& identity, const StudyIdentity& other)
 {
     for (const auto part :

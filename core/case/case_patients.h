@@ -8,19 +8,19 @@
 
 namespace angiopose::core {
 
-/// What speaks against the images of a case being of one patient and one side: the scan against every angiogram, and
-/// the angiograms of views against each other. Names nobody; every sentence once.
+/// Reports contradictions between the images of a case about patient or body side: the scan against every angiogram,
+/// and the angiograms of the views against each other. Messages are unique and name no patient.
 Messages findMismatch(const Case& session);
 
-/// Whom inputs of a case are of.
+/// One patient and the inputs of the case that belong to them.
 struct CasePatient {
-    StudyIdentity identity;   ///< name, number, birth date and sex, put together from all these inputs
+    StudyIdentity identity;   ///< name, number, birth date and sex, combined from all these inputs
     bool isOfScan = false;
-    std::vector<std::size_t> views;   ///< places in Case::views
+    std::vector<std::size_t> views;   ///< indices into Case::views
 };
 
-/// Whom the inputs of a case are of, the scan's first: one where nothing speaks against it. Inputs that say nothing of
-/// a patient are left out.
+/// Returns the patients of the case's inputs, the scan's first; a single one unless the inputs contradict each other.
+/// Skips inputs without patient data.
 std::vector<CasePatient> patientsOf(const Case& session);
 
 }   // namespace angiopose::core

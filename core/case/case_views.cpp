@@ -6,7 +6,7 @@
 namespace angiopose::core {
 namespace {
 
-/// The registered views, each with its pose from `poseOf` its place; the others as they are.
+/// Returns the case's views; every registered view gets the pose `poseOf(index)`, the others stay unchanged.
 template <class PoseOf>
 std::vector<View> withPoses(const Case& session, const PoseOf& poseOf)
 {
@@ -64,7 +64,7 @@ std::vector<View> viewsAt(const Case& session, const std::vector<std::size_t>& p
 RigidTransform poseMovedAlong(const Case& session, std::size_t place, const RigidTransform& cameraFromPatient)
 {
     if (place == session.shownView) {
-        return cameraFromPatient;   // to the last bit
+        return cameraFromPatient;   // identical to the last bit
     }
     const RigidTransform patientMotion = session.shown().cameraFromPatient.inverse() * cameraFromPatient;
     return session.views[place].cameraFromPatient * patientMotion;

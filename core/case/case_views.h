@@ -7,29 +7,29 @@
 
 namespace angiopose::core {
 
-/// The case that shows view `index`. What is shown may be edited, so that it stands in this case from now on.
+/// Returns the case with view `index` shown. The shown view can be edited, so the case stores it itself from now on.
 Case showingView(Case session, std::size_t index);
 
-/// The case without view `index`. In place of the shown view the next one with an image is shown; where there is none,
-/// the case stays as it is.
+/// Returns the case without view `index`. If that view is shown, the next view with an image becomes the shown one;
+/// without such a view the case is returned unchanged.
 Case withoutView(Case session, std::size_t index);
 
-/// Places in `views` of those that have an image, the shown one (with or without) first: the views that are registered
-/// together.
+/// Returns the indices of the views that are registered together: the shown view (with or without an image) first, then
+/// all others with an image.
 std::vector<std::size_t> registeredViews(const Case& session);
 
-/// These views, in the same order.
+/// Returns the views at these indices, in the same order.
 std::vector<View> viewsAt(const Case& session, const std::vector<std::size_t>& places);
 
-/// The pose in view `place` when the vessels are moved to `cameraFromPatient` in the shown one and the cameras keep
-/// their places to each other.
+/// Returns the pose in view `place` after the vessels move to `cameraFromPatient` in the shown view, with the relative
+/// camera positions fixed.
 RigidTransform poseMovedAlong(const Case& session, std::size_t place, const RigidTransform& cameraFromPatient);
 
-/// The views after the vessels were moved to `cameraFromPatient` in the shown one: the cameras keep their places to
-/// each other, as they are now, and results of runs hold no longer. Views without an image stay as they are.
+/// Returns the views after the vessels move to `cameraFromPatient` in the shown view. The current relative camera
+/// positions are kept, registration results are discarded, and views without an image stay unchanged.
 std::vector<View> movedAlong(const Case& session, const RigidTransform& cameraFromPatient);
 
-/// The views, each at its own start pose where it has one.
+/// Returns the views, each at its own initial pose if it has one.
 std::vector<View> atStart(const Case& session);
 
 }   // namespace angiopose::core

@@ -6,19 +6,20 @@
 
 namespace angiopose::core {
 
-/// The curves of a frame as the user tells them apart.
+/// The curves of one frame, separated by the user into vessels and devices.
 struct CurvesApart {
     Centerline2d vessels;
-    Centerline2d devices;   ///< catheters and wires: no vessels, and the path of the method `wire`
+    Centerline2d devices;   ///< catheters and guidewires, not vessels; the target of the method `wire`
 };
 
-/// `curves` taken apart: those of the ids are devices, each in its order. Ids of no curve are passed over.
+/// Splits `curves` into vessels and devices (the curves with `deviceIds`), each in the original order. Ignores ids
+/// without a curve.
 CurvesApart takenApart(const Centerline2d& curves, const std::vector<int>& deviceIds);
 
-/// The vessels, then the devices.
+/// Joins both lists: the vessels, then the devices.
 Centerline2d together(const CurvesApart& apart);
 
-/// Ids of the devices among curves that were edited: those that are devices still, and what was cut off one.
+/// Returns the device ids after an edit: devices that remain, and the pieces cut off a device.
 std::vector<int> devicesAfterEdit(const CurvesApart& before, const Centerline2d& edited);
 
 std::vector<int> idsOf(const Centerline2d& curves);

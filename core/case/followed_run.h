@@ -11,37 +11,37 @@
 
 namespace angiopose::core {
 
-/// Where the vessels are in one frame of a run.
+/// Pose of the vessels in one frame of a cine run.
 struct FollowedFrame {
     int frame = 0;
-    TrackedFrame tracked;   ///< without a traced vessel: the pose of the frame before, not trustworthy
-    std::optional<Message> problem;   ///< why nothing was traced
-    /// How the vessels are bent there, beside that pose; null where they are not, or were not found bent before.
+    TrackedFrame tracked;   ///< without a traced vessel: the pose of the previous frame, marked as unreliable
+    std::optional<Message> problem;   ///< reason why nothing was traced
+    /// Deformation of the vessels in this frame, relative to that pose; null where none was found.
     std::shared_ptr<const DeformableResult> deformed{};
-    std::optional<int> deformedAsInFrame{};   ///< the nearest that shows them, where this one does not
+    std::optional<int> deformedAsInFrame{};   ///< nearest frame with a deformation, where this frame has none
 };
 
-/// What following found in the run of a view (workflow/follow_frames).
+/// Result of tracking the vessels through the cine run of a view (workflow/follow_frames).
 struct FollowedRun {
-    std::shared_ptr<const std::vector<FollowedFrame>> frames;   ///< in order; null: it was not followed
-    int fromFrame = 0;   ///< whose pose was given
-    InputFile deformationsFile;   ///< that a case file names for the bends; no path: they come from no file
+    std::shared_ptr<const std::vector<FollowedFrame>> frames;   ///< in frame order; null if the run was not tracked
+    int fromFrame = 0;   ///< frame whose pose was given
+    InputFile deformationsFile;   ///< file that the case names for the deformations; no path: they come from no file
 };
 
 FollowedRun followedFrom(int frame, std::vector<FollowedFrame> frames);
 
-/// All of them; empty where the run was not followed.
+/// Returns all tracked frames; empty if the run was not tracked.
 const std::vector<FollowedFrame>& framesOf(const FollowedRun& run);
 
-const FollowedFrame* findFrame(const FollowedRun& run, int frame);   ///< null: none
+const FollowedFrame* findFrame(const FollowedRun& run, int frame);   ///< null if there is none
 
-/// The frame that has the vessels bent at a pose; null where there is none.
+/// Returns the deformation found at this pose; null if there is none.
 const FollowedFrame* deformationAt(const FollowedRun& run, const RigidTransform& cameraFromPatient);
 
-/// Bent in the frame itself, rather than as in another.
+/// Whether the deformation was found in the frame itself and not taken from another frame.
 bool isDeformedByItself(const FollowedFrame& frame);
 
-/// The vessels bent as in a frame that shows them, at the pose of another.
+/// Transfers the deformation found in one frame to the pose of another frame.
 std::shared_ptr<const DeformableResult> carriedDeformation(const FollowedFrame& from,
                                                            const RigidTransform& cameraFromPatient);
 

@@ -12,7 +12,7 @@ constexpr double settledSigmas = 0.5;
 
 }   // namespace
 
-/// A run of one view says it only where its pose had settled.
+/// With a single view, the contradiction counts only if the pose had converged.
 bool isGeometryContradicted(const View& view, std::size_t viewCount)
 {
     const auto camera = cameraOf(view);

@@ -4,12 +4,12 @@
 
 namespace angiopose::core {
 
-/// Whether the images of a view's result contradict the camera it has; `viewCount`: so many views were registered
-/// together.
+/// Whether the camera estimated in the view's result contradicts the camera of the view; `viewCount` is the number of
+/// views registered together.
 bool isGeometryContradicted(const View& view, std::size_t viewCount);
 
-/// Gives the view the camera that its result's images show; the error that the camera had. Nothing where it is the one
-/// that they show, within half a σ of what they leave open.
+/// Applies the camera estimated in the view's result and returns the error of the previous camera. Returns nothing if
+/// both agree within half a σ of the estimate's uncertainty.
 std::optional<CameraError> takeGeometryOfImages(View& view);
 
 }   // namespace angiopose::core

@@ -4,10 +4,10 @@
 
 namespace angiopose::core {
 
-/// A file the case refers to.
+/// A file that the case refers to.
 struct InputFile {
     std::string path;   ///< absolute; empty when there is none
-    std::string sha256;   ///< lower-case hex of the content when it was read; empty when not yet known
+    std::string sha256;   ///< lower-case hex digest of the content when it was read; empty while unknown
 
     bool operator==(const InputFile&) const = default;
 };

@@ -7,8 +7,8 @@
 
 namespace angiopose::core {
 
-/// What bending found for a view, or following its run for one of the frames, and holds where its vessels are seen at
-/// `pose`: that is the pose from which it was found, it is of this tree, and there is something to see. Else null.
+/// Returns the deformation of the view, from deformable registration or from tracking one of its frames, if it applies
+/// at `pose`: it was found from this pose, belongs to this tree and is visible. Otherwise null.
 std::shared_ptr<const DeformableResult> knownDeformation(const View& view, const Vessels& vessels,
                                                          const RigidTransform& pose);
 

@@ -12,7 +12,7 @@
 namespace angiopose::core {
 namespace {
 
-/// The frame as the image methods read it; null where there is none that the camera takes.
+/// Returns the frame for the image-based methods; null if no frame matches the camera.
 std::shared_ptr<const ImageF> imageOf(const View& view, const ProjectionCamera& camera)
 {
     const auto& angiogram = view.angiogram;
@@ -28,7 +28,7 @@ std::shared_ptr<const ImageF> imageOf(const View& view, const ProjectionCamera& 
 
 RegistrationOptions optionsFor(const View& view, const Vessels& vessels, RegistrationOptions options)
 {
-    constexpr double objectPlaneMm = 55.0;   // 1-σ of the plane that a device assumes from the vessels
+    constexpr double objectPlaneMm = 55.0;   // 1-σ of the object plane that a device assumes, relative to the vessels
     double& depthMm = options.angiopose.priorDepthMm;
     const CArm& cArm = view.geometry.cArm;
     const bool isAtPlane = !view.initialCameraFromPatient && isAtStart(view, vessels) &&

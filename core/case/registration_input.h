@@ -8,26 +8,26 @@
 
 namespace angiopose::core {
 
-/// The options for a run that starts with this view: where the vessels start in the object plane that the device
-/// assumed, and nobody said how far off that is, their depth there is as unsure as such planes are.
+/// Adapts the options to a registration that starts from this view. If the vessels start in the object plane assumed by
+/// the device and the depth prior is at its default, the depth prior is set to the uncertainty of such planes.
 RegistrationOptions optionsFor(const View& view, const Vessels& vessels, RegistrationOptions options);
 
-/// What a worker needs to register a view; fails naming what is still lacking. The registration starts from the current
-/// pose.
+/// Collects everything a worker needs to register a view from its current pose; fails naming the missing input.
 Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& vessels, Centerline2d target);
 
-/// Likewise of the shown view.
+/// Same for the shown view.
 Result<RegistrationInput> registrationInputOf(const Case& session, Centerline2d target);
 
-/// What registerViews needs of several views.
+/// Input of registerViews for several views.
 struct JointInputs {
-    std::vector<RegistrationInput> views;   ///< each with its camera, its target and a start pose
-    MultiViewOptions multiView;   ///< as given, with how well the steps between them are known
-    Messages notes{};   ///< what is not known of these, naming the view
+    std::vector<RegistrationInput> views;   ///< each with its camera, target and initial pose
+    MultiViewOptions multiView;   ///< as given, with the uncertainty of the steps between the views
+    Messages notes{};   ///< unknown parts of these steps, naming the view
 };
 
-/// The first view starts where it is; the others where the geometry between the views then puts them, see stepToView.
-/// Fails naming the view, by what `multiView` calls it, and what it lacks.
+/// Collects the input of several views. The first view starts at its current pose, the others where the geometry
+/// between the views puts them (see stepToView). Fails naming the view, by its number in `multiView`, and the missing
+/// input.
 Result<JointInputs> jointInputsOf(std::span<const View> views, const Vessels& vessels,
                                   std::span<const Centerline2d> targets, MultiViewOptions multiView = {});
 

@@ -5,15 +5,16 @@
 
 namespace angiopose::core {
 
-/// The start pose of the vessels in a view: given, or from the angles of the frame, about the isocentre where the view
-/// has it, else with the tree's centroid on the beam's axis, in the object plane of the header or at the isocenter.
+/// Returns the initial pose of the vessels in a view: the given one, or else from the angles of the frame, about the
+/// isocenter where the view has one. Otherwise the tree's centroid lies on the beam axis, in the object plane of the
+/// header or at the isocenter.
 Result<RigidTransform> startPoseOf(const View& view, const Vessels& vessels);
 
-/// Whether the vessels of a view are where they start: neither registered nor moved.
+/// Whether the vessels of a view are at their initial pose, neither registered nor moved.
 bool isAtStart(const View& view, const Vessels& vessels);
 
-/// The view at another frame, at its own pose where following found one. Where the gantry turned in between, the poses
-/// turn with it about the isocentre.
+/// Returns the view at another frame, at that frame's tracked pose if there is one. If the gantry rotated in between,
+/// the poses rotate with it about the isocenter.
 View withFrame(View view, int frame);
 
 }   // namespace angiopose::core

@@ -22,97 +22,100 @@
 
 namespace angiopose::core {
 
-/// A 2-D centreline that replaces tracing: from a file, or curves edited by hand for one frame.
+/// A 2-D centerline that replaces tracing: from a file, or curves edited manually for one frame.
 struct GivenTarget {
     InputFile file;   ///< no path: nothing is given, or the edits are not saved yet
     std::shared_ptr<const Centerline2d> centerline;   ///< content of `file`, or the edited curves, or null
-    std::optional<int> editedFrame;   ///< edited here, and holds for this frame alone
-    std::vector<int> acceptedCurveIds;   ///< of the edited curves: no suspects, says the user
-    /// Catheters and wires among the edited curves, kept apart: no part of `centerline`. Null: none.
+    std::optional<int> editedFrame;   ///< frame in which the curves were edited; they are valid for this frame only
+    std::vector<int> acceptedCurveIds;   ///< edited curves that the user marked as not suspect
+    /// Catheters and guidewires among the edited curves, stored separately and not part of `centerline`; null if there
+    /// are none.
     std::shared_ptr<const Centerline2d> devices{};
 };
 
-/// Where source and detector stand to each other and to the patient.
+/// Geometry of source and detector relative to each other and to the patient.
 struct ViewGeometry {
-    CArm cArm;   ///< header values, overridden by the case's own
-    std::optional<ProjectionCamera> cameraOverride;   ///< given as a whole: what the C-arm says does not count
+    CArm cArm;   ///< header values, overridden by the values of the case
+    std::optional<ProjectionCamera> cameraOverride;   ///< complete camera that replaces the C-arm values
 };
 
-/// One angiogram of the vessels, with all that is known about it. Small enough to copy for undo and for workers: the
-/// images are shared and never change once loaded.
+/// One angiogram of the vessels with all its data. It is small enough to copy for undo and for worker threads: the
+/// images are shared and never change after loading.
 struct View {
-    InputFile caseFile;   ///< the case file the view stands in, unchanged; no path: it stands in this case itself
+    InputFile caseFile;   ///< case file that contains the view unchanged; no path: this case stores the view itself
 
-    std::string name;   ///< what the user calls it; empty: its angles say which it is
-    bool isSamePatient = false;   ///< somebody made sure of that, whatever the headers say
+    std::string name;   ///< name given by the user; empty: the view is labeled by its angles
+    bool isSamePatient = false;   ///< confirmed by the user, whatever the headers contain
     InputFile imageFile;
-    std::shared_ptr<const Angiogram> angiogram;   ///< as it is shown and traced; null where it is not loaded
-    std::shared_ptr<const Angiogram> storedRun;   ///< as the file has it, while `treatment` changes it; else null
-    SubtractionPlan headerPlan;   ///< what the file says about its subtraction
-    RunTreatment treatment;   ///< how `angiogram` comes from what is stored
+    std::shared_ptr<const Angiogram> angiogram;   ///< as displayed and traced; null while not loaded
+    std::shared_ptr<const Angiogram> storedRun;   ///< as stored, while `treatment` changes it; otherwise null
+    SubtractionPlan headerPlan;   ///< subtraction described in the file
+    RunTreatment treatment;   ///< how `angiogram` is derived from the stored run
     int frame = 0;
     GivenTarget target;
     TraceOptions traceOptions;
 
     ViewGeometry geometry;
 
-    std::optional<RigidTransform> initialCameraFromPatient;   ///< none: the start pose follows from the angles
-    RigidTransform cameraFromPatient;   ///< where the tree is now
-    std::vector<Landmark> landmarks;   ///< pairs the start pose can be found from
+    std::optional<RigidTransform> initialCameraFromPatient;   ///< none: the initial pose follows from the angles
+    RigidTransform cameraFromPatient;   ///< current pose of the tree
+    std::vector<Landmark> landmarks;   ///< landmark pairs from which the initial pose can be computed
     std::vector<ImageMeasurement> measurements;   ///< drawn on its frames
-    std::optional<double> typedMmPerPx;   ///< what a pixel measures in the patient, as somebody says
-    std::vector<Sighting> sightings;   ///< of check points of the vessels, one for each of them and frame
-    std::vector<ImageAnnotation> annotations;   ///< arrows and words on its frames
-    std::optional<RegistrationResult> result;   ///< of the last run, while the pose is still its pose
-    FollowedRun followed;   ///< what following found in its run, from the frame and pose of then
-    std::vector<PoseSnapshot> snapshots;   ///< poses kept by the user and left by runs, oldest first
+    std::optional<double> typedMmPerPx;   ///< size of a pixel in the patient, entered by the user
+    std::vector<Sighting> sightings;   ///< image positions of target points, one per target point and frame
+    std::vector<ImageAnnotation> annotations;   ///< arrows and text on its frames
+    std::optional<RegistrationResult> result;   ///< result of the last registration, while the pose is unchanged
+    FollowedRun followed;   ///< tracking result of its cine run, from the frame and pose of that time
+    std::vector<PoseSnapshot> snapshots;   ///< poses saved by the user and by registrations, oldest first
 
-    std::string extraKeys;   ///< JSON object with the keys of the file about this view that this version does not know
+    std::string extraKeys;   ///< JSON object with this view's keys in the file that this version does not recognize
 };
 
-/// The result, where it was found in the frame that is shown: what it says of the fit holds for that one alone. Else
-/// null.
+/// Returns the result if it was found in the shown frame, because its quality measures are valid for that frame only;
+/// otherwise null.
 const RegistrationResult* resultOfShownFrame(const View& view);
 
-/// Something that they rest on is another: neither the run's result nor what following found holds any longer.
+/// Discards the registration result and the tracking result after an input of theirs changed.
 void forgetFindings(View& view);
 
-/// The camera of a view: the override, which must be of the image size, or what follows from the C-arm and that size.
+/// Returns the camera of a view: the override, which must match the image size, or the camera derived from the C-arm
+/// and the image size.
 Result<ProjectionCamera> cameraOf(const View& view);
 
-/// How far that camera may be off, by where its values come from; zero where there is none.
+/// Returns the uncertainty of that camera, by the origin of its values; zero if there is no camera.
 CameraSpread cameraSpreadOf(const View& view);
 
-/// The C-arm when the chosen frame was taken: the gantry may turn during a run (ALGORITHMS §5.5).
+/// Returns the C-arm at the time of the selected frame: the gantry may rotate during a run (ALGORITHMS §5.5).
 CArm cArmOfFrame(const View& view);
 
-/// How else its angles may be meant: by a device that counts them from the table, where the header says that the
-/// patient does not lie head first and supine. Nothing of angles that somebody typed, or while a camera or a start pose
-/// overrides them.
+/// Returns the alternative reading of the angles, by a device that measures them relative to the table, where the
+/// header gives a patient position other than head first supine. Returns nothing for angles entered by the user, or
+/// while a camera or an initial pose overrides them.
 std::optional<TableReading> tableReadingOf(const View& view);
 
-/// What in the geometry of a view makes no sense, see findContradictions; nothing while a camera overrides it.
+/// Returns implausible values in the geometry of a view, see findContradictions; nothing while a camera overrides it.
 Messages contradictionsOf(const View& view);
 
-/// The frames as the file has them; null until loaded.
+/// Returns the frames as stored in the file; null until loaded.
 const std::shared_ptr<const Angiogram>& storedRunOf(const View& view);
 
-/// The given or edited centreline, where there is one for the view's frame; else null, and the frame is traced.
+/// Returns the given or edited centerline for the view's frame; null if there is none and the frame must be traced.
 std::shared_ptr<const Centerline2d> givenTargetOf(const View& view);
 
-/// Catheters and wires of the view's frame that the user keeps apart; null where there are none.
+/// Returns the catheters and guidewires that the user separated in the view's frame; null if there are none.
 std::shared_ptr<const Centerline2d> devicesOf(const View& view);
 
-/// Of a given target: which curves are vessels, which are devices.
+/// Separates the vessels and the devices of a given target.
 CurvesApart curvesOf(const GivenTarget& target);
 
-/// How its frames are traced, with the widest vessel by the view's geometry where the options leave it open.
+/// Returns the tracing options of its frames; if they leave the widest vessel open, it follows from the view's
+/// geometry.
 TraceOptions traceOptionsOf(const View& view);
 
-/// The target of a view: the given centreline, or the traced frame.
+/// Returns the target of a view: the given centerline, or the traced frame.
 Result<Centerline2d> targetOf(const View& view);
 
-/// What a method registers to: `wire` follows the devices where some are kept apart; else the view's target.
+/// Returns the target of a method: the separated devices for `wire`, if there are any; otherwise the view's target.
 Result<Centerline2d> targetOf(const View& view, const std::string& method);
 
 }   // namespace angiopose::core

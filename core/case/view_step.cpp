@@ -9,10 +9,10 @@
 namespace angiopose::core {
 namespace {
 
-// 1-σ, DECISIONS says of what.
-constexpr double tableRotationDeg = 0.75, tableShiftMm = 8.0;   // table known: breathing, heart, its own rounding
-constexpr double unknownAcrossMm = 60.0, unknownAlongMm = 30.0;   // table unknown
-constexpr double movingTableMm = 50.0;   // it moved while a view was taken
+// 1-σ values; DECISIONS gives their sources.
+constexpr double tableRotationDeg = 0.75, tableShiftMm = 8.0;   // table known: breathing, heartbeat, tag rounding
+constexpr double unknownAcrossMm = 60.0, unknownAlongMm = 30.0;   // table position unknown
+constexpr double movingTableMm = 50.0;   // table moved while a view was acquired
 constexpr double sameDistanceMm = 1.0;
 constexpr double sameMomentS = 1.0;
 
@@ -46,7 +46,7 @@ bool areOfOneStudy(const View& a, const View& b)
     return first.empty() || second.empty() || first == second;
 }
 
-/// How far the isocenter went in the patient; nothing where that is not known.
+/// Displacement of the isocenter in the patient between the views; nothing if it is unknown.
 std::optional<Eigen::Vector3d> isocenterStepMm(const View& first, const View& view)
 {
     if (areOfOneRun(first, view) || areOfOneMoment(first, view)) {
@@ -60,8 +60,8 @@ std::optional<Eigen::Vector3d> isocenterStepMm(const View& first, const View& vi
                    : std::nullopt;
 }
 
-/// Whether the gantries' distances tell where the isocenter is: an object plane that stands in for it does only where
-/// it is the same in both views.
+/// Whether the source distances determine the isocenter: an object plane used in its place does so only if it is the
+/// same in both views.
 bool isIsocenterKnown(const CArm& first, const CArm& view)
 {
     const auto &a = first.sourceToIsocenterMm, &b = view.sourceToIsocenterMm;
@@ -70,7 +70,7 @@ bool isIsocenterKnown(const CArm& first, const CArm& view)
     return !isAssumed || std::abs(*a.value - *b.value) <= sameDistanceMm;
 }
 
-/// The turn of the gantries, with the vessels where the view has them by itself.
+/// Rotation between the gantries, with the vessels placed where the view's own initial pose puts them.
 RigidTransform turnedInPlace(const RigidTransform& step, const View& first, const View& view, const Vessels& vessels)
 {
     const auto start = startPoseOf(view, vessels);

@@ -6,18 +6,18 @@
 
 namespace angiopose::core {
 
-/// What leads from the camera of one view to that of another.
+/// Transform from the camera of one view to that of another.
 struct ViewStep {
     RigidTransform viewFromFirst;
     StepSpread spread;
-    Messages notes{};   ///< what of the geometry is not known, in words
+    Messages notes{};   ///< unknown parts of the geometry
 };
 
-/// Distances and angles of both gantries about the isocenter, which the table carries through the patient: by its tags,
-/// not at all between the planes of a bi-plane acquisition and the frames of one run. Where nothing tells how the table
-/// stood, or where the isocenter is, the turn alone is taken from the gantries, and the vessels lie as far off as each
-/// view starts by itself. Where a view lacks angles, what leads from start pose to start pose (ALGORITHMS §5.5). Fails
-/// where a view has neither.
+/// Computes the step from distances and angles of both gantries about the isocenter. The table moves the isocenter
+/// through the patient by its tags, and not at all between the planes of a biplane acquisition or frames of one run. If
+/// the table position or the isocenter is unknown, only the rotation comes from the gantries and the position of the
+/// vessels from each view's initial pose. If a view lacks angles, the step leads from initial pose to initial pose
+/// (ALGORITHMS §5.5). Fails if a view has neither.
 Result<ViewStep> stepToView(const View& first, const View& view, const Vessels& vessels);
 
 }   // namespace angiopose::core

@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Where a run belongs: condition in the protocol's order, trial, method in the order of appearance.
+/// Sort key of a run: condition in the protocol's order, trial, method in order of appearance.
 using RunPlace = std::tuple<std::size_t, std::uint64_t, std::size_t>;
 
 std::size_t conditionIndex(const Protocol& protocol, const std::string& id)
@@ -18,7 +18,8 @@ std::size_t conditionIndex(const Protocol& protocol, const std::string& id)
     return static_cast<std::size_t>(found - protocol.conditions.begin());
 }
 
-/// Equal but for the times; the same bits, so that two unknown measures agree too.
+/// Whether two records are equal except for their times. Values are compared bitwise, so two unknown (NaN) measures
+/// agree.
 bool agree(const RunRecord& a, const RunRecord& b)
 {
     return std::all_of(runFields().begin(), runFields().end(), [&](const RunField& field) {

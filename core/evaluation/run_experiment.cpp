@@ -10,10 +10,10 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::uint64_t trialsWithHistory = 48;   ///< of each condition; enough for a median curve
+constexpr std::uint64_t trialsWithHistory = 48;   ///< per condition; enough for a median curve
 
 struct Task {
-    std::size_t condition = 0;   ///< into the plan's
+    std::size_t condition = 0;   ///< index into the conditions of the plan
     std::uint64_t trial = 0;
 };
 
@@ -28,7 +28,7 @@ std::vector<Task> tasksOf(const ExperimentPlan& plan)
     return tasks;
 }
 
-/// Hands out tasks to threads and gathers what they find.
+/// Distributes tasks to threads and collects their results.
 class Pool {
 public:
     Pool(const ExperimentPlan& plan, const ExperimentObserver& observe)
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    /// Records of all methods, or none when the experiment was stopped meanwhile.
+    /// Returns the records of all methods; empty if the experiment was stopped in the meantime.
     std::vector<RunRecord> runTask(const Task& task)
     {
         const Trial trial = makers_[task.condition](task.trial);
@@ -89,7 +89,7 @@ private:
     const ExperimentPlan& plan_;
     const ExperimentObserver& observe_;
     std::vector<Task> tasks_;
-    std::vector<std::vector<RunRecord>> found_;   ///< by task, so that the order of threads does not show
+    std::vector<std::vector<RunRecord>> found_;   ///< by task, so the results do not depend on thread order
     std::vector<TrialMaker> makers_;
     std::atomic<std::size_t> next_{0};
     std::atomic<bool> isStopped_{false};

@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// A part of the work that another machine may share: trials whose number leaves `index` when divided by `count`.
+/// A part of the work for one machine: the trials whose number modulo `count` is `index`.
 struct Shard {
     std::uint64_t index = 0;
     std::uint64_t count = 1;
@@ -14,27 +14,27 @@ struct Shard {
 
 struct ExperimentPlan {
     const Protocol* protocol = nullptr;
-    std::vector<std::size_t> conditions;   ///< indices into the protocol's
+    std::vector<std::size_t> conditions;   ///< indices into the conditions of the protocol
     std::vector<Contestant> contestants;
-    std::uint64_t trials = 0;   ///< of each condition, over all shards
+    std::uint64_t trials = 0;   ///< per condition, over all shards
     std::uint64_t seed = 1;
     Shard shard;
-    int threads = 1;   ///< changes the time only, never the numbers
+    int threads = 1;   ///< affects the time only, never the results
 };
 
-/// Called from the working threads, one at a time, after each trial; its answer Stop ends the experiment soon.
+/// Called by the worker threads, one at a time, after each trial; returning Stop ends the experiment soon.
 using ExperimentObserver = std::function<Verdict(std::uint64_t doneTrials, std::uint64_t allTrials)>;
 
 struct Experiment {
-    RunSet runs;   ///< of the trials that every method has finished
+    RunSet runs;   ///< runs of the trials that every method has finished
     bool wasStopped = false;
 };
 
-/// Runs every method on every trial of the shard. Numbers depend on protocol, seed, condition, trial and method alone.
+/// Runs every method on every trial of the shard. Results depend on protocol, seed, condition, trial and method only.
 Experiment runExperiment(const ExperimentPlan& plan, const ExperimentObserver& observe = {});
 
-/// Brings the runs of shards (same protocol and seed) together as if one process had run them all; also adds methods
-/// or conditions that ran apart. Fails when they do not belong together or two disagree about one run.
+/// Merges the runs of shards (same protocol and seed) as if one process had made them all; also adds methods or
+/// conditions that ran separately. Fails if the parts do not belong together or two disagree about one run.
 Result<RunSet> merged(const std::vector<RunSet>& parts);
 
 }   // namespace angiopose::core

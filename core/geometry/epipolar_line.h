@@ -6,16 +6,16 @@
 
 namespace angiopose::core {
 
-/// A straight piece of an image; pixels as of ProjectionCamera.
+/// A straight line segment in an image; pixels as in ProjectionCamera.
 struct ImageSegment {
     Eigen::Vector2d beginPx = Eigen::Vector2d::Zero();
     Eigen::Vector2d endPx = Eigen::Vector2d::Zero();
 };
 
-/// Where in the image of `other` all that lies behind one pixel of `first` may be (ALGORITHMS §5.7): the ray from the
-/// first source through that pixel, as far as it lies in front of both sources and inside the other image. It begins on
-/// the side of the first source. Nothing where none of it is seen, or a camera is unusable; a point where the ray runs
-/// into the other source.
+/// Returns the epipolar line of a pixel of `first` in the image of `other` (ALGORITHMS §5.7): the ray from the first
+/// source through that pixel, clipped to the part in front of both sources and inside the other image. It begins on the
+/// side of the first source. Nothing if no part is visible or a camera is unusable; a point if the ray runs into the
+/// other source.
 std::optional<ImageSegment> epipolarLine(const Sight& first, const Eigen::Vector2d& pixel, const Sight& other);
 
 }   // namespace angiopose::core

@@ -9,46 +9,47 @@
 
 namespace angiopose::core {
 
-/// A header element as it is written, for people to read.
+/// A header element as written in the file, for display.
 struct HeaderTag {
     std::string tag;   ///< "(0018,1110)"
-    std::string name;   ///< as PS3.6 has it: "Distance Source to Detector"
+    std::string name;   ///< name from PS3.6: "Distance Source to Detector"
     std::string value;
 };
 
-/// Where the isocenter lies in the patient, whom the table carries past it. From an origin of the device's: only
-/// differences between views of one stay tell something.
+/// Position of the isocenter in the patient, who moves with the table. The origin is device-specific: only differences
+/// between images without repositioning the patient are meaningful.
 struct TablePosition {
-    enum class Tags { Standard, Siemens };   ///< each with an origin of its own
+    enum class Tags { Standard, Siemens };   ///< each has its own origin
 
     Eigen::Vector3d isocenterInPatientMm;   ///< LPS
     Tags tags = Tags::Standard;
 };
 
-/// An image of one of two planes that were taken together.
+/// Acquisition time of one plane of a biplane acquisition.
 struct BiplaneMoment {
     char plane;   ///< 'A' or 'B'
     std::string date;   ///< yyyymmdd
-    double timeS;   ///< since midnight
+    double timeS;   ///< seconds since midnight
 };
 
-/// What the header of an X-ray run says about the gantry beside the values a CArm holds: facts to check those against,
-/// and to show. Lengths mm, angles degrees.
+/// Gantry facts in the header of an X-ray run beyond the values in CArm, used to check those and for display. Lengths
+/// mm, angles degrees.
 struct GantryHeader {
     std::optional<double> magnification;   ///< (0018,1114) estimated radiographic magnification, SID/SOD
-    std::optional<Eigen::Vector2d> fieldOfViewMm;   ///< (0018,1149) on the detector: width, height; round: diameters
+    std::optional<Eigen::Vector2d> fieldOfViewMm;   ///< (0018,1149) on the detector: width, height; diameter if round
     std::optional<double> intensifierMm;   ///< (0018,1162) diameter of the image intensifier
     std::optional<Eigen::Vector2d> detectorMm;   ///< (0018,7026) active area: width, height
-    std::optional<Eigen::Vector2d> pixelSpacingMm;   ///< (0028,0030) along u, v: at the patient, where it is calibrated
-    bool isPixelSpacingCalibrated = false;   ///< (0028,0A02) says how; otherwise it should repeat the imager's
-    double pixelAspect = 1.0;   ///< (0028,0034) height of a pixel over its width
-    /// (0018,1520), (0018,1521): primary and secondary angle of each frame relative to the first; empty when it stood.
+    std::optional<Eigen::Vector2d> pixelSpacingMm;   ///< (0028,0030) along u, v: at the patient if calibrated
+    bool isPixelSpacingCalibrated = false;   ///< (0028,0A02) gives the method; otherwise equal to the imager spacing
+    double pixelAspect = 1.0;   ///< (0028,0034) pixel height over width
+    /// (0018,1520), (0018,1521): primary and secondary angle of each frame relative to the first; empty if the gantry
+    /// did not move.
     std::vector<Eigen::Vector2d> angleIncrementsDeg;
-    std::optional<PatientPosition> patientPosition;   ///< (0018,5100); angles refer to the patient whatever it is
-    std::optional<TablePosition> table;   ///< (0018,9466–9468), or what a room's private tags say
-    bool tableMoves = false;   ///< during the run: it is nowhere in particular
+    std::optional<PatientPosition> patientPosition;   ///< (0018,5100); angles refer to the patient in every position
+    std::optional<TablePosition> table;   ///< (0018,9466–9468), or private tags of a vendor
+    bool tableMoves = false;   ///< during the run, so `table` is not a single position
     std::optional<BiplaneMoment> biplane;   ///< (0008,0008) BIPLANE A or B
-    std::vector<HeaderTag> tags;   ///< every element about geometry that is there, in the order of the tags
+    std::vector<HeaderTag> tags;   ///< all geometry elements in the header, sorted by tag
 };
 
 }   // namespace angiopose::core

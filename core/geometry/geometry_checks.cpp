@@ -7,13 +7,13 @@
 namespace angiopose::core {
 namespace {
 
-// What C-arms are like: outside, a value is a misprint, another unit, or of another machine.
+// Plausible C-arm ranges: a value outside them is a typing error, in another unit, or from another type of machine.
 constexpr double minSidMm = 500.0, maxSidMm = 2000.0;
 constexpr double maxMagnification = 2.5;
 constexpr double minDetectorSpacingMm = 0.05, maxSpacingMm = 2.0;
 constexpr double minDetectorMm = 60.0, maxDetectorMm = 700.0;
 
-// Headers round: how far two accounts of one length may differ.
+// Tolerances between two sources of the same length, because headers round.
 constexpr double sameLength = 0.05;
 constexpr double sameMagnification = 0.02;
 constexpr double sameAspect = 0.01;
@@ -28,7 +28,7 @@ bool differ(double a, double b, double share)
     return std::abs(a - b) > share * std::abs(b);
 }
 
-/// Collects messages; each check says one thing.
+/// Collects the messages; each check reports one problem.
 class Checks {
 public:
     Checks(const CArm& cArm, const GantryHeader& header, const Eigen::Vector2i& imageSizePx)
@@ -60,7 +60,7 @@ private:
     {
         return isKnownPositive(cArm_.sourceToDetectorMm) && isKnownPositive(vesselDepthOf(cArm_));
     }
-    /// At the vessels.
+    /// Magnification at the vessels.
     double magnification() const { return *cArm_.sourceToDetectorMm.value / *vesselDepthOf(cArm_).value; }
 
     void checkDistances()
@@ -79,7 +79,7 @@ private:
 
     void checkMagnification()
     {
-        // Who types a distance knows better than the header.
+        // Distances entered by the user take precedence over the header.
         const bool areTyped =
             cArm_.sourceToDetectorMm.origin == Origin::User || vesselDepthOf(cArm_).origin == Origin::User;
         if (hasDistances() && header_.magnification && !areTyped) {
@@ -124,7 +124,7 @@ private:
         }
     }
 
-    /// Pixel spacing (0028,0030) is of the object plane once it is calibrated; else it repeats the imager's.
+    /// Once calibrated, pixel spacing (0028,0030) refers to the object plane; otherwise it repeats the imager spacing.
     void checkCalibration()
     {
         if (!header_.pixelSpacingMm || !hasSpacing()) {

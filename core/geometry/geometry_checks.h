@@ -6,14 +6,14 @@
 
 namespace angiopose::core {
 
-/// Values that contradict each other, the header or physics, each with what to check
-/// (ALGORITHMS §5.2, §5.6): distances, magnification, pixel spacing against field of view, intensifier, detector and
-/// calibration, pixel aspect, angles, principal point. `imageSizePx`: columns, rows; zero when unknown.
-/// Values that are missing are no contradiction.
+/// Reports values that contradict each other, the header or physics, each with a suggestion to check (ALGORITHMS §5.2,
+/// §5.6): distances, magnification, pixel spacing against field of view, intensifier, detector and calibration, pixel
+/// aspect, angles, principal point. `imageSizePx`: columns, rows; zero if unknown. Missing values are not
+/// contradictions.
 Messages findContradictions(const CArm& cArm, const GantryHeader& header = {},
                             const Eigen::Vector2i& imageSizePx = Eigen::Vector2i::Zero());
 
-/// What the geometry still lacks for a camera and a start pose, each with how to supply it.
+/// Reports the geometry values still missing for a camera and an initial pose, each with how to supply it.
 Messages findMissing(const CArm& cArm);
 
 }   // namespace angiopose::core

@@ -8,13 +8,13 @@ namespace angiopose::core {
 
 enum class AnnotationKind { Arrow, Text };
 
-/// An arrow or words that somebody drew on one frame of an image.
+/// An arrow or text drawn on one frame of an image.
 struct ImageAnnotation {
     AnnotationKind kind = AnnotationKind::Text;
-    std::vector<Eigen::Vector2d> pixels;   ///< of an arrow its tail and its tip, of words where they begin
-    std::string text;   ///< UTF-8, one line; of an arrow it may be empty
+    std::vector<Eigen::Vector2d> pixels;   ///< tail and tip of an arrow, or start of a text
+    std::string text;   ///< UTF-8, one line; may be empty for an arrow
     int frame = 0;
-    std::string extraKeys{};   ///< JSON object with what a case file says of it that this version does not know
+    std::string extraKeys{};   ///< JSON object with the keys of the case file that this version does not recognize
 
     bool operator==(const ImageAnnotation&) const = default;
 };

@@ -5,12 +5,12 @@
 
 namespace angiopose::core {
 
-/// A place that was pointed at twice: on the vessels and in the image.
+/// A point marked both on the vessels and in the image.
 struct Landmark {
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
-    std::string name;   ///< for people; may be empty
-    std::string extraKeys{};   ///< JSON object with what a case file says of it that this version does not know
+    std::string name;   ///< display name; may be empty
+    std::string extraKeys{};   ///< JSON object with the keys of the case file that this version does not recognize
 
     bool operator==(const Landmark&) const = default;
 };

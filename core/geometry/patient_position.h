@@ -8,35 +8,37 @@
 
 namespace angiopose::core {
 
-/// How a patient lies on the table (PS3.3 C.7.3.1.1.2): head or feet first; supine, prone, or on the right (DR) or left
-/// (DL) side.
+/// Position of the patient on the table (PS3.3 C.7.3.1.1.2): head or feet first; supine, prone, or on the right (DR) or
+/// left (DL) side.
 enum class PatientPosition { HFS, HFP, HFDR, HFDL, FFS, FFP, FFDR, FFDL };
 
-/// Nothing for another word.
+/// Parses the defined term; nothing for any other text.
 std::optional<PatientPosition> patientPositionFrom(std::string_view text);
 
-/// The defined term: "FFS".
+/// Returns the defined term: "FFS".
 std::string_view toText(PatientPosition position);
 
-/// Turns directions of the table into the patient's LPS. The table's frame is the LPS of somebody who lies head first
-/// and supine. det = +1.
+/// Returns the rotation from the table's frame to the patient's LPS. The table's frame is the LPS of a patient lying
+/// head first and supine. det = +1.
 Eigen::Matrix3d patientFromTable(PatientPosition position);
 
-/// Angles of a C-arm in the patient's frame, degrees (ALGORITHMS §5.3).
+/// C-arm angles in the patient's frame, degrees (ALGORITHMS §5.3).
 struct PatientAngles {
     double primaryDeg = 0.0;
     double secondaryDeg = 0.0;
     double rollDeg = 0.0;
 };
 
-/// A device that counts its angles from the table, as if everybody lay head first and supine: what its header means.
+/// Interpretation of header angles from a device that measures them relative to the table, as if every patient lay head
+/// first and supine.
 struct TableReading {
     PatientPosition position = PatientPosition::HFS;
-    PatientAngles angles;   ///< to type instead of the header's
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();   ///< turns the patient's LPS to what the header's angles see
+    PatientAngles angles;   ///< angles to enter instead of those in the header
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();   ///< rotation from patient LPS to the header angles' frame
 };
 
-/// Nothing where the patient lies head first and supine, since both readings are one then, or an angle is missing.
+/// Returns nothing if the patient lies head first and supine, because both readings are then equal, or if an angle is
+/// missing.
 std::optional<TableReading> countedFromTable(const CArm& cArm, PatientPosition position);
 
 }   // namespace angiopose::core

@@ -15,7 +15,7 @@ enum class PoseAxis { Right, Up, AlongRay, Roll, LaoRao, CraCau };
 inline constexpr std::array poseAxes{PoseAxis::Right, PoseAxis::Up,     PoseAxis::AlongRay,
                                      PoseAxis::Roll,  PoseAxis::LaoRao, PoseAxis::CraCau};
 
-/// Degrees of freedom that keep their value, indexed by PoseAxis.
+/// Locked degrees of freedom, which keep their value; indexed by PoseAxis.
 using PoseLocks = std::array<bool, poseAxes.size()>;
 
 inline bool isLocked(const PoseLocks& locks, PoseAxis axis)
@@ -27,11 +27,11 @@ bool isAnyLocked(const PoseLocks& locks);
 double& valueOf(PoseOffset& offset, PoseAxis axis);
 double valueOf(const PoseOffset& offset, PoseAxis axis);
 
-/// In files and on the command line: "right", "up", "along-ray", "roll", "lao-rao", "cra-cau".
+/// Returns the id used in files and on the command line: "right", "up", "along-ray", "roll", "lao-rao", "cra-cau".
 std::string_view idOf(PoseAxis axis);
 std::optional<PoseAxis> poseAxisFrom(std::string_view id);
 
-/// Every id in order, separated by commas; for messages.
+/// Returns all ids in order, separated by commas; for messages.
 std::string poseAxisIds();
 
 }   // namespace angiopose::core

@@ -4,10 +4,10 @@
 
 namespace angiopose::core {
 
-/// How far apart two poses put the vessels, about a pivot (the tree's centroid).
+/// Difference between two poses of the vessels, about a pivot (the tree's centroid).
 struct PoseDifference {
-    double inPlaneMm = 0.0;   ///< of the pivot, across the camera axis
-    double depthMm = 0.0;   ///< of the pivot, along the camera axis; signed, positive: `b` lies farther from the source
+    double inPlaneMm = 0.0;   ///< shift of the pivot perpendicular to the camera axis
+    double depthMm = 0.0;   ///< signed shift of the pivot along the camera axis; positive: `b` farther from source
     double rotationDeg = 0.0;   ///< 0…180
 };
 

@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Camera-frame sign of "to the right" and "down" on screen.
+/// Camera-frame signs of "right" and "down" on screen.
 struct ScreenSigns {
     double right;
     double down;
@@ -19,8 +19,9 @@ ScreenSigns screenSigns(const ProjectionCamera& camera)
     return {camera.fx < 0.0 ? -1.0 : 1.0, camera.fy < 0.0 ? -1.0 : 1.0};
 }
 
-/// Turn of the vessels in camera axes. The C-arm going to LAO is a positive turn about +Y, going cranial a negative
-/// turn about +X (ALGORITHMS §5.3), however the image is displayed; only the roll on screen depends on the display.
+/// Rotation of the vessels in camera axes. C-arm rotation toward LAO is a positive rotation about +Y, cranial
+/// angulation a negative one about +X (ALGORITHMS §5.3), however the image is displayed; only the roll on screen
+/// depends on the display.
 Eigen::Matrix3d turn(const PoseOffset& offset, const ScreenSigns& signs)
 {
     const double roll = offset.rollDeg / degreesPerRadian * signs.right * signs.down;

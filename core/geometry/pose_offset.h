@@ -5,24 +5,24 @@
 
 namespace angiopose::core {
 
-/// A pose edit in the terms of a radiographer, relative to a reference pose and about a pivot (the tree's centroid).
-/// Shifts are screen directions at the pivot; angles turn the vessels about the pivot, in camera axes.
+/// A pose change in radiographic terms, relative to a reference pose and about a pivot (the tree's centroid). Shifts
+/// are screen directions at the pivot; angles rotate the vessels about the pivot, in camera axes.
 struct PoseOffset {
     double rightMm = 0.0;   ///< to the right on screen
     double upMm = 0.0;   ///< up on screen
     double alongRayMm = 0.0;   ///< away from the source, along the camera axis
     double rollDeg = 0.0;   ///< clockwise on screen
-    double laoRaoDeg = 0.0;   ///< as if the C-arm went to LAO (+) or RAO (−): about the screen's vertical axis
-    double craCauDeg = 0.0;   ///< as if the C-arm went cranial (+) or caudal (−): about the screen's horizontal axis
+    double laoRaoDeg = 0.0;   ///< as if the C-arm rotated to LAO (+) or RAO (−): about the screen's vertical axis
+    double craCauDeg = 0.0;   ///< as if the C-arm angulated to CRA (+) or CAU (−): about the screen's horizontal axis
 
     bool operator==(const PoseOffset&) const = default;
 };
 
-/// The pose after applying `offset` to `reference`; the pivot (patient frame, mm) moves by the shifts alone.
+/// Returns the pose after applying `offset` to `reference`; the pivot (patient frame, mm) moves by the shifts only.
 RigidTransform applyOffset(const RigidTransform& reference, const PoseOffset& offset,
                            const Eigen::Vector3d& pivotInPatient, const ProjectionCamera& camera);
 
-/// The offset that leads from `reference` to `pose`; exact inverse of applyOffset for |laoRao| < 90°.
+/// Returns the offset from `reference` to `pose`; exact inverse of applyOffset for |laoRao| < 90°.
 PoseOffset offsetBetween(const RigidTransform& reference, const RigidTransform& pose,
                          const Eigen::Vector3d& pivotInPatient, const ProjectionCamera& camera);
 

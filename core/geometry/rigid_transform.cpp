@@ -33,7 +33,7 @@ Eigen::Matrix3d couplingBlock(const Eigen::Vector3d& omega, const Eigen::Vector3
     double a = 1.0 / 6.0;
     double b = 1.0 / 24.0;
     double c = 1.0 / 120.0;
-    if (angle > 1e-2) {   // below this the closed forms cancel; the series is exact to 1e-9
+    if (angle > 1e-2) {   // below this angle the closed forms suffer cancellation; the series is accurate to 1e-9
         const double angle2 = angle * angle;
         const double sine = std::sin(angle);
         const double cosine = std::cos(angle);
@@ -89,7 +89,7 @@ Eigen::Matrix3d expSo3(const Eigen::Vector3d& omega)
 
 Eigen::Vector3d logSo3(const Eigen::Matrix3d& rotation)
 {
-    Eigen::Quaterniond q(rotation);   // picks the largest component first: stable near a half turn
+    Eigen::Quaterniond q(rotation);   // picks the largest component first, so it is stable near 180°
     if (q.w() < 0.0) {
         q.coeffs() = -q.coeffs();
     }

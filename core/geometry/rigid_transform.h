@@ -8,7 +8,8 @@ namespace angiopose::core {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-/// Rigid motion in mm. Named for the frames it joins: `cameraFromPatient * pointInPatient = pointInCamera`.
+/// Rigid transform in mm. Variables are named after the frames they connect: `cameraFromPatient * pointInPatient =
+/// pointInCamera`.
 struct RigidTransform {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
     Eigen::Vector3d translation = Eigen::Vector3d::Zero();
@@ -47,13 +48,13 @@ Matrix6d adjoint(const RigidTransform& transform);
 /// Inverse right Jacobian of SE(3): `log(T exp(x)) ≈ log(T) + Jr^-1(log T) x`.
 Matrix6d inverseRightJacobianSe3(const Vector6d& twist);
 
-/// The rotation nearest to `matrix` (Frobenius norm), determinant +1.
+/// Returns the rotation nearest to `matrix` (Frobenius norm), with determinant +1.
 Eigen::Matrix3d nearestRotation(const Eigen::Matrix3d& matrix);
 
-/// Angle in rad between two orientations.
+/// Returns the angle in rad between two orientations.
 double angleBetween(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b);
 
-/// True when all entries are finite and the rotation is orthonormal with determinant +1 within `tolerance`.
+/// Whether all entries are finite and the rotation is orthonormal with determinant +1, within `tolerance`.
 bool isRigid(const RigidTransform& transform, double tolerance = 1e-4);
 
 }   // namespace angiopose::core

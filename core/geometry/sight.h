@@ -5,7 +5,7 @@
 
 namespace angiopose::core {
 
-/// How the patient is seen in an image: by what camera, and where that stands.
+/// Projection of the patient into an image: the camera and its pose.
 struct Sight {
     ProjectionCamera camera;
     RigidTransform cameraFromPatient;

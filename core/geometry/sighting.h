@@ -5,12 +5,12 @@
 
 namespace angiopose::core {
 
-/// Where a check point of the vessels is seen in one frame of an image.
+/// Image position of a target point of the vessels in one frame.
 struct Sighting {
     int markId = 0;   ///< see VesselMark
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
     int frame = 0;
-    std::string extraKeys{};   ///< JSON object with what a case file says of it that this version does not know
+    std::string extraKeys{};   ///< JSON object with the keys of the case file that this version does not recognize
 
     bool operator==(const Sighting&) const = default;
 };

@@ -13,13 +13,13 @@ namespace angiopose::core {
 
 enum class Polarity { VesselsDark, VesselsBright };
 
-/// What the header says about who and when; every field may be empty. Never logged.
+/// Patient and study data from the header; every field may be empty. Never logged.
 struct StudyIdentity {
     std::string patientName;
     std::string patientId;
     std::string birthDate;   ///< yyyy-mm-dd
     std::string sex;
-    std::string accessionNumber;   ///< of the request for the examination
+    std::string accessionNumber;   ///< accession number of the imaging request
     std::string laterality;   ///< "L" or "R" of a paired body part
     std::string institution;
     std::string studyDate;   ///< yyyy-mm-dd

@@ -7,10 +7,10 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double borderShare = 0.02;   // an extreme value that fills more of the frame than this is border or shutter
-constexpr double backgroundRoom = 0.75;   // contrast beyond the background, relative to that of the vessels
+constexpr double borderShare = 0.02;   // share of pixels above which an extreme value counts as border or shutter
+constexpr double backgroundRoom = 0.75;   // contrast range beyond the background, relative to the vessels' contrast
 
-/// Finite pixels; at most about 60 000 of them, evenly picked.
+/// Returns finite pixels, at most about 60 000, evenly sampled.
 std::vector<float> sampleOf(const ImageF& frame)
 {
     const std::size_t step = std::max<std::size_t>(1, frame.pixels.size() / 60000);
@@ -24,7 +24,7 @@ std::vector<float> sampleOf(const ImageF& frame)
     return sample;
 }
 
-/// Drops a large border of one extreme value.
+/// Removes a large border with one extreme value.
 void keepExposedField(std::vector<float>& sample)
 {
     const auto range = std::ranges::minmax(sample);
@@ -33,7 +33,7 @@ void keepExposedField(std::vector<float>& sample)
     const auto count = static_cast<double>(sample.size());
     const auto atLowest = static_cast<double>(std::ranges::count(sample, lowest));
     const auto atHighest = lowest < highest ? static_cast<double>(std::ranges::count(sample, highest)) : 0.0;
-    // Else the extreme is the picture itself.
+    // Otherwise the extreme value is image content.
     const bool leavesEnough = count - atLowest - atHighest > 10.0 * borderShare * count;
     const bool dropsLowest = leavesEnough && atLowest > borderShare * count;
     const bool dropsHighest = leavesEnough && atHighest > borderShare * count;
@@ -41,8 +41,8 @@ void keepExposedField(std::vector<float>& sample)
                   [&](float value) { return (dropsLowest && value == lowest) || (dropsHighest && value == highest); });
 }
 
-/// The value that this share of the sample lies below. The sample is not sorted, only ordered anew: this runs for every
-/// frame of a cine.
+/// Returns the quantile of the sample. Reorders the sample without sorting it, because this runs for every frame of a
+/// cine.
 double quantile(std::vector<float>& sample, double fraction)
 {
     const auto last = static_cast<double>(sample.size() - 1);
@@ -69,7 +69,7 @@ DisplayRange displayRange(const ImageF& frame)
     }
     keepExposedField(exposed);
     DisplayRange range{quantile(exposed, 0.005), quantile(exposed, 0.995)};
-    // Thin dark vessels (or bright ones) hardly move the median: keep it away from white (from black).
+    // Thin dark (or bright) vessels hardly change the median: keep it away from white (or black).
     const double background = quantile(exposed, 0.5);
     range.high = std::max(range.high, background + backgroundRoom * (background - range.low));
     range.low = std::min(range.low, background - backgroundRoom * (range.high - background));

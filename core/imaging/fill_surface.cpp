@@ -14,10 +14,10 @@ constexpr double usualVoxelsInside = 5e6;
 constexpr double minVoxelSpacingMm = 0.1;
 constexpr double maxVoxels = 8e8;
 constexpr int marginVoxels = 3;
-constexpr int rowsUnheard = 1000;   ///< of one triangle
-constexpr std::size_t trianglesUnheard = 0xFFF;   ///< less one
+constexpr int rowsUnheard = 1000;   ///< rows of one triangle between checks for cancellation
+constexpr std::size_t trianglesUnheard = 0xFFF;   ///< bit mask: triangles between checks for cancellation, minus one
 
-/// Rays run beside the voxel centres by this part of a voxel, so that they miss the mesh's corners and edges.
+/// Offset of the rays from the voxel centers, in voxels, so that they miss vertices and edges of the mesh.
 constexpr double sideStepB = 1.237e-5;
 constexpr double sideStepC = 2.713e-5;
 
@@ -37,7 +37,7 @@ Box boxOf(const SurfaceMesh& mesh)
     return box;
 }
 
-/// Where a ray meets the mesh, and whether it goes in (+1) or out (-1).
+/// Intersection of a ray with the mesh: position, and whether the ray enters (+1) or leaves (-1).
 struct Crossing {
     double at;
     int turn;
@@ -45,7 +45,7 @@ struct Crossing {
 
 enum class Filling { Winding, Parity };
 
-/// Casts rays along one axis through the centres of the voxels.
+/// Casts rays along one axis through the voxel centers.
 class RayCaster {
 public:
     RayCaster(const VolumeGeometry& geometry, int axis)
@@ -54,7 +54,7 @@ public:
         rows_.resize(static_cast<std::size_t>(size_[b_]) * static_cast<std::size_t>(size_[c_]));
     }
 
-    /// Stops within a triangle that covers much.
+    /// Adds the ray intersections of a triangle; can be canceled within a large triangle.
     void add(const std::array<Eigen::Vector3d, 3>& corners, const std::function<bool()>& shouldContinue)
     {
         const Eigen::Vector3d low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
@@ -85,7 +85,7 @@ public:
         }
     }
 
-    /// Adds a vote to every voxel that this axis finds inside; rays that end inside have no say.
+    /// Adds a vote to every voxel that is inside along this axis; rays that end inside do not vote.
     void vote(Filling filling, VoxelMask& votes, const std::function<bool()>& shouldContinue)
     {
         for (int c = 0; c < size_[c_] && shouldContinue(); ++c) {
@@ -166,7 +166,7 @@ void castAlong(int axis, const SurfaceMesh& mesh, VoxelMask& votes, Filling fill
     caster.vote(filling, votes, shouldContinue);
 }
 
-/// Between the walls, by the divergence theorem; of an open mesh what its cones to the middle of the box hold.
+/// Enclosed volume by the divergence theorem; for an open mesh, the volume of its cones to the center of the box.
 double insideMm3(const SurfaceMesh& mesh, const Box& box)
 {
     const Eigen::Vector3d middle = 0.5 * (box.low + box.high);
@@ -189,7 +189,7 @@ double usualSpacingMm(const SurfaceMesh& mesh)
     }
     const Box box = boxOf(mesh);
     const Eigen::Vector3d extent = (box.high - box.low).cwiseMax(0.1);
-    // Thinning takes its time for what lies inside: little of the box for vessels, all of it for a block.
+    // Thinning time depends on the inside voxels: a small part of the box for vessels, all of it for a solid block.
     const double needed = std::max(extent.prod() / usualVoxels, insideMm3(mesh, box) / usualVoxelsInside);
     return std::max(std::cbrt(needed), minVoxelSpacingMm);
 }

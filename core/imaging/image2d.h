@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// Plain row-major pixel array; (0, 0) is the top left pixel.
+/// Plain row-major pixel array; (0, 0) is the top-left pixel.
 template <class T>
 struct Image2d {
     int width = 0;
@@ -30,9 +30,9 @@ struct Image2d {
 };
 
 using ImageF = Image2d<float>;
-using Mask2d = Image2d<std::uint8_t>;   ///< 0 outside, anything else inside
+using Mask2d = Image2d<std::uint8_t>;   ///< 0 outside, nonzero inside
 
-/// 8-bit sRGB picture, as exported.
+/// 8-bit sRGB image for export.
 struct ColorImage {
     int width = 0;
     int height = 0;

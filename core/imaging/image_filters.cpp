@@ -11,7 +11,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Half of a symmetric kernel: weight at distance 0, 1, 2, …; the whole sums to one.
+/// Returns half of a symmetric kernel: weights at distance 0, 1, 2, …; the full kernel sums to one.
 std::vector<float> gaussianHalfKernel(double sigmaPx)
 {
     const int reach = static_cast<int>(std::ceil(3.0 * sigmaPx));
@@ -30,7 +30,7 @@ std::vector<float> gaussianHalfKernel(double sigmaPx)
     return kernel;
 }
 
-/// target += weight (a + b), element by element.
+/// target += weight (a + b), element-wise.
 ANGIOPOSE_WIDE_VECTORS
 void addWeighted(float* target, const float* a, const float* b, float weight, int count)
 {
@@ -39,7 +39,7 @@ void addWeighted(float* target, const float* a, const float* b, float weight, in
     }
 }
 
-/// target = max(target, values), element by element.
+/// target = max(target, values), element-wise.
 ANGIOPOSE_WIDE_VECTORS
 void raiseTo(float* target, const float* values, int count)
 {
@@ -78,7 +78,7 @@ void blurColumns(const ImageF& source, int y, float* target, const std::vector<f
     }
 }
 
-/// Calls `work` for all rows, in strips of them on as many threads.
+/// Calls `work` for all rows, in strips distributed over the threads.
 template <class Work>
 void eachStrip(int rowCount, int threads, const Work& work)
 {

@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// Linear interpolation between the eight voxels around a point; beyond the rim the last voxels go on.
-/// `pointMm` is in mm along the axes of the grid from its first voxel; `valueAt(Eigen::Vector3i)` gives a voxel's
+/// Interpolates linearly between the eight voxels around a point; the outermost voxels are replicated beyond the grid.
+/// `pointMm` is in mm along the axes of the grid from its first voxel; `valueAt(Eigen::Vector3i)` returns a voxel's
 /// value.
 template <class ValueAt>
 double interpolated(const VolumeGeometry& grid, const Eigen::Vector3d& pointMm, const ValueAt& valueAt)

@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint8_t lastRow = 255;
 constexpr std::size_t labelCount = std::size_t{1} << 16U;
 
-/// Calls `visit` with the place of each labelled voxel's label in the list and with its indices.
+/// Calls `visit` for each labeled voxel with the index of its label in the list and the voxel's indices.
 template <class Visit>
 void forEachLabelled(const LabelVolume& image, const std::vector<std::size_t>& placeOf, const Visit& visit)
 {

@@ -6,13 +6,14 @@
 
 namespace angiopose::core {
 
-/// A label image as it is looked at, in half the memory.
+/// A label image for display, at half the memory.
 struct LabelRows {
-    VoxelMask rows;   ///< 1 + the place of a voxel's label in the list; all from the 255th place on share 255
-    std::vector<Eigen::Vector3d> middlesInPatient;   ///< per label: its voxel nearest to the mean of its voxels
+    VoxelMask rows;   ///< 1 + index of the voxel's label in the list; all from the 255th label on share 255
+    std::vector<Eigen::Vector3d> middlesInPatient;   ///< per label: the voxel nearest to the mean of its voxels
 };
 
-/// Numbers the labels of an image by their places in `labels`, which holds every label once; others become background.
+/// Numbers the labels of an image by their index in `labels`, which holds every label once; other labels become
+/// background.
 LabelRows labelRows(const LabelVolume& image, const std::vector<int>& labels);
 
 }   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 namespace angiopose::core {
 
-/// Marks the voxels whose centres lie within `radiusMm` of a point.
+/// Marks the voxels whose centers lie within `radiusMm` of a point.
 void markBall(const Eigen::Vector3d& pointInPatient, double radiusMm, VoxelMask& mask);
 
 }   // namespace angiopose::core

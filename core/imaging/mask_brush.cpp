@@ -17,7 +17,7 @@ double distanceToStep(const BrushStep& step, const Eigen::Vector3d& point)
     return (point - step.fromInPatient - share * way).norm();
 }
 
-/// Takes the voxels that the brush would change.
+/// Collects the voxels that the brush would change.
 class Collector {
 public:
     Collector(const VoxelMask& mask, const MaskBrush& brush)
@@ -52,7 +52,7 @@ private:
     bool hasSameVoxels_ = false;
 };
 
-/// Where a brush's step may change voxels: a box of their indices.
+/// Index box of the voxels that a brush step may change.
 struct VoxelBox {
     Eigen::Array3i low;
     Eigen::Array3i high;
@@ -68,8 +68,8 @@ VoxelBox boxAround(const BrushStep& step, double reachMm, const VolumeGeometry& 
             (from.cwiseMax(to) + reach).array().ceil().cast<int>().min(geometry.size.array() - 1)};
 }
 
-/// The places `start + i * along` at which a line comes within `radius` of a point, or of an axis after the part along
-/// it is taken out: none, or where it enters and where it leaves.
+/// Returns the parameters i at which the line `start + i * along` enters and leaves the ball of `radius` around the
+/// origin, or a cylinder if the component along its axis was removed; nothing if it misses.
 std::optional<std::pair<double, double>> crossings(const Eigen::Vector3d& start, const Eigen::Vector3d& along,
                                                    double radius)
 {
@@ -82,7 +82,7 @@ std::optional<std::pair<double, double>> crossings(const Eigen::Vector3d& start,
     return rest < 0.0 ? std::nullopt : std::optional(std::pair(middle - std::sqrt(rest), middle + std::sqrt(rest)));
 }
 
-/// A row of voxels, `start + i * along`, inside the step of a ball: from first to last, none where first > last.
+/// The part of a voxel row, `start + i * along`, inside a brush step: from first to last, empty if first > last.
 struct RowRange {
     double first = std::numeric_limits<double>::infinity();
     double last = -first;
@@ -94,7 +94,8 @@ struct RowRange {
     }
 };
 
-/// The step is a capsule and convex: the row enters and leaves it at one of its balls or at the tube between them.
+/// The step is a capsule and therefore convex: the row enters and leaves it at one of its balls or at the tube between
+/// them.
 RowRange rangeInCapsule(const BrushStep& step, double radiusMm, const Eigen::Vector3d& start,
                         const Eigen::Vector3d& along)
 {
@@ -122,7 +123,7 @@ RowRange rangeInCapsule(const BrushStep& step, double radiusMm, const Eigen::Vec
     return range;
 }
 
-/// Voxels between the pixels of a slice that is coarser than the mask.
+/// Collects the voxels between the pixels of a slice that is coarser than the mask.
 void takeBetween(const VoxelMask& mask, const SliceGrid& slice, const MaskBrush& brush, const BrushStep& step,
                  Collector& collector)
 {
@@ -169,7 +170,7 @@ VoxelPlaces brushedInSlice(const VoxelMask& mask, const SliceGrid& slice, const 
 
 VoxelPlaces brushedInSpace(const VoxelMask& mask, const MaskBrush& brush, const BrushStep& step)
 {
-    constexpr double hair = 1e-9;   // voxels that lie on the rim are in it
+    constexpr double hair = 1e-9;   // tolerance that includes voxels on the boundary
     const Eigen::Affine3d patientFromVoxel = mask.geometry.patientFromVoxel();
     const Eigen::Vector3d along = patientFromVoxel.linear().col(0);
     const VoxelBox box = boxAround(step, brush.radiusMm, mask.geometry);

@@ -6,22 +6,22 @@ namespace angiopose::core {
 
 enum class MaskAim { Paint, Erase };
 
-/// What a brush does on its way: of a path, all that lies within the radius.
+/// A brush that changes all voxels within its radius along a path.
 struct MaskBrush {
     MaskAim aim = MaskAim::Paint;
     double radiusMm = 2.0;
-    const Volume* scan = nullptr;   ///< only voxels whose value in it is not below `minValue`; null: all
+    const Volume* scan = nullptr;   ///< changes only voxels of at least `minValue` in this scan; null: all
     double minValue = 0.0;
 };
 
-/// The part of a stroke between two places of the pointer.
+/// The part of a stroke between two pointer positions.
 struct BrushStep {
     Eigen::Vector3d fromInPatient;
     Eigen::Vector3d toInPatient;
 };
 
-/// The voxels that are not yet as the brush wants them: those whose part of space the slice cuts and those that it
-/// shows (of a mask coarser than the slice), or those in space.
+/// Return the voxels that the brush would change. In a slice: voxels that the slice cuts, and voxels that it displays
+/// if the mask is coarser than the slice. In space: all voxels within the radius.
 VoxelPlaces brushedInSlice(const VoxelMask& mask, const SliceGrid& slice, const MaskBrush& brush,
                            const BrushStep& step);
 VoxelPlaces brushedInSpace(const VoxelMask& mask, const MaskBrush& brush, const BrushStep& step);

@@ -8,15 +8,15 @@ namespace angiopose::core {
 
 enum class CutSide { Inside, Outside };
 
-/// A closed outline drawn in a slice, cut through what lies within so many mm before and behind it.
+/// A closed outline drawn in a slice that cuts the mask to a given depth in front of and behind the slice.
 struct MaskCut {
     SliceGrid slice;
-    std::vector<Eigen::Vector2d> outline;   ///< pixels of the slice
-    CutSide side = CutSide::Inside;   ///< what is removed
-    double halfDepthMm = 0.0;   ///< 0: the slice alone
+    std::vector<Eigen::Vector2d> outline;   ///< in pixels of the slice
+    CutSide side = CutSide::Inside;   ///< side that is removed
+    double halfDepthMm = 0.0;   ///< 0: only the slice itself
 };
 
-/// The voxels of the mask that it removes.
+/// Returns the voxels of the mask that the cut removes.
 VoxelPlaces cutVoxels(const VoxelMask& mask, const MaskCut& cut);
 
 }   // namespace angiopose::core

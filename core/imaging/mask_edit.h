@@ -7,10 +7,10 @@
 
 namespace angiopose::core {
 
-/// The same voxels at the same places.
+/// Whether both grids have the same voxels at the same positions.
 bool isSameGrid(const VolumeGeometry& a, const VolumeGeometry& b);
 
-/// Places of voxels in a mask.
+/// Linear indices of voxels in a mask.
 using VoxelPlaces = std::vector<std::uint32_t>;
 
 inline std::uint32_t placeOf(const VolumeGeometry& geometry, const Eigen::Vector3i& voxel)
@@ -18,8 +18,8 @@ inline std::uint32_t placeOf(const VolumeGeometry& geometry, const Eigen::Vector
     return static_cast<std::uint32_t>(geometry.index(voxel.x(), voxel.y(), voxel.z()));
 }
 
-/// Voxels that go into a mask or out of it, in runs along the order in which they are stored: small, however large the
-/// volume. The same change takes them back.
+/// A set of flipped voxels, run-length encoded in storage order: small, however large the volume. Applying the same
+/// change again undoes it.
 struct MaskChange {
     struct Run {
         std::uint32_t first = 0;
@@ -31,18 +31,18 @@ struct MaskChange {
     std::size_t voxelCount() const;
 };
 
-MaskChange changeOf(VoxelPlaces voxels);   ///< in any order, none twice in the change
-void flip(VoxelMask& mask, const MaskChange& change);   ///< what is 0 becomes 1, all else 0
+MaskChange changeOf(VoxelPlaces voxels);   ///< voxels in any order; duplicates are removed
+void flip(VoxelMask& mask, const MaskChange& change);   ///< 0 becomes 1, nonzero becomes 0
 
-/// A box of the patient, LPS mm.
+/// A box in patient coordinates, LPS mm.
 struct TouchedBox {
     Eigen::Vector3d lowInPatient = Eigen::Vector3d::Zero();
     Eigen::Vector3d highInPatient = Eigen::Vector3d::Zero();
 };
-/// Around all voxels of a change, which must not be empty.
+/// Returns the bounding box of all voxels of a change, which must not be empty.
 TouchedBox boxOf(const VolumeGeometry& geometry, const MaskChange& change);
 
-/// Half of the thickness of a slice in which voxels are the slice's own: the slice beside begins there.
+/// Returns half the slice thickness: voxels within it belong to this slice, others to the neighboring slice.
 inline double halfOf(const SliceGrid& slice)
 {
     return 0.499 * slice.thicknessMm;

@@ -15,7 +15,7 @@ struct NeighborStep {
 constexpr std::array<NeighborStep, 8> morphologySteps{
     {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
-/// Pixels reached from `seed` over pixels that are set (or clear) as the seed is; marks them as seen.
+/// Returns the pixels connected to `seed` with the same state (set or clear) and marks them in `seen`.
 std::vector<std::size_t> flood(const Mask2d& mask, std::size_t seed, std::size_t neighbors, Mask2d& seen)
 {
     const bool wanted = mask.pixels[seed] != 0;
@@ -50,7 +50,8 @@ struct Region {
     bool isHole = true;
 };
 
-/// The background around `seed`, given up as no hole once it grows beyond the area, to the image edge or into `open`.
+/// Grows the background region around `seed`; it is not a hole if it exceeds the area or reaches the image edge or
+/// `open`.
 Region smallRegion(const Mask2d& mask, const Mask2d& open, std::size_t seed, std::size_t maxArea)
 {
     const auto width = static_cast<std::size_t>(mask.width);
@@ -78,7 +79,7 @@ void unite(std::uint8_t* target, const std::uint8_t* pixels, int count)
     }
 }
 
-/// Of a mask of 0 and 255.
+/// Dilates a mask with values 0 and 255.
 Mask2d grown(const Mask2d& mask, int radiusPx)
 {
     return windowMaximum(mask, radiusPx, unite);
@@ -119,7 +120,7 @@ Mask2d withHolesFilled(Mask2d mask, int maxAreaPx)
 {
     Mask2d open(mask.width, mask.height);   // background known to be too large for a hole
     for (std::size_t p = 1; p < mask.pixels.size(); ++p) {
-        const bool besideMask = mask.pixels[p] == 0 && mask.pixels[p - 1] != 0;   // every hole has such a pixel
+        const bool besideMask = mask.pixels[p] == 0 && mask.pixels[p - 1] != 0;   // every hole contains such a pixel
         if (!besideMask || open.pixels[p] != 0) {
             continue;
         }

@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Letters and digits in lower case: "DOE^JOHN " and "Doe^John" are one name.
+/// Returns letters and digits in lower case: "DOE^JOHN " and "Doe^John" are the same name.
 std::string bare(const std::string& text)
 {
     std::string result;

@@ -7,23 +7,23 @@
 
 namespace angiopose::core {
 
-/// What the two images are that are compared.
+/// Types of the two compared images.
 enum class Compared { ScanAndRun, TwoRuns };
 
-/// What speaks against two images being of the same patient, without naming anybody: differing number, name, birth
-/// date or sex, where both give one.
+/// Reports a contradiction between the patients of two images without naming anyone: different number, name, birth date
+/// or sex, if both give one.
 std::optional<Message> findPatientMismatch(const StudyIdentity& one, const StudyIdentity& other,
                                            Compared compared = Compared::ScanAndRun);
 
-/// The same for the side of a paired body part, left or right.
+/// Same for the side of a paired body part, left or right.
 std::optional<Message> findSideMismatch(const StudyIdentity& one, const StudyIdentity& other,
                                         Compared compared = Compared::ScanAndRun);
 
-/// The same for two runs that are taken for views of one moment: they are of one examination where both give an
-/// accession number. A scan has its own.
+/// Same for two runs used as simultaneous views: they must come from one examination if both give an accession number.
+/// A scan has its own.
 std::optional<Message> findExaminationMismatch(const StudyIdentity& one, const StudyIdentity& other);
 
-/// All of them.
+/// Returns all of these mismatches.
 Messages findMismatch(const StudyIdentity& one, const StudyIdentity& other, Compared compared = Compared::ScanAndRun);
 
 }   // namespace angiopose::core

@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Voxels of a block along each axis: those of the smallest blocks, about cubic, of which there are few enough.
+/// Returns the block size in voxels along each axis: the smallest approximately cubic blocks that are few enough.
 Eigen::Vector3i blockFor(const VolumeGeometry& geometry, const Eigen::Vector3i& size, std::size_t maxVoxels)
 {
     constexpr double growth = 1.02;
@@ -34,7 +34,7 @@ VolumeGeometry blockGeometry(const VolumeGeometry& geometry, const VoxelRange& r
     return blocks;
 }
 
-/// One slice of blocks; at the rim a block holds fewer voxels.
+/// Fills one slice of blocks; blocks at the border hold fewer voxels.
 void fillSlice(const Volume& volume, const VoxelRange& range, const Eigen::Vector3i& block, int k, Volume& means)
 {
     const Eigen::Vector3i& count = means.geometry.size;

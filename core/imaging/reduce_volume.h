@@ -8,22 +8,22 @@
 
 namespace angiopose::core {
 
-/// Voxels from `low` up to, but without, `high`.
+/// Voxels from `low` up to, but excluding, `high`.
 struct VoxelRange {
     Eigen::Vector3i low = Eigen::Vector3i::Zero();
     Eigen::Vector3i high = Eigen::Vector3i::Zero();
 };
 
-/// Which voxels lie within a box of the patient; all where `box` is not given, empty where it lies beside the volume.
+/// Returns the voxels inside a box in patient coordinates; all if `box` is not given, empty if it lies outside the
+/// volume.
 VoxelRange voxelsIn(const VolumeGeometry& geometry, const std::optional<Eigen::AlignedBox3d>& boxInPatient);
 
-/// Means over blocks of voxels as nearly cubic as whole numbers of voxels allow, so that no more than `maxVoxels` are
-/// left; the stored units are kept. `shouldContinue` is asked between slices: nothing comes back once it says no, or
-/// where the range is empty.
+/// Averages blocks of voxels, as nearly cubic as integer block sizes allow, to at most `maxVoxels`; stored units are
+/// kept. Returns nothing if `shouldContinue`, called between slices, returns false or the range is empty.
 std::optional<Volume> reduced(const Volume& volume, const VoxelRange& range, std::size_t maxVoxels,
                               const std::function<bool()>& shouldContinue);
 
-/// The same over blocks of that many voxels; at the far rim they hold fewer.
+/// Same for blocks of the given size; blocks at the far border hold fewer voxels.
 std::optional<Volume> meansOfBlocks(const Volume& volume, const VoxelRange& range, const Eigen::Vector3i& block,
                                     const std::function<bool()>& shouldContinue);
 

@@ -13,14 +13,14 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t subtractionSamples = 100000;
-constexpr double slowShareOfSide = 0.03;   // σ of what both pictures may differ by slowly (exposure)
-constexpr int smallestSubtractedSide = 48;   // of the coarsest picture
+constexpr double slowShareOfSide = 0.03;   // σ of slow differences between images (exposure), as a share of the side
+constexpr int smallestSubtractedSide = 48;   // side of the coarsest image in the pyramid
 constexpr int roundsPerLevel = 20;
 constexpr double settledShiftPx = 1e-3;
 constexpr double normalPerMedian = 1.4826;
 constexpr double farthestShare = 0.1;
 
-/// Values that contrast medium changes by a difference.
+/// Returns values in which contrast agent is additive.
 ImageF logarithmic(const ImageF& image, PixelRelation relation)
 {
     if (relation == PixelRelation::Logarithmic) {
@@ -41,7 +41,7 @@ ImageF withoutSlowChanges(ImageF image)
     return blurred(image, 1.0);
 }
 
-/// One pixel's part: residual, and the mask's slope where it came from.
+/// Contribution of one pixel: the residual, and the slope of the mask at its source position.
 struct Sample {
     float residual;
     float slopeX;
@@ -75,7 +75,7 @@ double robustScale(const std::vector<Sample>& samples)
     return normalPerMedian * ranked(evenSample(sizes, subtractionSamples), 0.5);
 }
 
-/// Gauss–Newton step of the shift; zero where slopes run in one direction only, or not at all.
+/// Gauss–Newton step of the shift; zero if the slopes have only one direction, or are all zero.
 Eigen::Vector2d shiftStep(const std::vector<Sample>& samples)
 {
     const double scale = std::max(robustScale(samples), 1e-9);
@@ -86,7 +86,7 @@ Eigen::Vector2d shiftStep(const std::vector<Sample>& samples)
         const double weight = std::exp(-0.5 * ratio * ratio);
         const Eigen::Vector2d slope(sample.slopeX, sample.slopeY);
         normal += weight * slope * slope.transpose();
-        right -= weight * slope * static_cast<double>(sample.residual);   // moving right takes the mask's left value
+        right -= weight * slope * static_cast<double>(sample.residual);   // a right shift takes the mask's left value
     }
     const Axes<2> axes = axesOf(normal);
     if (axes.values[0] <= 1e-6 * axes.values[1] || axes.values[1] <= 0.0) {

@@ -7,11 +7,11 @@
 
 namespace angiopose::core {
 
-/// Where the voxels of a volume lie in the patient. Voxel indices are continuous, (0, 0, 0) is the centre of the first.
+/// Geometry of the voxels in the patient. Voxel indices are continuous; (0, 0, 0) is the center of the first voxel.
 struct VolumeGeometry {
     Eigen::Vector3i size = Eigen::Vector3i::Zero();   ///< voxels along i, j, k
     Eigen::Vector3d spacingMm = Eigen::Vector3d::Ones();
-    Eigen::Vector3d originInPatient = Eigen::Vector3d::Zero();   ///< centre of voxel (0, 0, 0), LPS mm
+    Eigen::Vector3d originInPatient = Eigen::Vector3d::Zero();   ///< center of voxel (0, 0, 0), LPS mm
     Eigen::Matrix3d direction =
         Eigen::Matrix3d::Identity();   ///< columns: unit patient directions of i, j, k; any handedness
 
@@ -30,7 +30,7 @@ struct VolumeGeometry {
                    static_cast<std::size_t>(size.x()) +
                static_cast<std::size_t>(i);
     }
-    /// The voxel of that index.
+    /// Returns the voxel with this linear index.
     Eigen::Vector3i voxelAt(std::size_t index) const
     {
         const auto columns = static_cast<std::size_t>(size.x());
@@ -47,7 +47,7 @@ struct VolumeGeometry {
     }
 };
 
-/// Voxels of one kind, i fastest, then j, then k.
+/// Voxels of one type; i varies fastest, then j, then k.
 template <class T>
 struct VoxelGrid {
     VolumeGeometry geometry;
@@ -60,10 +60,10 @@ struct VoxelGrid {
     const T& at(int i, int j, int k) const { return voxels[geometry.index(i, j, k)]; }
 };
 
-using VoxelMask = VoxelGrid<std::uint8_t>;   ///< 0 outside, anything else inside
-using LabelVolume = VoxelGrid<std::uint16_t>;   ///< 0 background, else the label
+using VoxelMask = VoxelGrid<std::uint8_t>;   ///< 0 outside, nonzero inside
+using LabelVolume = VoxelGrid<std::uint16_t>;   ///< 0 is background, other values are labels
 
-/// A CT (or other) volume as stored: 16 bit, so that a large scan fits once. value = voxel · slope + intercept.
+/// A CT (or other) volume as stored, in 16 bit to limit the memory of large scans. value = voxel · slope + intercept.
 struct Volume : VoxelGrid<std::int16_t> {
     using VoxelGrid::VoxelGrid;
     double slope = 1.0;

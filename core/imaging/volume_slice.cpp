@@ -10,14 +10,14 @@ namespace angiopose::core {
 namespace {
 
 constexpr int largestSidePx = 4096;
-constexpr double voxelTolerance = 0.2;   // so near to the centres, rounding never steps into the next voxel
+constexpr double voxelTolerance = 0.2;   // distance from voxel centers at which rounding stays in the voxel
 
-/// Extent of the voxel centres along the patient's axes, and the finest steps that make sense there.
+/// Extent of the voxel centers along the patient's axes, and the finest useful steps.
 struct PatientBox {
     Eigen::Vector3d lowMm;
     Eigen::Vector3d highMm;
     Eigen::Vector3d stepMm;
-    bool isAligned = false;   ///< the volume's axes are the patient's, in some order
+    bool isAligned = false;   ///< whether the volume's axes are the patient's, in any order
 };
 
 PatientBox boxOf(const VolumeGeometry& geometry)
@@ -80,7 +80,7 @@ bool isWhole(const Eigen::Vector3d& value, double tolerance)
     return (value - value.array().round().matrix()).cwiseAbs().maxCoeff() < tolerance;
 }
 
-/// True when every pixel lies on the centre of a voxel of its own.
+/// Whether every pixel lies on the center of its own voxel.
 bool meetsVoxels(const VoxelWalk& walk, const SliceGrid& grid)
 {
     return isWhole(walk.at(0, 0), voxelTolerance) && isWhole(walk.at(grid.width - 1, 0), voxelTolerance) &&
@@ -93,8 +93,8 @@ Eigen::Vector3i rounded(const Eigen::Vector3d& voxel)
     return voxel.array().round().cast<int>();
 }
 
-/// Calls `work(row)` for every row, bands of them at the same time: a slice across the stored order is all waiting for
-/// memory.
+/// Calls `work(row)` for every row, with bands of rows in parallel: a slice across the storage order is limited by
+/// memory latency.
 template <class Work>
 void forBands(int rows, const Work& work)
 {
@@ -110,7 +110,7 @@ void forBands(int rows, const Work& work)
     parallelFor(bands, std::min(maxThreads, threadCount(0)), workBand, [](double) { return true; });
 }
 
-/// Calls `take(pixel, voxel)` for every pixel that lies in a voxel.
+/// Calls `take(pixel, voxel)` for every pixel that lies inside a voxel.
 template <class Take>
 void forNearest(const VolumeGeometry& geometry, const VoxelWalk& walk, const SliceGrid& grid, const Take& take)
 {
@@ -125,7 +125,7 @@ void forNearest(const VolumeGeometry& geometry, const VoxelWalk& walk, const Sli
     }
 }
 
-/// The same for a grid on the voxels' centres: the way from pixel to pixel is the same everywhere.
+/// Same for a grid on the voxel centers, where the index step from pixel to pixel is constant.
 template <class Take>
 void forEven(const VolumeGeometry& geometry, const VoxelWalk& walk, const SliceGrid& grid, const Take& take)
 {
@@ -148,7 +148,7 @@ void forEven(const VolumeGeometry& geometry, const VoxelWalk& walk, const SliceG
     });
 }
 
-/// True when the grid is one that `sliceThrough` made for this very geometry.
+/// Whether `sliceThrough` made the grid for this geometry.
 bool isEven(const VolumeGeometry& geometry, const VoxelWalk& walk, const SliceGrid& grid)
 {
     const auto isInside = [&](int column, int row) { return geometry.contains(rounded(walk.at(column, row))); };
@@ -156,7 +156,7 @@ bool isEven(const VolumeGeometry& geometry, const VoxelWalk& walk, const SliceGr
            isInside(grid.width - 1, 0) && isInside(0, grid.height - 1) && isInside(grid.width - 1, grid.height - 1);
 }
 
-/// Linear interpolation; NaN beyond half a voxel from the outermost centres.
+/// Interpolates linearly; NaN beyond half a voxel from the outermost centers.
 float interpolated(const Volume& volume, const Eigen::Vector3d& voxel)
 {
     const VolumeGeometry& geometry = volume.geometry;

@@ -13,23 +13,24 @@ enum class BodyPlane { Axial, Coronal, Sagittal };
 
 inline constexpr std::array bodyPlanes{BodyPlane::Axial, BodyPlane::Coronal, BodyPlane::Sagittal};
 
-/// How a plane is looked at: axial from the feet, coronal from the front, sagittal from the left (patient LPS).
+/// Viewing direction of a plane: axial from the feet, coronal from the front, sagittal from the left (patient LPS).
 struct PlaneAxes {
     Eigen::Vector3d right;
     Eigen::Vector3d down;
-    Eigen::Vector3d normal;   ///< a positive axis of the patient: left, back or head
+    Eigen::Vector3d normal;   ///< a positive patient axis: left, posterior or head
 };
 PlaneAxes axesOf(BodyPlane plane);
 
-/// Pixels of a slice through the patient, LPS mm. Pixel indices are continuous; (0, 0) is the centre of the first.
+/// Pixel grid of a slice through the patient, LPS mm. Pixel indices are continuous; (0, 0) is the center of the first
+/// pixel.
 struct SliceGrid {
     int width = 0;
     int height = 0;
-    Eigen::Vector3d firstInPatient = Eigen::Vector3d::Zero();   ///< centre of pixel (0, 0)
-    Eigen::Vector3d columnStep = Eigen::Vector3d::UnitX();   ///< to the pixel on the right
-    Eigen::Vector3d rowStep = Eigen::Vector3d::UnitY();   ///< to the pixel below
+    Eigen::Vector3d firstInPatient = Eigen::Vector3d::Zero();   ///< center of pixel (0, 0)
+    Eigen::Vector3d columnStep = Eigen::Vector3d::UnitX();   ///< step to the next pixel on the right
+    Eigen::Vector3d rowStep = Eigen::Vector3d::UnitY();   ///< step to the next pixel below
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-    double thicknessMm = 1.0;   ///< to the next slice
+    double thicknessMm = 1.0;   ///< distance to the next slice
 
     Eigen::Vector3d pointAt(const Eigen::Vector2d& pixel) const
     {
@@ -40,7 +41,7 @@ struct SliceGrid {
         const Eigen::Vector3d way = pointInPatient - firstInPatient;
         return {way.dot(columnStep) / columnStep.squaredNorm(), way.dot(rowStep) / rowStep.squaredNorm()};
     }
-    /// How far a point lies before the slice, along the normal.
+    /// Returns the signed distance of a point from the slice, along the normal.
     double distanceMm(const Eigen::Vector3d& pointInPatient) const
     {
         return (pointInPatient - firstInPatient).dot(normal);
@@ -48,25 +49,24 @@ struct SliceGrid {
     bool operator==(const SliceGrid&) const = default;
 };
 
-/// The slice of a volume through a point, over the whole volume. Where the volume's axes are the patient's in some
-/// order, it is the nearest stored slice, pixel for pixel; an oblique volume is cut along the patient's axes, with its
-/// finest spacing.
+/// Returns the full slice of a volume through a point. If the volume's axes are the patient's in some order, it is the
+/// nearest stored slice, pixel for pixel; an oblique volume is cut along the patient's axes at its finest spacing.
 SliceGrid sliceThrough(const VolumeGeometry& geometry, BodyPlane plane, const Eigen::Vector3d& pointInPatient);
 
-/// Number of slices of a plane, and which one goes through a point, counted along the normal from 0.
+/// Return the number of slices of a plane, and the index of the slice through a point, counted along the normal from 0.
 int sliceCount(const VolumeGeometry& geometry, BodyPlane plane);
 int sliceIndex(const VolumeGeometry& geometry, BodyPlane plane, const Eigen::Vector3d& pointInPatient);
 
-/// Values at the pixels of a slice, linearly interpolated where these lie between voxels; NaN outside the volume.
+/// Returns the values at the pixels of a slice, linearly interpolated between voxels; NaN outside the volume.
 std::vector<float> sliceValues(const Volume& volume, const SliceGrid& grid);
 
-/// The mask as it is at the pixels of a slice, by the nearest voxel; 0 outside.
+/// Returns the mask at the pixels of a slice, by nearest voxel; 0 outside.
 std::vector<std::uint8_t> sliceMask(const VoxelMask& mask, const SliceGrid& grid);
 
-/// Value of the voxel that a point lies in; nothing outside.
+/// Returns the value of the voxel that contains a point; nothing outside.
 std::optional<double> valueAt(const Volume& volume, const Eigen::Vector3d& pointInPatient);
 
-/// The nearest point of the box of voxel centres, in patient axes.
+/// Returns the nearest point in the box of voxel centers, in patient axes.
 Eigen::Vector3d clampedTo(const VolumeGeometry& geometry, const Eigen::Vector3d& pointInPatient);
 Eigen::Vector3d centerOf(const VolumeGeometry& geometry);
 

@@ -4,7 +4,7 @@
 
 namespace angiopose::core {
 
-/// `blurred` for any σ in nearly constant time: above σ = 8 px it works on a reduced image.
+/// Same as `blurred`, in nearly constant time for any σ: above σ = 8 px it works on a reduced image.
 ImageF widelyBlurred(const ImageF& image, double sigmaPx);
 
 }   // namespace angiopose::core

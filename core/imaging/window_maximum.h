@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// Each pixel together with those `step` to its left and right, or the last ones of its row. `raise(target, values,
-/// count)` makes every target the larger of both.
+/// Combines each pixel with those `step` to its left and right, clamped to the row. `raise(target, values, count)` sets
+/// every target to the larger of both.
 template <class T, class Raise>
 Image2d<T> raisedAlongRows(const Image2d<T>& image, int step, const Raise& raise)
 {
@@ -38,12 +38,12 @@ Image2d<T> raisedAlongColumns(const Image2d<T>& image, int step, const Raise& ra
     return raised;
 }
 
-/// The largest value in the square around each pixel, `radiusPx` to every side within the image.
+/// Computes the maximum in the square around each pixel, `radiusPx` to every side, clipped to the image.
 template <class T, class Raise>
 Image2d<T> windowMaximum(Image2d<T> image, int radiusPx, const Raise& raise)
 {
     for (int reach = 0; reach < radiusPx && !image.isEmpty();) {
-        const int step = std::min(2 * reach + 1, radiusPx - reach);   // three such windows leave no gap
+        const int step = std::min(2 * reach + 1, radiusPx - reach);   // three windows at this step leave no gap
         image = raisedAlongColumns(raisedAlongRows(image, step, raise), step, raise);
         reach += step;
     }

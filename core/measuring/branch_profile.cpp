@@ -15,7 +15,7 @@
 namespace angiopose::core {
 namespace {
 
-/// A diameter as it changes along a vessel.
+/// Linear model of the diameter along a vessel.
 struct DiameterLine {
     double startMm = 0.0;   ///< at arc length 0
     double slope = 0.0;   ///< mm per mm
@@ -25,7 +25,7 @@ struct DiameterLine {
 
 constexpr std::size_t minDiameters = 6;
 constexpr double minShareThatAgrees = 0.25;
-constexpr std::array sharesBelow{0.3, 0.2, 0.15, 0.1, 0.1, 0.1, 0.1};   // above: twice as much
+constexpr std::array sharesBelow{0.3, 0.2, 0.15, 0.1, 0.1, 0.1, 0.1};   // limits per pass below the line; doubled above
 
 DiameterLine lineThrough(const std::vector<Eigen::Vector2d>& diameters)
 {
@@ -43,9 +43,9 @@ DiameterLine lineThrough(const std::vector<Eigen::Vector2d>& diameters)
     return {mean.y() - slope * mean.x(), slope};
 }
 
-/// The line through those of the diameters, (arc length, diameter) in mm, that belong to a healthy vessel: fitted to
-/// all, then again without those that lie too far below it or above it, ever more strictly (to 10 % and 20 %). Nothing
-/// from fewer than 6 diameters, or where fewer than a quarter of them agree.
+/// Returns the line through the diameters, (arc length, diameter) in mm, of the healthy vessel: fitted to all, then
+/// refitted without diameters too far below or above it, with limits that tighten (to 10 % and 20 %). Nothing for fewer
+/// than 6 diameters, or if fewer than a quarter of them agree.
 std::optional<DiameterLine> referenceLine(const std::vector<Eigen::Vector2d>& diameters)
 {
     if (diameters.size() < minDiameters) {
@@ -71,20 +71,20 @@ std::optional<DiameterLine> referenceLine(const std::vector<Eigen::Vector2d>& di
 constexpr double profileSpacingMm = 0.5;
 constexpr double diameterReachMm = 1.0;
 constexpr double curvatureReachMm = 3.0;
-constexpr double minDeformationMm = 2.0;   // shorter than that nothing bends measurably
-constexpr double referenceReachMm = 30.0;   // beyond it bifurcations have made another vessel of it
+constexpr double minBendRadiusMm = 2.0;   // minimum arc length for measuring curvature
+constexpr double referenceReachMm = 30.0;   // beyond this distance, bifurcations have changed the vessel
 constexpr double recoveryReachMm = 20.0;
-constexpr double narrowingEnds = 0.9;   // of the reference
+constexpr double narrowingEnds = 0.9;   // fraction of the reference diameter at which a stenosis ends
 constexpr double unknownHere = std::numeric_limits<double>::quiet_NaN();
 
-/// A radius for every point, all of them lengths.
+/// Whether every point has a valid radius.
 bool hasAllRadii(const VesselBranch& branch)
 {
     const auto isRadius = [](double radius) { return std::isfinite(radius) && radius > 0.0; };
     return branch.radiusMm.size() == branch.pointsInPatient.size() && std::ranges::all_of(branch.radiusMm, isRadius);
 }
 
-/// The samples no farther than `reachMm` from one: first and past the last.
+/// Returns the samples within `reachMm` of sample `middle`: first, and one past the last.
 std::pair<std::size_t, std::size_t> samplesAround(const std::vector<ProfileSample>& samples, std::size_t middle,
                                                   double reachMm)
 {
@@ -99,11 +99,11 @@ std::pair<std::size_t, std::size_t> samplesAround(const std::vector<ProfileSampl
     return {first, end};
 }
 
-/// Of the parabola that fits the places around it best.
-double deformationAt(const std::vector<ProfileSample>& samples, std::size_t middle)
+/// Curvature of the parabola fitted to the surrounding samples.
+double curvatureAt(const std::vector<ProfileSample>& samples, std::size_t middle)
 {
     const auto [first, end] = samplesAround(samples, middle, curvatureReachMm);
-    if (end - first < 4 || samples[end - 1].arcMm - samples[first].arcMm < minDeformationMm) {
+    if (end - first < 4 || samples[end - 1].arcMm - samples[first].arcMm < minBendRadiusMm) {
         return unknownHere;
     }
     const auto count = static_cast<Eigen::Index>(end - first);
@@ -131,7 +131,7 @@ std::vector<ProfileSample> profileSamples(const VesselBranch& branch)
         samples[i] = {stepMm * static_cast<double>(i), points[i], unknownHere, unknownHere, unknownHere};
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
-        samples[i].curvaturePerMm = deformationAt(samples, i);
+        samples[i].curvaturePerMm = curvatureAt(samples, i);
     }
     if (!hasAllRadii(branch)) {
         return samples;
@@ -151,7 +151,7 @@ double narrowness(const ProfileSample& sample)
     return sample.diameterMm / sample.referenceMm;
 }
 
-/// Among those that have a reference, of which there is one.
+/// Returns the narrowest place among the samples with a reference; at least one must have it.
 Narrowing narrowestOf(const std::vector<ProfileSample>& samples)
 {
     std::size_t least = 0;
@@ -175,7 +175,8 @@ Narrowing narrowestOf(const std::vector<ProfileSample>& samples)
             samples[least].referenceMm};
 }
 
-/// Of the samples from `first` to before `end`: by those around each, as many near an end as in the middle.
+/// Adds references to the samples from `first` up to, but excluding, `end`: each from the samples around it, with as
+/// many near an end as in the middle.
 void addReferences(std::vector<ProfileSample>& samples, std::size_t first, std::size_t end)
 {
     const auto reach = static_cast<std::size_t>(referenceReachMm / profileSpacingMm);
@@ -193,8 +194,8 @@ void addReferences(std::vector<ProfileSample>& samples, std::size_t first, std::
     }
 }
 
-/// A vessel that stays as narrow as it becomes has given off a branch, or tapers: where it does not come back to its
-/// reference further on, the reference is what it comes back to.
+/// Lowers the reference where the vessel stays narrow, because it has given off a branch or tapers: if the diameter
+/// does not recover to its reference further on, the reference becomes the diameter to which it recovers.
 void lowerWhereNothingRecovers(std::vector<ProfileSample>& samples)
 {
     const auto reach = static_cast<std::size_t>(recoveryReachMm / profileSpacingMm);
@@ -211,7 +212,7 @@ void lowerWhereNothingRecovers(std::vector<ProfileSample>& samples)
     }
 }
 
-/// Reference and narrowest place; the ends of the branch, a diameter long, stay out.
+/// Adds the reference and the narrowest place; excludes the ends of the branch over one diameter.
 void addNarrowing(BranchProfile& profile)
 {
     std::vector<ProfileSample>& samples = profile.samples;

@@ -8,44 +8,44 @@
 
 namespace angiopose::core {
 
-/// A place along a branch. Not a number: not known there.
+/// A sample along a branch. NaN values are unknown.
 struct ProfileSample {
-    double arcMm = 0.0;   ///< from the branch's first point
+    double arcMm = 0.0;   ///< arc length from the branch's first point
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm
-    double diameterMm = 0.0;   ///< twice the tree's radius, the median over 2 mm
-    double referenceMm = 0.0;   ///< what the diameter would be in a healthy vessel, see profileOf
-    double curvaturePerMm = 0.0;   ///< one over the radius of the bend, over 6 mm
+    double diameterMm = 0.0;   ///< twice the tree's radius, median over 2 mm
+    double referenceMm = 0.0;   ///< diameter expected in a healthy vessel, see profileOf
+    double curvaturePerMm = 0.0;   ///< inverse radius of curvature, over 6 mm
 };
 
-/// The place where a branch is narrowest against its reference.
+/// The narrowest place of a branch relative to its reference diameter.
 struct Narrowing {
-    double percent = 0.0;   ///< of the diameter; 0: no narrower than the reference
+    double percent = 0.0;   ///< diameter stenosis; 0: not narrower than the reference
     double atMm = 0.0;
-    double fromMm = 0.0;   ///< where it begins and ends: within a tenth of the reference
+    double fromMm = 0.0;   ///< start and end: where the diameter is within a tenth of the reference
     double toMm = 0.0;
     double diameterMm = 0.0;
     double referenceMm = 0.0;
 };
 
-/// Measures along one branch.
+/// Measurements of one branch.
 struct BranchProfile {
     int branchId = 0;
-    std::vector<ProfileSample> samples;   ///< in order, 0.5 mm apart, both ends
+    std::vector<ProfileSample> samples;   ///< in order, 0.5 mm apart, including both ends
     double lengthMm = 0.0;
-    double tortuosity = 1.0;   ///< length over the distance of the ends; 1 is straight; not a number for a closed loop
-    double greatestCurvaturePerMm = 0.0;   ///< not a number for branches below 2 mm
-    std::optional<double> meanDiameterMm;   ///< over the length; nothing without radii
+    double tortuosity = 1.0;   ///< length over distance between the ends; 1 is straight; NaN for a closed loop
+    double greatestCurvaturePerMm = 0.0;   ///< NaN for branches shorter than 2 mm
+    std::optional<double> meanDiameterMm;   ///< mean over the length; nothing without radii
     std::optional<double> minDiameterMm;
     std::optional<double> greatestDiameterMm;
-    std::optional<Narrowing> narrowing;   ///< nothing where there is no reference
-    Messages doubts;   ///< what could not be measured, and why
+    std::optional<Narrowing> narrowing;   ///< nothing without a reference
+    Messages doubts;   ///< measurements that failed, and why
 };
 
-/// Diameter, curvature, tortuosity and narrowest place of a branch. The reference of a place is a line through the
-/// diameters of the 60 mm around it that agree with each other (narrow and wide ones are left out step by step), so
-/// that a vessel may taper; where the vessel does not come back to that within 20 mm, it is what it comes back to. One
-/// diameter at each end of the branch does not count, where traced radii run into the parent or out. Fails on a branch
-/// of less than two points or without length; without radii it measures the rest and says so.
+/// Measures diameter, curvature, tortuosity and the narrowest place of a branch. The reference at a sample is a line
+/// through the consistent diameters within 60 mm around it (outliers are removed step by step), so a vessel may taper;
+/// if the vessel does not recover to it within 20 mm, the reference is the diameter to which it recovers. One diameter
+/// at each end of the branch is excluded, because traced radii run into the parent or out of the vessel there. Fails on
+/// a branch with fewer than two points or without length; without radii it measures the rest and adds a message.
 Result<BranchProfile> profileOf(const VesselBranch& branch);
 
 }   // namespace angiopose::core

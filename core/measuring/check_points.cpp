@@ -13,13 +13,13 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minAngleDeg = 10.0;   // below that a pixel along the image is 6 pixels along the ray
+constexpr double minAngleDeg = 10.0;   // below this angle, one pixel in the image is 6 pixels along the ray
 constexpr int refinements = 10;
 
-/// A ray in patient axes.
+/// A ray in patient coordinates.
 struct Ray {
     Eigen::Vector3d source;
-    Eigen::Vector3d direction;   ///< unit
+    Eigen::Vector3d direction;   ///< unit vector
 };
 
 Ray rayOf(const PointedPixel& seen)
@@ -46,7 +46,7 @@ double widestAngleDeg(const std::vector<Ray>& rays)
     return widest;
 }
 
-/// The point with the smallest sum of squared distances from the rays.
+/// Returns the point with the smallest sum of squared distances to the rays.
 Eigen::Vector3d nearestToRays(const std::vector<Ray>& rays)
 {
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(3, 3);
@@ -58,7 +58,7 @@ Eigen::Vector3d nearestToRays(const std::vector<Ray>& rays)
     return solveSymmetric(normal, right);
 }
 
-/// Gauss-Newton on the pixels; the point as it is where one of the images cannot show it.
+/// Refines by Gauss–Newton on the pixels; returns the point unchanged if it does not project into one of the images.
 Eigen::Vector3d refined(std::span<const PointedPixel> seen, Eigen::Vector3d point)
 {
     for (int k = 0; k < refinements; ++k) {
@@ -80,13 +80,13 @@ Eigen::Vector3d refined(std::span<const PointedPixel> seen, Eigen::Vector3d poin
     return point;
 }
 
-/// Millimetres in the plane of the image at a depth, for a pixel along u and along v.
+/// Returns the millimeters per pixel in the image plane at a depth, along u and v.
 Eigen::Vector2d mmPerPixel(const ProjectionCamera& camera, double depthMm)
 {
     return {depthMm / std::abs(camera.fx), depthMm / std::abs(camera.fy)};
 }
 
-/// The place in the frame of the pose, else the first that there is.
+/// Returns the sighting in the frame of the pose, or else the first one.
 const Sighting* sightingOf(const View& view, int markId)
 {
     const Sighting* found = nullptr;

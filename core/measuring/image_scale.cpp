@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-/// The one that says least for its value.
+/// Returns the least certain origin.
 Origin minCertain(const std::vector<Origin>& origins)
 {
     constexpr std::array order{Origin::Header, Origin::Derived, Origin::User, Origin::Assumed, Origin::Missing};
@@ -29,7 +29,7 @@ Result<ImageScale> scaleAtVessels(const MeasuredView& seen)
         return Error(says::measureNeedsVessels());
     }
     const double depthMm = (seen.cameraFromPatient * centroidInPatient(*tree)).z();
-    if (!(depthMm >= minProjectableDepthMm)) {   // NaN too
+    if (!(depthMm >= minProjectableDepthMm)) {   // also true for NaN
         return Error(says::measureBehindSource());
     }
     const CArm& cArm = view.geometry.cArm;

@@ -7,17 +7,17 @@
 
 namespace angiopose::core {
 
-/// What a pixel of an image is where something is measured.
+/// Size of an image pixel in the plane of a measurement.
 struct ImageScale {
     MeasurementPlane plane = MeasurementPlane::Pixels;
     Eigen::Vector2d unitsPerPx = Eigen::Vector2d::Ones();   ///< along u and v: mm, or px in the plane Pixels
-    double depthMm = 0.0;   ///< at the vessels: their centroid from the source, along its ray to the detector's middle
-    Origin origin = Origin::Missing;   ///< the least certain one of the values it follows from
+    double depthMm = 0.0;   ///< at the vessels: depth of their centroid along the ray to the detector's center
+    Origin origin = Origin::Missing;   ///< least certain origin of the values used
 
     bool isInMm() const { return plane != MeasurementPlane::Pixels; }
 };
 
-/// A view with the vessels as they are shown in it: at its own pose, or at one that is looked at for a while.
+/// A view with the displayed vessels: at its own pose, or at a temporarily displayed pose.
 struct MeasuredView {
     MeasuredView(const View& view, const VesselTree* tree)   ///< `tree` may be null
         : view(view), tree(tree), cameraFromPatient(view.cameraFromPatient)
@@ -27,7 +27,7 @@ struct MeasuredView {
         : view(view), tree(tree), cameraFromPatient(cameraFromPatient)
     {
     }
-    /// What found the pose; null where nothing did.
+    /// Returns the result that found the pose; null if there is none.
     const RegistrationResult* result() const;
 
     const View& view;
@@ -35,12 +35,12 @@ struct MeasuredView {
     RigidTransform cameraFromPatient;
 };
 
-/// The scale at the vessels (depth of the tree's centroid at the pose), at the detector (its pixel spacing), as typed
-/// for the image, or none.
-/// Fails saying what is missing and how to supply it.
+/// Returns the scale at the vessels (depth of the tree's centroid under the pose), at the detector (its pixel spacing),
+/// as entered for the image, or none. Fails naming the missing value and how to supply it.
 Result<ImageScale> imageScaleOf(const MeasuredView& seen, MeasurementPlane plane);
 
-/// The first plane that the view has a scale for: at the vessels, as typed, at the detector, else pixels.
+/// Returns the first plane for which the view has a scale: at the vessels, as entered, at the detector, otherwise
+/// pixels.
 MeasurementPlane bestPlaneOf(const MeasuredView& seen);
 
 }   // namespace angiopose::core

@@ -15,7 +15,7 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
     return a.x() * b.y() - a.y() * b.x();
 }
 
-/// True where the segments a–b and c–d have an inner point in common.
+/// Whether the segments a–b and c–d have an interior point in common.
 bool doCross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c, const Eigen::Vector2d& d)
 {
     return cross(b - a, c - a) * cross(b - a, d - a) < 0.0 && cross(d - c, a - c) * cross(d - c, b - c) < 0.0;
@@ -76,7 +76,7 @@ Message basisSentence(const MeasuredImage& measured, MeasurementKind kind)
     return says::measureBasisPixels();
 }
 
-/// What is not sure of the depth that a length at the vessels follows from.
+/// Adds notes on the uncertainty of the depth used for a length at the vessels.
 void addDepthDoubt(Messages& basis, const ImageScale& scale, const RegistrationResult* result)
 {
     if (!result) {
@@ -176,7 +176,7 @@ Result<Quantity> valueOf(const SliceMeasurement& measurement)
     ImageMeasurement inPlane;
     inPlane.kind = measurement.kind;
     for (const Eigen::Vector3d& point : measurement.pointsInPatient) {
-        inPlane.pixels.emplace_back(point.dot(axes.right), point.dot(axes.down));   // a pixel is a millimetre
+        inPlane.pixels.emplace_back(point.dot(axes.right), point.dot(axes.down));   // one pixel is one millimeter
     }
     ImageScale scale;
     scale.plane = MeasurementPlane::Typed;

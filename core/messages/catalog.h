@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// Every message of this layer, for translations and tests.
+/// Returns every message of this layer, for translations and tests.
 std::span<const MessageEntry* const> messageCatalog();
 
 }   // namespace angiopose::core

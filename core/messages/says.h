@@ -2,8 +2,8 @@
 
 #include "core/support/message.h"
 
-/// All that core can tell, by name: `says::noSuchBranch(7)` is that message about branch 7. The sentences stand in the
-/// .def files beside this; a new one is a line there and its translations.
+/// All messages of core, by name: `says::noSuchBranch(7)` is that message about branch 7. The sentences are in the .def
+/// files in this folder; a new message needs a line there and its translations.
 namespace angiopose::core::says {
 
 #define MESSAGE(name, id, english) inline constexpr MessageKind<placesIn(english)> name{{id, english}};

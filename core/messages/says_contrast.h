@@ -2,7 +2,7 @@
 
 #include "core/support/message.h"
 
-/// What tracing tells of contrast medium, as core/messages/says.h; apart, since few ask.
+/// Messages of tracing about contrast agent, as in core/messages/says.h; separate because few files need them.
 namespace angiopose::core::says {
 
 #define MESSAGE(name, id, english) inline constexpr MessageKind<placesIn(english)> name{{id, english}};

@@ -2,7 +2,8 @@
 
 #include "core/support/message.h"
 
-/// Of cameras and poses as other programs write them, as core/messages/says.h; apart, since few ask.
+/// Messages about cameras and poses in the formats of other programs, as in core/messages/says.h; separate because few
+/// files need them.
 namespace angiopose::core::says {
 
 #define MESSAGE(name, id, english) inline constexpr MessageKind<placesIn(english)> name{{id, english}};

@@ -13,12 +13,12 @@
 namespace angiopose::core {
 namespace {
 
-// Measured on made-up trees by three generators (bent_trust_table and foreign_targets_table --family development, the
-// simulator's degraded targets): rigid ones, a fifth of the branches missing, stay below 0.29 px and above 0.57 of
-// their visible length; trees bent by 1 mm and more lie above 0.5 px or below 0.48.
-constexpr double minOffsetPx = 0.4;   // of stretches beside their vessels
-constexpr double minFoundShare = 0.52;   // of the visible tree: the rest may have moved away
-constexpr double maxRigidOffMm = 1.9;   // to be expected of the tree's points; errors from 2 mm on shall be flagged
+// Measured on synthetic trees from three generators (bent_trust_table and foreign_targets_table --family development,
+// the simulator's degraded targets): rigid trees with a fifth of the branches missing stay below 0.29 px and above 0.57
+// of their visible length; trees deformed by 1 mm or more lie above 0.5 px or below 0.48.
+constexpr double minOffsetPx = 0.4;   // offset of stretches from their vessels
+constexpr double minFoundShare = 0.52;   // fraction of the visible tree: the rest may have moved away
+constexpr double maxRigidOffMm = 1.9;   // expected error of the tree's points; errors from 2 mm on must be flagged
 
 /// Share of the tree inside the image that lies along traced vessels.
 double foundShare(const Alignment& alignment, const CentroidPose& pose)
@@ -37,14 +37,14 @@ double foundShare(const Alignment& alignment, const CentroidPose& pose)
     return visible > 0.0 ? found / visible : 1.0;
 }
 
-/// What looks wrong about a rigid fit only because the vessels are bent.
+/// Whether a warning about a rigid fit is explained by deformation alone.
 bool isExplained(const Message& reason)
 {
     return reason.is(says::trustLittleAgreement) || reason.is(says::trustBetterAside) ||
            reason.is(says::trustPoseUncertain);
 }
 
-/// A bend that is sure and small explains what spoke against the fit.
+/// Withdraws the warnings about the fit that a certain and small deformation explains.
 void withdrawExplained(RigidJudgement judgement)
 {
     if (std::erase_if(judgement.warnings, isExplained) > 0) {
@@ -52,14 +52,14 @@ void withdrawExplained(RigidJudgement judgement)
     }
 }
 
-/// By which people know a branch: as it is labelled, else its number.
+/// Display name of a branch: its label, otherwise its number.
 std::string nameOrNumber(const VesselTree& tree, int branchId)
 {
     const VesselBranch* branch = tree.find(branchId);
     return branch && !branch->name.empty() ? branch->name : std::to_string(branchId);
 }
 
-/// How far the rigid overlay is off, as surely as the bend is known.
+/// Message with the error of the rigid overlay, worded according to the certainty of the deformation.
 Message offWords(const DeformableResult& deformed, const VesselTree& tree)
 {
     const Quantity mean = inMm(deformed.rigid.meanMm, 1);
@@ -69,8 +69,8 @@ Message offWords(const DeformableResult& deformed, const VesselTree& tree)
                                                             : says::deformationMayBeOff(mean, farthest, branch);
 }
 
-/// Lets trust fall where the overlay is off, hold where the bend explains the rest; how far it is off is always said,
-/// first where it is sure.
+/// Lowers the confidence if the overlay is off and keeps it if the deformation explains the rest; always reports the
+/// error of the overlay, first if it is certain.
 void tellDeformation(const DeformableResult& deformed, const VesselTree& tree, RigidJudgement judgement)
 {
     const bool isOff = putsOverlayOff(deformed);
@@ -129,7 +129,7 @@ std::shared_ptr<const DeformableResult> judgeByDeformation(std::span<const Defor
         return nullptr;
     }
     auto result = std::make_shared<const DeformableResult>(std::move(deformed).value());
-    if (result->stopReason == StopReason::StoppedByUser) {   // what looked bent stays in doubt
+    if (result->stopReason == StopReason::StoppedByUser) {   // a fit that looked deformed remains in doubt
         judgement.trustworthy = false;
         judgement.warnings.insert(judgement.warnings.begin(), says::deformationStopped().as(Severity::Warning));
     } else if (result->verdict != DeformationVerdict::Rigid) {

@@ -8,37 +8,37 @@
 
 namespace angiopose::core {
 
-/// A rigid pose and the image it was found in.
+/// Rigid pose and the image in which it was found.
 struct RigidFit {
     const RegistrationProblem& problem;
     const TargetLines& target;
     const RigidTransform& cameraFromPatient;
 };
 
-/// Whether a fit looks as if the vessels were bent (ALGORITHMS §11.5): decides, cheaply, whether the bent model is
-/// asked. A rigid tree seldom looks so.
+/// Quick test whether a fit looks as if the vessels were deformed (ALGORITHMS §11.5); decides whether to run the
+/// deformable model. A rigid tree rarely triggers it.
 bool looksDeformed(const RigidFit& fit);
 
-/// Whether bent vessels put the rigid overlay so far off that it is not to be trusted.
+/// Whether deformed vessels displace the rigid overlay so much that it is not reliable.
 bool putsOverlayOff(const DeformableResult& deformed);
 
-/// Whether a sentence speaks against trust, whatever the vessels do.
+/// Whether a message lowers the confidence regardless of deformation.
 bool speaksAgainstTrust(const Message& said);
 
-/// What is said of a rigid pose, to be corrected by what bending found.
+/// Assessment of a rigid pose, to be corrected by the deformable registration.
 struct RigidJudgement {
     PoseUncertainty& uncertainty;
     bool& trustworthy;
     Messages& warnings;
 };
 
-/// The start pose's errors as the options have them.
+/// Deformable options with the initial pose errors taken from the registration options.
 DeformableOptions deformationOptions(const RegistrationOptions& options);
 
-/// Bends the vessels from rigid poses and lets the rigid result say what that found: the covariance holds how far the
-/// pose is off, trust falls where the overlay is, and the words tell which part lies how far off, and how surely.
-/// Stopped before its end it leaves the result untrusted. Null where the vessels cannot be bent (points without
-/// curves). `observe`: see deformVessels.
+/// Deforms the vessels from the rigid poses and updates the rigid result: the covariance includes the error of the
+/// pose, the confidence drops if the overlay is off, and the messages state which part is off, by how much and how
+/// certainly. If stopped early, marks the result as unreliable. Returns null if the vessels cannot be deformed (points
+/// without curves). `observe`: see deformVessels.
 std::shared_ptr<const DeformableResult> judgeByDeformation(std::span<const DeformableView> views,
                                                            const DeformableOptions& options, RigidJudgement judgement,
                                                            const IterationObserver& observe);

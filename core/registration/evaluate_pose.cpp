@@ -9,10 +9,11 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double settledMm = 1.3;   // farther, the pose is not that of the image (see judgeTrust)
+constexpr double settledMm = 1.3;   // beyond this the pose does not match the image (see judgeTrust)
 constexpr double mostlyExplained = 0.5;
 
-/// Which vessels the image shows is seen from a pose that explains it: beside it few of a full tree seem to be there.
+/// Withdraws the single-path warning unless the pose explains the image: from a wrong pose, few vessels of a full tree
+/// appear to be visible.
 void withdrawSinglePath(RegistrationResult& judged)
 {
     const FitSigns& signs = judged.signs;

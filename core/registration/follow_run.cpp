@@ -8,7 +8,7 @@ namespace angiopose::core {
 
 namespace {
 
-/// The question with the vessels as they lie in the image.
+/// Registration input with the vessels deformed as in the image.
 RegistrationInput asDeformed(RegistrationInput input, const DeformableResult& deformed)
 {
     input.tree = deformedTreeAt(input.tree, deformed, input.initialCameraFromPatient);
@@ -51,7 +51,7 @@ Result<TrackedVessels> RunFollower::next(const Centerline2d& target, const Searc
         return tracked.error();
     }
     TrackedVessels followed{tracked.value(), nullptr};
-    if (deformations_ && followed.tracked.isTrustworthy) {   // other frames tell nothing of their bend
+    if (deformations_ && followed.tracked.isTrustworthy) {   // other frames carry no information about the deformation
         input_.target = target;
         input_.initialCameraFromPatient = followed.tracked.cameraFromPatient;
         auto found = deformations_->next({input_, followed.tracked.cameraFromPatient, 0});

@@ -8,30 +8,31 @@
 
 namespace angiopose::core {
 
-/// Where the vessels are in a frame, and how they are bent beside that pose.
+/// Vessel pose in a frame and the deformation relative to that pose.
 struct TrackedVessels {
     TrackedFrame tracked;
-    std::shared_ptr<const DeformableResult> deformed;   ///< null: not bent, not told, or rigid vessels are followed
+    std::shared_ptr<const DeformableResult>
+        deformed;   ///< null: not deformed, undetermined, or rigid vessels are tracked
 };
 
-/// Follows vessels, bent or not, from frame to frame of one view. Bent ones move on as they were bent in the
-/// frame before; beside that motion the bend of every frame is found from there (ALGORITHMS §11.6).
+/// Tracks vessels, deformed or not, from frame to frame of one view. Deformed vessels keep their deformation from the
+/// previous frame for the rigid step; then the deformation is refined in every frame (ALGORITHMS §11.6).
 class RunFollower {
 public:
-    /// `input` with the pose of the frame before the first one followed as its start, and that frame's target. `bent`:
-    /// what bending found there, of this view alone, or null. Fails on unusable input.
+    /// `input` has the pose of the frame before the first tracked one as its initial pose, and that frame's target.
+    /// `bent` is the deformation found there, in this view only, or null. Fails on unusable input.
     static Result<RunFollower> from(const RegistrationInput& input,
                                     const std::shared_ptr<const DeformableResult>& deformed,
                                     const RegistrationOptions& options);
 
-    /// Fails when the target is empty or not finite, and stays as it was.
+    /// Fails when the target is empty or not finite, leaving the tracker unchanged.
     Result<TrackedVessels> next(const Centerline2d& target, const SearchObserver& observe = {});
 
 private:
     RunFollower(RegistrationInput input, const RegistrationOptions& options, FrameTracker tracker,
                 std::optional<DeformationTracker> deformations);
 
-    RegistrationInput input_;   ///< of the tree as it was scanned
+    RegistrationInput input_;   ///< with the undeformed tree
     RegistrationOptions options_;
     FrameTracker tracker_;
     std::optional<DeformationTracker> deformations_;

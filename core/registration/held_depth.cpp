@@ -14,7 +14,7 @@ constexpr double stayedMm = 2.0;
 constexpr std::size_t heldPoints = 600;
 constexpr RefinementSchedule heldSchedule{5.0, 1.0, 0.6, 2, 8, 24};
 
-/// On the same ray, as deep as the start.
+/// Moves the pose along its ray to the depth of the initial pose.
 CentroidPose atDepthOf(const CentroidPose& start, CentroidPose pose)
 {
     pose.centroidInCamera *= start.centroidInCamera.z() / pose.centroidInCamera.z();

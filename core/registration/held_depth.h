@@ -5,8 +5,8 @@
 
 namespace angiopose::core {
 
-/// The solution with the depth of the start, refined there: for a depth that `judged` says the image does not tell
-/// (ALGORITHMS §6.19). Nothing where the image tells it, or where it stayed.
+/// Solution refined at the depth of the initial pose, if `judged` shows that the image does not determine the depth
+/// (ALGORITHMS §6.19). Returns nullopt if it does or if the depth did not change.
 std::optional<MethodSolution> withDepthHeld(const RegistrationProblem& problem, const RegistrationOptions& options,
                                             const MethodSolution& solution, const RegistrationResult& judged);
 

@@ -10,20 +10,21 @@
 namespace angiopose::core {
 namespace {
 
-// Measured on made-up trees (wrong_geometry_table --family development).
-constexpr double minBetter = 0.15;   // by which another reading must agree better, as a share of both
+// Thresholds measured on synthetic trees (wrong_geometry_table --family development).
+constexpr double minBetter = 0.15;   // required gain in agreement of another reading, as a fraction of both
 constexpr double minConvincing = 0.45;
-constexpr double middlingAgreement = 0.5;   // a trusted fit above it, of many branches, is beyond doubt
+constexpr double middlingAgreement = 0.5;   // a reliable fit of many branches above this is not questioned
 constexpr std::size_t fewBranches = 6;
 constexpr double asWell = 0.9;
 
-/// How an image may be stored unlike its camera says: first mirrored left to right, then turned by quarters.
+/// Alternative storage orientation of an image relative to its camera: first mirrored left to right, then rotated by
+/// quarter turns.
 struct FrameReading {
     bool isMirrored = false;
     int quarterTurns = 0;   ///< about the camera's z
 };
 
-/// The problem as that reading has it: the image stays, its camera and the start pose change.
+/// Problem under that reading: the image stays, its camera and the initial pose change.
 RegistrationProblem readAs(const FrameReading& reading, const RegistrationProblem& problem)
 {
     RegistrationProblem other = problem;
@@ -36,7 +37,7 @@ RegistrationProblem readAs(const FrameReading& reading, const RegistrationProble
     return other;
 }
 
-/// The problem of a device that counts its angles from the table.
+/// Problem for a device that measures its angles relative to the table.
 RegistrationProblem readAs(const TableReading& reading, const RegistrationProblem& problem)
 {
     RegistrationProblem other = problem;
@@ -45,8 +46,7 @@ RegistrationProblem readAs(const TableReading& reading, const RegistrationProble
     return other;
 }
 
-/// Agreement of tree and image, 0…1, when the frame is read so and the tree is looked for around the start; 0 when
-/// stopped.
+/// Agreement of tree and image, 0…1, under this reading with a search around the initial pose; 0 if stopped.
 double agreementOf(const RegistrationProblem& problem, const RegistrationOptions& options,
                    const SearchObserver& observe)
 {
@@ -68,7 +68,7 @@ double agreementOf(const RegistrationProblem& problem, const RegistrationOptions
     return ranking.best().agreement;
 }
 
-/// A quarter about z turns the picture the other way round where it is shown as seen from the detector.
+/// A quarter turn about z appears reversed in an image displayed as seen from the detector.
 bool isClockwise(int quarterTurns, const ProjectionCamera& camera)
 {
     return (quarterTurns == 1) == (camera.fx * camera.fy > 0.0);
@@ -106,7 +106,8 @@ std::optional<Message> likelyReading(const RegistrationProblem& problem, const R
                                          FrameReading{true, 3}};
     double best = std::max(minConvincing, asItIs + minBetter);
     std::optional<Message> likely;
-    if (problem.tableReading) {   // first: the header speaks for it, and a frontal view looks the same turned by 180°
+    if (problem.tableReading) {   // first, because the header supports it and a frontal view looks the same when
+                                  // rotated by 180°
         const double agreement = agreementOf(readAs(*problem.tableReading, problem), options, observe);
         if (agreement > best) {
             best = agreement;

@@ -6,15 +6,15 @@
 
 namespace angiopose::core {
 
-/// What speaks for an image that is stored mirrored or turned (ALGORITHMS §6.20).
+/// Evidence that an image is stored mirrored or rotated (ALGORITHMS §6.20).
 struct ImageOrientationCheck {
     std::optional<Message> message;
-    bool shakesTrust = false;   ///< the fit was trusted, and is no longer
+    bool shakesTrust = false;   ///< whether a reliable fit becomes unreliable
 };
 
-/// After a fit that failed: whether a mirrored or turned reading of the frame explains the image clearly better. After
-/// one that is trusted but explains it middlingly, or of few branches: whether the mirrored frame does as well. Takes
-/// up to a second: `observe` hears of it and may stop it, then nothing is known.
+/// After a failed fit: checks whether a mirrored or rotated reading of the frame explains the image clearly better.
+/// After a reliable fit with medium agreement or of few branches: checks whether the mirrored frame fits equally well.
+/// Takes up to a second; `observe` reports progress and may stop it, which leaves the check without a result.
 ImageOrientationCheck checkImageOrientation(const RegistrationProblem& problem, const RegistrationOptions& options,
                                             const MethodSolution& solution, const RegistrationResult& judged,
                                             const SearchObserver& observe);

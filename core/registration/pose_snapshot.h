@@ -8,10 +8,10 @@
 
 namespace angiopose::core {
 
-/// Whether a user kept the pose, or a run left it behind.
+/// Whether the user saved the snapshot or a registration created it.
 enum class SnapshotKind { Kept, Run };
 
-/// How well a snapshot's pose agreed with its frame, as judged when it was taken.
+/// Agreement of a snapshot's pose with its frame, computed when it was taken.
 struct SnapshotMetrics {
     double medianPx = 0.0;
     double medianMm = 0.0;
@@ -22,7 +22,7 @@ struct SnapshotMetrics {
     bool operator==(const SnapshotMetrics&) const = default;
 };
 
-/// A pose with its story: who found it, when, how, and how well it fitted.
+/// Saved pose with its origin: method, time, frame and quality of the fit.
 struct PoseSnapshot {
     int id = 0;   ///< unique in the case
     SnapshotKind kind = SnapshotKind::Kept;
@@ -30,22 +30,22 @@ struct PoseSnapshot {
     std::string author;
     std::string note;
     std::string time;   ///< ISO 8601, UTC
-    std::string method;   ///< id of the method that found it; empty: by hand
-    int frame = 0;   ///< of the angiogram, counts from 0
+    std::string method;   ///< id of the method that found it; empty: set manually
+    int frame = 0;   ///< frame of the angiogram, counts from 0
     RigidTransform cameraFromPatient;
-    std::optional<SnapshotMetrics> metrics;   ///< nothing: not judged
-    double runMs = 0.0;   ///< 0: not found by a run
-    std::string extraKeys{};   ///< JSON object with what a case file says of it that this version does not know
+    std::optional<SnapshotMetrics> metrics;   ///< nullopt: not computed
+    double runMs = 0.0;   ///< 0: not found by a registration
+    std::string extraKeys{};   ///< JSON object with keys of the case file that this version does not know
 };
 
-/// What a snapshot remembers of a judged pose.
+/// Metrics of a judged pose to store in a snapshot.
 SnapshotMetrics metricsOf(const RegistrationResult& result);
 
-/// `snapshots` with `added` at the end under a fresh id. Of the runs only the newest `keptRuns` stay; what a user kept
-/// always stays.
+/// Appends `added` to `snapshots` with a new id. Keeps only the newest `keptRuns` snapshots of registrations, and all
+/// snapshots saved by the user.
 std::vector<PoseSnapshot> withSnapshot(std::vector<PoseSnapshot> snapshots, PoseSnapshot added, int keptRuns = 20);
 
-/// The snapshot with this id, or null.
+/// Snapshot with this id, or null.
 const PoseSnapshot* findSnapshot(const std::vector<PoseSnapshot>& snapshots, int id);
 
 }   // namespace angiopose::core

@@ -16,12 +16,12 @@ namespace angiopose::core {
 
 namespace {
 
-// Chosen in the made-up world (DECISIONS D73): fewer false alarms and fewer errors that are trusted than by rules
-// alone.
+// Chosen on synthetic data (DECISIONS D73): gives fewer false alarms and fewer undetected errors than rules alone.
 constexpr double allButSure = 0.99;
 constexpr double oftenFails = 0.8;
 
-/// Rules of thumb that experience with many fits may overrule; what other poses or other frames say it may not.
+/// Rules of thumb that the calibrated probability may override; it must not override findings about other poses or
+/// other frames.
 bool isRuleOfThumb(const Message& said)
 {
     return said.is(says::trustFilledDoubtful) || said.is(says::trustLittleAgreement) ||
@@ -37,10 +37,10 @@ bool onlyRulesOfThumbSpeakAgainst(const RegistrationResult& result)
     });
 }
 
-/// Lets a result of the default method from one view say how likely its overlay lies within 2 mm of the vessels, by
-/// experience with such fits, and trust follow where that is clear (ALGORITHMS §6.21): a fit that is all but sure is
-/// trusted though little agrees or little is filled, one that often fails is not. Of a fit that other signs
-/// speak against, a high probability is not stated.
+/// Calibrates the confidence of a single-view result of the default method: adds the probability that its overlay lies
+/// within 2 mm of the vessels, learned from many fits, and adjusts the confidence where it is conclusive (ALGORITHMS
+/// §6.21). A nearly certain fit is reliable even if agreement or opacification is low; a fit of a kind that often fails
+/// is not. If other signs count against a fit, a high probability is not reported.
 void calibrateConfidence(RegistrationResult& result)
 {
     const double probability = overlayProbability(result);
@@ -53,14 +53,15 @@ void calibrateConfidence(RegistrationResult& result)
         result.trustworthy = false;
         result.warnings.insert(result.warnings.begin(), says::trustOftenFails(Quantity{100.0 * probability, 0, "%"}));
     }
-    if (!result.trustworthy && probability >= oftenFails) {   // it knows nothing of what speaks against this fit
+    if (!result.trustworthy &&
+        probability >= oftenFails) {   // the probability does not account for the signs against this fit
         result.probabilityWithin2Mm.reset();
     }
 }
 
-/// What holds for a fit of our own, whatever way it was found: a depth that the image does not tell stays, unless
-/// branches were chosen to tell it, and a frame that may be mirrored or turned is named. Who stops that keeps the pose,
-/// untrusted: it was not looked at to the end.
+/// Assesses a fit of the default method, however it was found: constrains a depth that the image does not determine,
+/// unless branches were chosen to determine it, and reports a frame that may be mirrored or rotated. If stopped by the
+/// user, keeps the pose as unreliable, because the assessment is incomplete.
 RegistrationResult judgeWithCare(const RegistrationProblem& problem, const RegistrationOptions& options,
                                  const MethodSolution& solution, ProgressLog& progress)
 {
@@ -97,7 +98,7 @@ bool isDeformationRequested(const RegistrationProblem& problem, const Registrati
                                                        result.cameraFromPatient});
 }
 
-/// What looks empty in the image does not speak for a bend.
+/// Branches that appear unopacified do not count as evidence of deformation.
 DeformableView deformationView(const RegistrationInput& input, const RegistrationResult& result)
 {
     DeformableView view{input, result.cameraFromPatient};

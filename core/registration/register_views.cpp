@@ -18,11 +18,12 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double clearlyLess = 0.9;   // of the agreement that the views reach each by itself
-constexpr double knownTurnReachDeg = 3.0;   // of a search in a view whose turn another view tells
+constexpr double clearlyLess = 0.9;   // fraction of the agreement that the views reach individually
+constexpr double knownTurnReachDeg = 3.0;   // search range in a view whose rotation is known from another view
 constexpr std::size_t maxSearchedAgain = 3;
-constexpr double widestForDeformationMm = 8.0;   // what corrected a wider step was no bend
-constexpr double aloneShare = 0.9;   // of the progress of a view; the rest is its joint refinement
+constexpr double widestForDeformationMm =
+    8.0;   // upper limit of the shift uncertainty between views; a larger correction was not caused by deformation
+constexpr double aloneShare = 0.9;   // fraction of a view's progress; the rest is its joint refinement
 
 Result<JointSolve::Views> makeViews(std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
                                     const MultiViewOptions& multiView)
@@ -49,8 +50,8 @@ Result<JointSolve::Views> makeViews(std::span<const RegistrationInput> inputs, c
     return views;
 }
 
-/// Carries the reports of the single runs and of the joint refinements to the observer, as parts of the whole: their
-/// numbers and their progress never fall. Once the answer was Stop it stays Stop.
+/// Forwards the reports of the single-view registrations and the joint refinements to the observer as parts of the
+/// whole: iteration numbers and progress never decrease. Once the observer has returned Stop, the result remains Stop.
 class JointProgress {
 public:
     JointProgress(const JointView& first, std::size_t viewCount, const IterationObserver& observe)
@@ -58,7 +59,7 @@ public:
     {
     }
 
-    /// From a registration of one view: of its own pose.
+    /// Report of a single-view registration, with that view's own pose.
     Verdict report(std::size_t view, IterationReport report)
     {
         report.view = view;
@@ -67,7 +68,8 @@ public:
         return pass(view, std::move(report));
     }
 
-    /// From the joint refinement of a start of a view's: of the pose in the first view; `done` of all its starts.
+    /// Report of the joint refinement starting from a view's pose, with the pose in the first view; `done` is the
+    /// completed share of all its starting poses.
     Verdict report(std::size_t view, const JointPose& joint, double scalePx, double done)
     {
         IterationReport report;
@@ -81,7 +83,7 @@ public:
         return pass(view, std::move(report));
     }
 
-    /// Asks whether to go on while the poses rest.
+    /// Checks for a stop request while the poses are unchanged.
     Verdict askAgain(std::string_view stage)
     {
         reported_.stage = stage;
@@ -104,16 +106,16 @@ private:
 
     const JointView& first_;
     TreeShift shift_;
-    std::optional<RigidTransform> last_;   ///< of the joint report before
+    std::optional<RigidTransform> last_;   ///< pose of the previous joint report
     std::size_t viewCount_;
     const IterationObserver& observe_;
     std::vector<double> distances_;
-    IterationReport reported_;   ///< the last one
+    IterationReport reported_;   ///< last report
     int iterations_ = 0;
     bool isStopped_ = false;
 };
 
-/// Poses that one view explains: its answer and the others nearly as good.
+/// Poses that explain one view: its result and the alternatives that are nearly as good.
 std::vector<RigidTransform> posesOf(const RegistrationResult& alone)
 {
     std::vector<RigidTransform> poses{alone.cameraFromPatient};
@@ -123,7 +125,7 @@ std::vector<RigidTransform> posesOf(const RegistrationResult& alone)
     return poses;
 }
 
-/// The best joint pose so far.
+/// Best joint pose so far.
 struct BestJoint {
     JointPose pose;
     double score = -1.0;
@@ -137,7 +139,7 @@ struct BestJoint {
     }
 };
 
-/// Of the poses that each view explains: with one of a view's, those of the others that contradict the geometry least.
+/// Combines one pose of a view with those poses of the other views that contradict the geometry least.
 JointPose withLikeliestOthers(const JointSolve& solve, const std::vector<std::vector<RigidTransform>>& poses,
                               std::size_t view, const RigidTransform& pose)
 {
@@ -161,14 +163,14 @@ JointPose withLikeliestOthers(const JointSolve& solve, const std::vector<std::ve
     return best;
 }
 
-/// Finds the joint pose from poses of single views.
+/// Finds the joint pose from the poses of single views.
 class JointSearch {
 public:
     JointSearch(JointSolve& solve, std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
                 const MultiViewOptions& multiView, JointProgress& progress)
         : solve_(solve), inputs_(inputs), ofOneView_(options), multiView_(multiView), progress_(progress)
     {
-        ofOneView_.geometry.otherFrames = false;   // all views together tell
+        ofOneView_.geometry.otherFrames = false;   // all views together decide this
         ofOneView_.deformation = Deformation::Off;
         best_.pose = {solve.inFirst(inputs.front().initialCameraFromPatient, 0),
                       std::vector<Vector6d>(inputs.size(), Vector6d::Zero())};
@@ -186,7 +188,7 @@ public:
                 return alone.error();
             }
             poses_.push_back(std::move(alone).value());
-            if (knowsShift_ || best_.score < 0.0) {   // otherwise the first stands for who stops early
+            if (knowsShift_ || best_.score < 0.0) {   // otherwise the first pose is the result of an early stop
                 refineFrom(k);
             }
         }
@@ -209,7 +211,7 @@ public:
     }
 
 private:
-    /// Its answer and the others nearly as good.
+    /// Result of the single-view registration and the alternatives that are nearly as good.
     Result<std::vector<RigidTransform>> posesAlone(std::size_t view, const RegistrationInput& input,
                                                    const RegistrationOptions& options)
     {
@@ -228,7 +230,7 @@ private:
         });
     }
 
-    /// A view's poses, carried to the first view.
+    /// Refines jointly from each pose of a view, converted to the first view.
     void refineFrom(std::size_t view)
     {
         const double share = 1.0 / static_cast<double>(poses_[view].size());
@@ -239,8 +241,8 @@ private:
         }
     }
 
-    /// Where the geometry leaves room, no view's pose fits another's image by itself: every view starts at its own, as
-    /// far as the geometry admits that.
+    /// If the geometry is uncertain, the pose of one view does not fit the image of another: starts every view at its
+    /// own pose, as far as the geometry allows.
     void refineTogether()
     {
         for (std::size_t view = 0; view < poses_.size(); ++view) {
@@ -253,7 +255,8 @@ private:
         }
     }
 
-    /// No two poses are turned as the gantries were: the views are searched again, turned like each pose of the first.
+    /// If no combination of poses has the rotation of the gantries, searches the views again, rotated like each pose of
+    /// the first view.
     Status searchTurnedAlike()
     {
         RegistrationOptions turned = ofOneView_;
@@ -274,7 +277,8 @@ private:
         return Done{};
     }
 
-    /// Where the geometry is wrong no view's answer fits the others: how they contradict shows with each at its own.
+    /// If the geometry is wrong, no view's result fits the others: placing each view at its own pose then shows the
+    /// contradiction.
     JointPose orEachAtItsOwn()
     {
         std::vector<RigidTransform> own;
@@ -291,13 +295,13 @@ private:
     RegistrationOptions ofOneView_;
     const MultiViewOptions& multiView_;
     JointProgress& progress_;
-    bool knowsShift_ = true;   ///< see StepSpread, of all steps
-    bool isTight_ = true;   ///< taken together
-    std::vector<std::vector<RigidTransform>> poses_;   ///< that each view explains
+    bool knowsShift_ = true;   ///< see StepSpread; true only if it holds for all steps
+    bool isTight_ = true;   ///< images taken simultaneously
+    std::vector<std::vector<RigidTransform>> poses_;   ///< poses that explain each view
     BestJoint best_;
 };
 
-/// Judges one view at the joint pose; what speaks against it is added to the result's warnings.
+/// Judges one view at the joint pose; adds the reasons against it to the warnings of the result.
 void addView(MultiViewResult& result, std::size_t number, const JointView& view, MethodSolution solution,
              bool isPlausible, const RegistrationOptions& options)
 {
@@ -327,8 +331,8 @@ bool isDeformationRequested(const JointSolve::Views& views, const RegistrationOp
     return false;
 }
 
-/// All views together tell how the vessels are bent. The geometry between them is that of the start poses: what
-/// corrected it for a rigid tree may have been the bend.
+/// Determines the deformation from all views together. Uses the geometry of the initial poses, because a correction
+/// found for a rigid tree may have been caused by the deformation.
 void hearDeformation(MultiViewResult& result, std::span<const RegistrationInput> inputs,
                      const RegistrationOptions& options, const MultiViewOptions& multiView, JointProgress& progress)
 {

@@ -5,17 +5,18 @@
 
 namespace angiopose::core {
 
-/// Finds the pose that lays the projected tree onto the traced angiogram with the method `options.method`.
-/// Fails only on unusable input, naming it; running out of iterations or a stop is a result that keeps the best pose.
-/// Deterministic: the same input gives the same bits. `observe` runs on the calling thread after each iteration.
+/// Finds the pose that aligns the projected tree with the traced angiogram, using the method `options.method`. Fails
+/// only on unusable input, with a message that names it; when iterations run out or the user stops, returns the best
+/// pose so far. Deterministic: the same input gives bitwise the same result. `observe` is called on the calling thread
+/// after each iteration.
 Result<RegistrationResult> registerVessels(const RegistrationInput& input, const RegistrationOptions& options = {},
                                            const IterationObserver& observe = {});
 
-/// Judges a pose without moving it: metrics, per-branch residuals, covariance, warnings.
-/// Also what the window shows while the user nudges. `timing` fields stay zero.
+/// Assesses a pose without changing it: metrics, residuals per branch, covariance, warnings. Also used by the window
+/// while the user nudges the pose. The `timing` fields remain zero.
 Result<RegistrationResult> evaluatePose(const RegistrationInput& input, const RigidTransform& cameraFromPatient);
 
-/// "converged", "iteration limit", "no improvement", "stopped by the user".
+/// Returns "converged", "iteration limit", "no improvement" or "stopped by the user".
 std::string_view toText(StopReason reason);
 
 }   // namespace angiopose::core

@@ -7,28 +7,28 @@
 
 namespace angiopose::core {
 
-/// Where the vessels were at a moment of a run.
+/// Position of the vessels at one time of a run.
 struct TimedPose {
     double seconds = 0.0;
     RigidTransform cameraFromPatient;
 };
 
-/// A motion that comes again and again.
+/// Periodic motion.
 struct PeriodicMotion {
     double periodS = 0.0;
-    double amplitudeMm = 0.0;   ///< half the way to and fro, across the rays
-    double share = 0.0;   ///< of the squared motion that it explains, 0…1
+    double amplitudeMm = 0.0;   ///< amplitude across the rays
+    double share = 0.0;   ///< share of the squared motion that it explains, 0…1
 };
 
-/// The periods of a run; nothing where the run is too short to show two of them, or shows none.
+/// Periods of a run; nullopt if the run is shorter than two periods or shows none.
 struct RunPeriods {
-    std::optional<PeriodicMotion> breath;   ///< of 2 to 10 s
-    std::optional<PeriodicMotion> heart;   ///< of 0.4 to 1.5 s
+    std::optional<PeriodicMotion> breath;   ///< period of 2 to 10 s
+    std::optional<PeriodicMotion> heart;   ///< period of 0.4 to 1.5 s
 };
 
-/// Finds breath and heart in how a point of the vessels moved across the rays (ALGORITHMS §6.11): least-squares spectra
-/// of what is left when a drift is taken away, so that frames may be missing (Lomb 1976). A period counts where the
-/// chance that noise shows so high a peak is below 1 in 10,000 (Fisher 1929).
+/// Detects breathing and heartbeat in the motion of a vessel point across the rays (ALGORITHMS §6.11): least-squares
+/// spectra after removing a drift; frames may be missing (Lomb 1976). A period is accepted if the probability of noise
+/// producing a peak of this height is below 1 in 10,000 (Fisher 1929).
 RunPeriods findPeriods(std::span<const TimedPose> poses, const Eigen::Vector3d& pointInPatient);
 
 }   // namespace angiopose::core

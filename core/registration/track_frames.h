@@ -10,19 +10,20 @@
 
 namespace angiopose::core {
 
-/// Follows the vessels from frame to frame of one run (ALGORITHMS §6.11). Every frame starts from the pose that the
-/// motion so far predicts, with the prediction as prior, and needs no search while it explains the frame about as well
-/// as its predecessors.
+/// Tracks the vessels from frame to frame of one run (ALGORITHMS §6.11). Every frame starts from the pose predicted
+/// from the previous motion, with the prediction as prior, and needs no search as long as it explains the frame about
+/// as well as its predecessors.
 class FrameTracker {
 public:
-    /// `first`: a checked problem whose start is the registered pose of the frame before the first one tracked.
+    /// `first` is a validated problem whose initial pose is the registered pose of the frame before the first one to
+    /// track.
     FrameTracker(RegistrationProblem first, const RegistrationOptions& options, const MotionModel::Noise& noise = {});
 
-    /// Fails when the target is empty or not finite; the tracker then stays as it was. `observe` hears of a search; a
-    /// frame whose search it stopped has been looked at in part only.
+    /// Fails if the target is empty or not finite, leaving the tracker unchanged. `observe` is called during a search;
+    /// if it stops the search, the frame has been searched only partly.
     Result<TrackedFrame> next(const Centerline2d& target, const SearchObserver& observe = {});
 
-    /// The vessels have changed their shape: `bent` is the problem of the same branches as they are now.
+    /// Replaces the shape of the vessels: `bent` is the problem with the same branches in their current shape.
     void followAsDeformed(RegistrationProblem deformed);
 
 private:
@@ -36,7 +37,7 @@ private:
     RegistrationOptions options_;
     MotionModel motion_;
     std::vector<AlignmentPoint> points_;
-    std::deque<double> scores_;   ///< of frames that fitted, newest last
+    std::deque<double> scores_;   ///< scores of fitting frames, newest last
 };
 
 }   // namespace angiopose::core

@@ -5,12 +5,12 @@
 
 namespace angiopose::core {
 
-/// One frame of a run.
+/// Tracking result of one frame of a run.
 struct TrackedFrame {
     RigidTransform cameraFromPatient;
-    double score = 0.0;   ///< agreement both ways, 0…1
-    bool searched = false;   ///< the prediction did not fit and the surroundings were searched
-    bool isTrustworthy = false;   ///< false: nothing near explains the frame, the pose is the prediction
+    double score = 0.0;   ///< agreement in both directions, 0…1
+    bool searched = false;   ///< the prediction did not fit and its surroundings were searched
+    bool isTrustworthy = false;   ///< false: no nearby pose explains the frame, and the pose is the prediction
     StageTimes time;
 };
 

@@ -10,7 +10,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Smooth random field with standard deviation `amplitude` and grain `sigmaPx`.
+/// Returns a smooth random field with standard deviation `amplitude` and grain size `sigmaPx`.
 ImageF randomField(int width, int height, double sigmaPx, CounterRandom& random)
 {
     ImageF field(width, height);
@@ -33,7 +33,7 @@ void addScaled(ImageF& image, const ImageF& field, double standardDeviation)
     }
 }
 
-/// A long shallow arc across the picture.
+/// A long shallow arc across the image.
 struct Arc {
     Eigen::Vector2d centerPx;
     double radiusPx;
@@ -59,7 +59,7 @@ Arc drawArc(const ImageF& image, CounterRandom& random)
     return {center, radiusPx, angle - halfSpan, angle + halfSpan};
 }
 
-/// Discs along the arc: a tube whose attenuation at the axis is `peak`.
+/// Adds discs along the arc, which form a tube with attenuation `peak` at its axis.
 void addTubeAlong(ImageF& image, const Arc& arc, double radiusPx, double peak)
 {
     const double stepPx = std::max(0.5, 0.15 * radiusPx);
@@ -70,7 +70,7 @@ void addTubeAlong(ImageF& image, const Arc& arc, double radiusPx, double peak)
     }
 }
 
-/// A hollow tube: cortical bone shows as two bright rims.
+/// Adds hollow tubes: cortical bone shows as two bright rims.
 void addBones(ImageF& image, double size, CounterRandom& random)
 {
     const int bones = 2 + random.index(4);

@@ -5,8 +5,8 @@
 
 namespace angiopose::core {
 
-/// What lies around the vessels, as −ln of its transmission relative to the average patient: soft tissue, bones with
-/// their bright rims, spongy texture, now and then a monitoring lead.
+/// Returns the background around the vessels, as −ln of its transmission relative to the average patient: soft tissue,
+/// bones with bright rims, spongy texture, and sometimes a monitoring lead.
 ImageF bodyAttenuation(int width, int height, CounterRandom& random);
 
 }   // namespace angiopose::core

@@ -11,7 +11,7 @@ namespace {
 constexpr double missingShare = 0.2;
 constexpr double clutterLengthPx = 500.0;
 
-/// AR(1) noise on both coordinates.
+/// Adds AR(1) noise to both coordinates.
 void jitter(Curve2d& curve, CounterRandom& random)
 {
     const double kept = std::exp(-1.0 / degradedCorrelationPoints);
@@ -28,7 +28,7 @@ void jitter(Curve2d& curve, CounterRandom& random)
     }
 }
 
-/// Whole pixels, each once in the whole target.
+/// Rounds to whole pixels, each at most once in the whole target.
 Curve2d rasterized(const Curve2d& curve, std::set<std::pair<int, int>>& taken)
 {
     Curve2d result{curve.id, {}, {}};
@@ -42,7 +42,7 @@ Curve2d rasterized(const Curve2d& curve, std::set<std::pair<int, int>>& taken)
     return result;
 }
 
-/// A smooth wandering line such as a wire or the edge of a bone.
+/// Draws a smooth meandering line, such as a guidewire or the edge of a bone.
 Curve2d drawClutter(const ProjectionCamera& camera, CounterRandom& random)
 {
     Curve2d curve{-1, {}, {}};

@@ -25,7 +25,7 @@ Eigen::Vector3d randomNormal(const Eigen::Vector3d& direction, CounterRandom& ra
     return Eigen::AngleAxisd(turn, direction) * direction.unitOrthogonal();
 }
 
-/// A side branch that leaves `parent` at its point `takeoff` and is thinner; id and name are the caller's.
+/// Grows a thinner side branch that leaves `parent` at point `takeoff`; the caller sets id and name.
 VesselBranch growSideBranch(const VesselBranch& parent, std::size_t takeoff, CounterRandom& random)
 {
     const Eigen::Vector3d tangent = polylineTangents<3>(parent.pointsInPatient, 3)[takeoff];
@@ -45,7 +45,7 @@ VesselBranch growSideBranch(const VesselBranch& parent, std::size_t takeoff, Cou
     return branch;
 }
 
-/// A catheter that comes from outside the field and ends where the trunk begins.
+/// Adds a catheter that enters from outside the field of view and ends where the trunk begins.
 VesselBranch layCatheter(const VesselBranch& trunk, CounterRandom& random)
 {
     const Eigen::Vector3d forward = polylineTangents<3>(trunk.pointsInPatient, 4).front();
@@ -62,7 +62,7 @@ VesselBranch layCatheter(const VesselBranch& trunk, CounterRandom& random)
     return catheter;
 }
 
-constexpr double thinRadiusMm = 1.2;   ///< branches below are missing twice as often
+constexpr double thinRadiusMm = 1.2;   ///< thinner branches are missing twice as often
 
 bool hasFilledChild(const GrownTree& grown, const std::vector<bool>& filled, std::size_t branch)
 {
@@ -74,7 +74,7 @@ bool hasFilledChild(const GrownTree& grown, const std::vector<bool>& filled, std
     return false;
 }
 
-/// A filled branch without filled children; 0, the trunk, when there is none.
+/// Draws an opacified branch without opacified children; 0, the trunk, if there is none.
 std::size_t drawEndBranch(const GrownTree& grown, const std::vector<bool>& filled, CounterRandom& random)
 {
     std::vector<std::size_t> tickets;
@@ -87,8 +87,9 @@ std::size_t drawEndBranch(const GrownTree& grown, const std::vector<bool>& fille
     return tickets.empty() ? 0 : tickets[static_cast<std::size_t>(random.index(static_cast<int>(tickets.size())))];
 }
 
-/// Which branches still carry blood when `missingShare` of them do not: one flag per branch. Vessels close from their
-/// ends, thin ones twice as often, so that no filled branch hangs on an empty one; the trunk stays open.
+/// Draws which branches are opacified if `missingShare` of them are not: one flag per branch. Vessels drop out from
+/// their ends, thin ones twice as often, so an opacified branch never has an unopacified parent; the trunk always stays
+/// opacified.
 std::vector<bool> drawFilledBranches(const GrownTree& grown, double missingShare, CounterRandom& random)
 {
     std::vector<bool> filled(grown.tree.branches.size(), true);
@@ -102,11 +103,11 @@ std::vector<bool> drawFilledBranches(const GrownTree& grown, double missingShare
     return filled;
 }
 
-constexpr double mixingMm = 12.0;   ///< way over which a child takes on its own opacity
-constexpr double tipMm = 14.0;   ///< a vessel fades out over its last millimetres
-constexpr double jetMm = 12.0;   ///< way over which the injected jet fills the inlet's lumen
+constexpr double mixingMm = 12.0;   ///< length over which a child reaches its own opacity
+constexpr double tipMm = 14.0;   ///< length at its end over which a vessel fades out
+constexpr double jetMm = 12.0;   ///< length over which the injected jet fills the lumen of the inlet
 
-/// State of the contrast medium where a path begins.
+/// State of the contrast agent at the start of a path.
 struct Inlet {
     double opacity = 1.0;
     double pathMm = 0.0;
@@ -131,7 +132,7 @@ ContrastPath pathAlong(const VesselBranch& branch, double opacity, const Inlet& 
     return path;
 }
 
-/// Share of a child's lumen at `point` that lies outside its parent: contrast there must not count twice.
+/// Returns the fraction of a child's lumen at `point` outside its parent, so that contrast is not counted twice.
 double shareOutside(const VesselBranch& parent, const Eigen::Vector3d& point)
 {
     double nearest = std::numeric_limits<double>::max();
@@ -146,7 +147,7 @@ double shareOutside(const VesselBranch& parent, const Eigen::Vector3d& point)
     return smoothStep((std::sqrt(nearest) / radius - 0.3) / 0.9);
 }
 
-/// Vessels dwindle at their tips.
+/// Fades a vessel out toward its tip.
 void fadeTip(ContrastPath& path)
 {
     const double endMm = path.back().pathMm;
@@ -173,7 +174,7 @@ ContrastPath drawnTrunk(ContrastPath path)
     return path;
 }
 
-/// Vessels that the tree does not have, `share` of them per visible branch.
+/// Adds vessels that are not in the tree, `share` of them per visible branch.
 void addExtras(FilledVessels& vessels, double share, int firstId, CounterRandom& random)
 {
     const std::vector<VesselBranch> parents = vessels.visible.branches;
@@ -192,7 +193,7 @@ void addExtras(FilledVessels& vessels, double share, int firstId, CounterRandom&
     }
 }
 
-/// Contrast medium runs through the catheter before it reaches the inlet.
+/// Adds a catheter, through which the contrast agent flows before it reaches the inlet.
 void addCatheter(FilledVessels& vessels, const VesselBranch& trunk, CounterRandom& random)
 {
     VesselBranch catheter = layCatheter(trunk, random);
@@ -208,7 +209,7 @@ FilledVessels fillVessels(const GrownTree& grown, const DsaOptions& options, Cou
     const std::vector<VesselBranch>& branches = grown.tree.branches;
     const std::vector<bool> filled = drawFilledBranches(grown, options.missingBranchShare, random);
     FilledVessels vessels;
-    std::vector<ContrastPath> pathOf(branches.size());   // undiminished, for the children's inlets
+    std::vector<ContrastPath> pathOf(branches.size());   // before fading, for the inlets of the children
     for (std::size_t b = 0; b < branches.size(); ++b) {
         const double opacity = random.uniform(b == 0 ? 0.85 : 0.3, 1.0);
         if (!filled[b]) {

@@ -7,16 +7,16 @@
 
 namespace angiopose::core {
 
-/// Which part of a tree the contrast medium shows, and what it shows besides.
+/// Opacified part of a tree, and the other structures that the contrast agent shows.
 struct FilledVessels {
-    std::vector<ContrastPath> paths;   ///< filled branches, extra vessels, catheter
-    std::vector<int> missingBranchIds;   ///< not filled, and none of their children is
-    VesselTree visible;   ///< filled branches and extra vessels; these have ids above the tree's
+    std::vector<ContrastPath> paths;   ///< opacified branches, extra vessels, catheter
+    std::vector<int> missingBranchIds;   ///< unopacified branches; their children are unopacified too
+    VesselTree visible;   ///< opacified branches and extra vessels; the latter have ids above the tree's
     VesselTree catheter;   ///< one branch, or none
     double longestPathMm = 0.0;
 };
 
-/// Chooses missing branches (thin ones twice as often), opacities, extra vessels and the catheter (ALGORITHMS §4.4).
+/// Draws missing branches (thin ones twice as often), opacities, extra vessels and the catheter (ALGORITHMS §4.4).
 FilledVessels fillVessels(const GrownTree& grown, const DsaOptions& options, CounterRandom& random);
 
 }   // namespace angiopose::core

@@ -16,7 +16,7 @@ RigidTransform fitKnownPose(const std::vector<Eigen::Vector3d>& pointsInPatient,
         centroid += point / static_cast<double>(pointsInPatient.size());
     }
     RigidTransform pose = start;
-    // Gauss–Newton about the centroid (OBJ parameters, ALGORITHMS §1); the start is a few pixels off at most.
+    // Gauss–Newton about the centroid (OBJ parameters, ALGORITHMS §1); the initial pose is at most a few pixels off.
     for (int iteration = 0; iteration < 20; ++iteration) {
         Matrix6d hessian = Matrix6d::Zero();
         Vector6d gradient = Vector6d::Zero();

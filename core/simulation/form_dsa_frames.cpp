@@ -12,21 +12,21 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double attenuationPerMm = 0.08;   ///< of undiluted contrast medium
+constexpr double attenuationPerMm = 0.08;   ///< attenuation of undiluted contrast agent
 constexpr double scatterShare = 0.2;
-constexpr double scatterSigmaShare = 40.0 / 512.0;   ///< of the image width
-constexpr double focalSpotSigmaPx = 0.5;   ///< with the next, σ 0.7 px in all
-constexpr double screenSigmaPx = 0.5;   ///< blurs the quantum noise too
-constexpr int maskAverage = 4;   ///< the mask is the mean of this many frames
+constexpr double scatterSigmaShare = 40.0 / 512.0;   ///< fraction of the image width
+constexpr double focalSpotSigmaPx = 0.5;   ///< together with screenSigmaPx, σ 0.7 px
+constexpr double screenSigmaPx = 0.5;   ///< also blurs the quantum noise
+constexpr int maskAverage = 4;   ///< number of frames averaged for the mask
 constexpr double midGray = 2048.0;
 constexpr double grayPerAttenuation = 2200.0;
 constexpr double largestGray = 4095.0;
-constexpr int bodyMarginPx = 8;   ///< body beyond the field, for motion
+constexpr int bodyMarginPx = 8;   ///< margin of the body beyond the field, for motion
 
-/// Streams of the run's generator.
+/// Random streams of the run's generator.
 enum FrameStream : std::uint64_t { BodyStream, MotionStream, ShutterStream, MaskStream, FirstFrameStream };
 
-/// Cut-out of the body as seen after a shift.
+/// Returns the visible part of the body after a shift.
 ImageF shiftedBody(const ImageF& body, const Eigen::Vector2d& shiftPx)
 {
     ImageF result(body.width - 2 * bodyMarginPx, body.height - 2 * bodyMarginPx);
@@ -38,7 +38,7 @@ ImageF shiftedBody(const ImageF& body, const Eigen::Vector2d& shiftPx)
     return result;
 }
 
-/// Expected counts behind an attenuation image: primary beam, scatter, focal-spot blur.
+/// Returns the expected counts behind an attenuation image: primary beam, scatter, focal-spot blur.
 ImageF expectedCounts(const ImageF& attenuation, double photonCount)
 {
     ImageF primary(attenuation.width, attenuation.height);
@@ -53,7 +53,7 @@ ImageF expectedCounts(const ImageF& attenuation, double photonCount)
     return counts;
 }
 
-/// ln of the counts that the detector reports after averaging `frames` exposures.
+/// Returns ln of the detected counts, averaged over `frames` exposures.
 ImageF logDetected(const ImageF& expected, int frames, CounterRandom random)
 {
     ImageF counts(expected.width, expected.height);
@@ -68,7 +68,7 @@ ImageF logDetected(const ImageF& expected, int frames, CounterRandom random)
     return counts;
 }
 
-/// Exposed part of the field: whole, octagonal or round.
+/// Draws the exposed part of the field: whole, octagonal or round.
 Mask2d drawShutter(int width, int height, double probability, CounterRandom random)
 {
     Mask2d open(width, height, 1);
@@ -90,7 +90,8 @@ Mask2d drawShutter(int width, int height, double probability, CounterRandom rand
     return open;
 }
 
-/// Drift of the patient since the mask was taken, at `share` of the run: grows, with a little breathing on top.
+/// Returns the patient's drift since the mask frames, at fraction `share` of the run: it grows, with slight breathing
+/// superimposed.
 Eigen::Vector2d motionAt(double share, double largestPx, CounterRandom random)
 {
     const double direction = random.uniform(0.0, 2.0 * std::numbers::pi);
@@ -107,7 +108,7 @@ ImageF withContrast(ImageF attenuation, const ImageF& thicknessMm)
     return attenuation;
 }
 
-/// What the contrast medium alone does to the grey values of a subtracted frame.
+/// Returns the change that the contrast agent alone makes to the gray values of a subtracted frame.
 ImageF noiselessContrast(const ImageF& attenuation, const ImageF& thicknessMm, double photonCount)
 {
     ImageF contrast = blurred(expectedCounts(attenuation, photonCount), screenSigmaPx);
@@ -148,7 +149,7 @@ DsaRun formDsaFrames(const DsaScene& scene, const DsaOptions& options, const Cou
     run.frameTimeMs = options.frameCount > 1 ? std::round(1000.0 * timing.runS / options.frameCount) : 0.0;
     double peak = -1.0;
     ImageF peakThicknessMm;
-    ImageF peakAttenuation;   // of the body alone
+    ImageF peakAttenuation;   // attenuation of the body without contrast
     for (int k = 0; k < options.frameCount; ++k) {
         const double share = (k + 0.5) / options.frameCount;
         const ImageF thicknessMm = contrastThicknessMm(scene.paths, bolus, timing.firstS + share * timing.runS,

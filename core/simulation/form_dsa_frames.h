@@ -8,7 +8,7 @@
 
 namespace angiopose::core {
 
-/// What stands before the detector.
+/// Objects in front of the detector.
 struct DsaScene {
     std::vector<ContrastPath> paths;
     double longestPathMm = 0.0;
@@ -16,16 +16,16 @@ struct DsaScene {
     RigidTransform cameraFromPatient;
 };
 
-/// A run as exported: whole numbers 0…4095, vessels dark on mid grey, 0 behind the shutter.
+/// A run as exported: integers 0…4095, vessels dark on medium gray, 0 behind the shutter.
 struct DsaRun {
     std::vector<ImageF> frames;
     double frameTimeMs = 0.0;   ///< 0 for a single frame
-    int peakFrame = 0;   ///< most contrast medium in the field
-    ImageF trueContrast;   ///< of that frame: grey values by which the contrast medium darkens it, free of noise
+    int peakFrame = 0;   ///< frame with the most contrast agent in the field
+    ImageF trueContrast;   ///< noise-free gray-value decrease by the contrast agent in that frame
 };
 
-/// Image formation of ALGORITHMS §4.4: Beer–Lambert, scatter, blur, quantum noise, log subtraction of a mask that no
-/// longer fits exactly.
+/// Image formation of ALGORITHMS §4.4: Beer–Lambert, scatter, blur, quantum noise, logarithmic subtraction of a mask
+/// that no longer matches exactly.
 DsaRun formDsaFrames(const DsaScene& scene, const DsaOptions& options, const CounterRandom& random);
 
 }   // namespace angiopose::core

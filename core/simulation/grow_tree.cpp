@@ -13,18 +13,18 @@
 namespace angiopose::core {
 namespace {
 
-// Vessels grow at one size and are scaled to the asked extent in the end.
+// Vessels grow at a fixed size and are scaled to the requested extent at the end.
 constexpr double growthHalfExtentMm = 90.0;
-constexpr double takeoffMarginMm = 9.0;   ///< free of takeoffs around ends and other takeoffs
-constexpr double minReachMm = 22.0;   ///< straight length of the shortest branch while growing
+constexpr double takeoffMarginMm = 9.0;   ///< distance from ends and other takeoffs without further takeoffs
+constexpr double minReachMm = 22.0;   ///< minimum straight length of a branch while growing
 constexpr int candidateCount = 60;
 
-/// What makes one seed's vessels differ from another's.
+/// Random properties that distinguish the anatomies of different seeds.
 struct Anatomy {
     Eigen::Vector3d halfAxesMm;
-    double hollowness;   ///< 0: vessels fill the organ, 1: they run on its surface (heart, brain)
+    double hollowness;   ///< 0: vessels fill the organ; 1: they run on its surface (heart, brain)
     double tortuosity;
-    double upward;   ///< +1: blood flows towards the head
+    double upward;   ///< +1: blood flows toward the head
 };
 
 Anatomy drawAnatomy(CounterRandom& random)
@@ -66,7 +66,7 @@ double distanceToTree(const VesselTree& tree, const Eigen::Vector3d& place)
     return std::sqrt(nearest);
 }
 
-/// The emptiest of a few random places: farthest-point sampling fills the organ evenly.
+/// Returns the emptiest of a few random positions: farthest-point sampling fills the organ evenly.
 Eigen::Vector3d emptiestPlace(const VesselTree& tree, const Anatomy& anatomy, CounterRandom& random)
 {
     Eigen::Vector3d best = Eigen::Vector3d::Zero();
@@ -104,8 +104,8 @@ int generationOf(const GrownTree& grown, std::size_t branch)
     return generation;
 }
 
-/// The takeoff from which a branch reaches `place` on the shortest way, where turning away from the parent's direction
-/// and leaving a late generation cost extra: branching angles come out near 40°.
+/// Returns the takeoff with the lowest cost for a branch to `place`: path length, plus penalties for deviating from the
+/// parent's direction and for late generations. This results in branching angles near 40°.
 Takeoff cheapestTakeoff(const GrownTree& grown, const Eigen::Vector3d& place)
 {
     Takeoff best;
@@ -139,7 +139,7 @@ std::vector<Eigen::Vector3d> growTrunk(const Anatomy& anatomy, CounterRandom& ra
     return smoothPath(plan, random);
 }
 
-/// Adds one branch; nothing when no place could be reached.
+/// Adds one branch; returns false if no position was reachable.
 bool growBranch(GrownTree& grown, const Anatomy& anatomy, CounterRandom& random)
 {
     const Eigen::Vector3d place = emptiestPlace(grown.tree, anatomy, random);
@@ -165,7 +165,7 @@ bool growBranch(GrownTree& grown, const Anatomy& anatomy, CounterRandom& random)
     return true;
 }
 
-/// Trunk, then A, B, … for its children, A1, A2, … for theirs, A1.1, … below.
+/// Names the branches: Trunk, then A, B, … for its children, A1, A2, … for theirs, A1.1, … below.
 void nameBranches(GrownTree& grown)
 {
     std::vector<int> children(grown.tree.branches.size(), 0);
@@ -205,7 +205,7 @@ void fitIntoBox(VesselTree& tree, double extentMm)
     }
 }
 
-/// The final spacing; takeoffs move along to the nearest new point.
+/// Resamples to the final spacing and moves takeoffs to the nearest new point.
 void resampleTo(GrownTree& grown, double spacingMm)
 {
     for (std::size_t b = 0; b < grown.tree.branches.size(); ++b) {
@@ -231,7 +231,7 @@ GrownTree growTree(std::uint64_t seed, const TreeOptions& options)
     GrownTree grown;
     grown.tree.branches.push_back({1, "", growTrunk(anatomy, random), {}});
     grown.takeoffs.emplace_back();
-    // A crowded tree may have no free takeoff left for a place; other places are tried, but not for ever.
+    // A crowded tree may have no free takeoff left for a position; other positions are tried, up to a limit.
     for (int attempt = 0; attempt < 20 * options.branchCount; ++attempt) {
         if (static_cast<int>(grown.tree.branches.size()) >= options.branchCount) {
             break;

@@ -18,10 +18,10 @@ struct ScanField {
 
 ScanField fieldOf(const VolumeGeometry& geometry);
 
-/// Skin fat and muscle, endless along the body.
+/// Paints subcutaneous fat and muscle, unbounded along the body axis.
 void paintTrunk(ScanPainter& painter, const ScanField& field);
 
-/// Spine and ribs: shells of cortex around uneven marrow.
+/// Paints spine and ribs: cortical shells around inhomogeneous marrow.
 void paintSkeleton(ScanPainter& painter, const ScanField& field, CounterRandom& random);
 
 }   // namespace angiopose::core

@@ -7,7 +7,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double depthMm = 800.0;
-constexpr double focalLengthPx = 1877.0;   // on 512 × 512; a finer image shows the same field
+constexpr double focalLengthPx = 1877.0;   // for 512 × 512; a finer image shows the same field
 constexpr int referenceSizePx = 512;
 
 double lengthMm(const VesselTree& tree)

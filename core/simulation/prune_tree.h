@@ -5,10 +5,10 @@
 
 namespace angiopose::core {
 
-/// Ids of the branches that end freely and that no other branch leaves: one bifurcation, one tip.
+/// Returns the ids of leaf branches, which have a free end and no child branch: one bifurcation, one tip.
 std::vector<int> leafBranchIds(const VesselTree& tree);
 
-/// The tree without `count` random leaves (all of them when it has fewer).
+/// Returns the tree without `count` random leaves (without all of them if it has fewer).
 VesselTree pruned(const VesselTree& tree, int count, CounterRandom& random);
 
 }   // namespace angiopose::core

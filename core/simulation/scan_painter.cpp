@@ -5,7 +5,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Share of each voxel that is lumen.
+/// Returns the lumen fraction of each voxel.
 ScanGrid lumenShares(const VesselTree& tree, const VolumeGeometry& geometry)
 {
     ScanGrid shares(geometry, 0.0F);

@@ -10,20 +10,20 @@
 
 namespace angiopose::core {
 
-using ScanGrid = VoxelGrid<float>;   ///< HU of a scan that is being drawn, axes along the patient's
+using ScanGrid = VoxelGrid<float>;   ///< HU of a scan being simulated, axes along the patient's
 
-/// Share of a voxel that lies inside a wall at `distanceMm` (negative inside).
+/// Returns the fraction of a voxel inside a wall at `distanceMm` (negative inside).
 inline double shareInside(double distanceMm, double voxelMm)
 {
     return std::clamp(0.5 - distanceMm / voxelMm, 0.0, 1.0);
 }
 
-/// Draws shapes given by their distance function into the part of the grid around them.
+/// Draws shapes, given by their distance function, into the surrounding part of the grid.
 class ScanPainter {
 public:
     explicit ScanPainter(ScanGrid& grid) : grid_(grid), voxelMm_(std::cbrt(grid.geometry.spacingMm.prod())) {}
 
-    /// `work(voxel index, point)` for each voxel within `reachMm` of `centre` along the axes.
+    /// Calls `work(voxel index, point)` for each voxel within `reachMm` of `center` along the axes.
     template <class Work>
     void around(const Eigen::Vector3d& center, const Eigen::Vector3d& reachMm, const Work& work)
     {
@@ -47,13 +47,13 @@ public:
         grid_.voxels[voxel] += static_cast<float>(share * (hu - grid_.voxels[voxel]));
     }
 
-    /// An ellipsoid; an infinite half axis makes a cylinder.
+    /// Draws an ellipsoid; an infinite half-axis makes it a cylinder.
     void ellipsoid(const Eigen::Vector3d& center, const Eigen::Vector3d& halfAxes, double hu)
     {
         ellipsoid(center, halfAxes, [hu] { return hu; });
     }
 
-    /// The same, of what `draw()` gives for each voxel.
+    /// Same, with the value that `draw()` returns for each voxel.
     template <class Draw>
     requires std::is_invocable_r_v<double, Draw>
     void ellipsoid(const Eigen::Vector3d& center, const Eigen::Vector3d& halfAxes, const Draw& draw)
@@ -75,16 +75,16 @@ private:
     double voxelMm_;
 };
 
-/// A grid of that size around the origin of the patient frame.
+/// Returns a grid of that size centered on the origin of the patient frame.
 VolumeGeometry gridAroundOrigin(const Eigen::Vector3i& size, const Eigen::Vector3d& spacingMm);
 
-/// Vessels filled with `hu`.
+/// Draws the vessels with a lumen of `hu`.
 void paintTree(ScanPainter& painter, const VesselTree& tree, const VolumeGeometry& geometry, double hu);
 
-/// Gaussian blur along each axis in turn, the rim's values going on.
+/// Gaussian blur along each axis in turn, with border values replicated.
 void blurScan(ScanGrid& grid, double sigmaVoxels);
 
-/// As whole numbers: `value(voxel of the grid, generator)` of each, the generator one of its slice.
+/// Rounds to integers: `value(voxel of the grid, generator)` for each voxel, with one random generator per slice.
 template <class Value>
 Volume asWholeNumbers(const ScanGrid& grid, const CounterRandom& random, const Value& value)
 {
@@ -101,7 +101,7 @@ Volume asWholeNumbers(const ScanGrid& grid, const CounterRandom& random, const V
     return volume;
 }
 
-/// As a scanner stores it, with noise.
+/// Returns the scan as a scanner stores it, with noise.
 Volume asStored(const ScanGrid& grid, double noiseHu, const CounterRandom& random);
 
 }   // namespace angiopose::core

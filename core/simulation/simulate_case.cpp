@@ -14,13 +14,13 @@
 namespace angiopose::core {
 namespace {
 
-/// Streams of the case's generator: what one part draws never shifts another's draws.
+/// Random streams of the case's generator, one per part, so that draws of one part never shift those of another.
 enum CaseStream : std::uint64_t { GeometryStream = 1, DeformationStream, FillingStream, ImageStream };
 
 constexpr double angleErrorDeg = 1.0;
 constexpr double lateralErrorMm = 15.0;
 constexpr double depthErrorMm = 30.0;
-constexpr double centringErrorMm = 8.0;   ///< operators centre the vessels about this well
+constexpr double centringErrorMm = 8.0;   ///< accuracy with which operators center the vessels
 
 template <class T>
 Sourced<T> fromHeader(T value, const char* tag)
@@ -33,7 +33,7 @@ double roundedTo(double value, double step)
     return std::round(value / step) * step;
 }
 
-/// A clinical set-up whose field of view holds the vessels; rounded as headers are.
+/// Draws a clinical setup whose field of view contains the vessels; values are rounded as in headers.
 CArm drawCArm(double extentMm, const DsaOptions& dsa, CounterRandom& random)
 {
     CArm cArm;
@@ -50,7 +50,7 @@ CArm drawCArm(double extentMm, const DsaOptions& dsa, CounterRandom& random)
     return cArm;
 }
 
-/// What the gantry really did: the header's angles are a degree off, and the detector is a little turned.
+/// Returns the true gantry angles: the header's angles are off by about a degree, and the detector is slightly rotated.
 CArm withTrueAngles(CArm cArm, CounterRandom& random)
 {
     *cArm.primaryAngleDeg.value += angleErrorDeg * random.normal();
@@ -59,7 +59,7 @@ CArm withTrueAngles(CArm cArm, CounterRandom& random)
     return cArm;
 }
 
-/// Patient-frame offset with the given deviations across and along the ray.
+/// Draws a patient-frame offset with the given standard deviations across and along the ray.
 Eigen::Vector3d drawOffset(const CArm& cArm, double lateralStdMm, double depthStdMm, CounterRandom& random)
 {
     const double x = lateralStdMm * random.normal();
@@ -81,14 +81,14 @@ ViewGeometryTruth drawGeometry(const Eigen::Vector3d& centroid, double extentMm,
     const Result<ProjectionCamera> camera = cameraFromCArm(geometry.header, dsa.width, dsa.height);
     const Result<RigidTransform> truePose = cameraFromPatient(truth, isocenter);
     const Result<RigidTransform> initialPose = cameraFromPatient(geometry.header, guess);
-    assert(camera && truePose && initialPose);   // drawCArm gives every value
+    assert(camera && truePose && initialPose);   // drawCArm sets every value
     geometry.camera = camera.value();
     geometry.trueCameraFromPatient = truePose.value();
     geometry.initialCameraFromPatient = initialPose.value();
     return geometry;
 }
 
-/// The rigid pose that lays the undeformed tree best onto its deformed self in the image.
+/// Returns the rigid pose that best aligns the undeformed tree with the deformed one in the image.
 RigidTransform bestRigidPose(const VesselTree& tree, const VesselTree& warped, const ProjectionCamera& camera,
                              const RigidTransform& cameraFromPatient)
 {

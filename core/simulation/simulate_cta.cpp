@@ -14,10 +14,10 @@ namespace {
 
 constexpr double tableHu = 150.0;
 constexpr double calcificationHu = 950.0;
-constexpr double metalHu = 8000.0;   ///< of a stent's wires, before they are blurred
-constexpr double treeShare = 0.72;   ///< of the shortest side of the scan
+constexpr double metalHu = 8000.0;   ///< of a stent's struts before blurring
+constexpr double treeShare = 0.72;   ///< size of the tree as a fraction of the scan's shortest side
 
-/// Liver, spleen and kidneys with some contrast, lungs at the top.
+/// Paints liver, spleen and kidneys with some enhancement, and lungs at the top.
 void paintOrgans(ScanPainter& painter, const ScanField& field, CounterRandom& random)
 {
     const auto place = [&](double x, double y, double z) {
@@ -45,7 +45,7 @@ void paintTable(ScanPainter& painter, const ScanField& field)
                    });
 }
 
-/// Chalk in the wall, hardly reaching into the lumen.
+/// Paints calcified plaques in the wall that hardly reach into the lumen.
 void paintCalcifications(ScanPainter& painter, const VesselTree& tree, int count, CounterRandom& random)
 {
     for (int n = 0; n < count; ++n) {

@@ -4,7 +4,7 @@
 
 namespace angiopose::core {
 
-/// Where a view is taken from, and what its header says of that.
+/// True geometry of a view, and the geometry in its header.
 struct ViewGeometryTruth {
     CArm header;
     ProjectionCamera camera;
@@ -12,11 +12,12 @@ struct ViewGeometryTruth {
     RigidTransform initialCameraFromPatient;
 };
 
-/// simulateView of a tree and a place that are there already.
+/// Same as simulateView, for an existing tree and geometry.
 SimulatedCase simulateViewOf(const GrownTree& grown, const ViewGeometryTruth& geometry, std::uint64_t viewSeed,
                              const DsaOptions& dsa);
 
-/// simulateView of a tree that is there already. `extentMm` decides the field of view, as that of a grown tree does.
+/// Same as simulateView, for an existing tree. `extentMm` determines the field of view, as the extent of a grown tree
+/// does.
 SimulatedCase simulateViewOf(const GrownTree& grown, double extentMm, std::uint64_t viewSeed,
                              const DsaOptions& dsa = {});
 

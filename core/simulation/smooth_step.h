@@ -4,7 +4,7 @@
 
 namespace angiopose::core {
 
-/// 0 below 0, 1 above 1, a cubic with level ends between.
+/// Returns 0 below 0, 1 above 1, and a cubic with zero end slopes in between.
 inline double smoothStep(double t)
 {
     const double x = std::clamp(t, 0.0, 1.0);

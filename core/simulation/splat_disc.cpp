@@ -21,7 +21,7 @@ double coverage(const Eigen::Vector2d& centerPx, double radiusPx, int x, int y)
 
 void splatDisc(ImageF& image, const Eigen::Vector2d& centerPx, double radiusPx, double value)
 {
-    const double drawnRadiusPx = std::max(radiusPx, 0.5);   // a smaller disc could slip between pixel centres
+    const double drawnRadiusPx = std::max(radiusPx, 0.5);   // a smaller disc could fall between pixel centers
     const double reach = drawnRadiusPx + 0.5;
     if (centerPx.x() < -reach || centerPx.y() < -reach || centerPx.x() > image.width + reach ||
         centerPx.y() > image.height + reach) {

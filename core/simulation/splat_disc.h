@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// Adds a disc of constant height `value` with smooth edges; its volume is exact, so that position and width come out
-/// right below the pixel. Discs strung along a line add up to the chord profile 2√(r² − ρ²) of a tube.
+/// Adds a disc of constant height `value` with smooth edges; its volume is exact, which gives sub-pixel accuracy of
+/// position and width. Discs along a line add up to the chord profile 2√(r² − ρ²) of a tube.
 void splatDisc(ImageF& image, const Eigen::Vector2d& centerPx, double radiusPx, double value);
 
 }   // namespace angiopose::core

@@ -16,7 +16,7 @@ bool hasAllRadii(const VesselTree& tree)
     });
 }
 
-/// The thickest end of any branch; of a tree without radii the first point.
+/// Returns the thickest end of any branch; the first point if the tree has no radii.
 Eigen::Vector3d rootOf(const VesselTree& tree)
 {
     Eigen::Vector3d root = tree.branches.front().pointsInPatient.front();

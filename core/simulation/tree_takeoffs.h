@@ -4,12 +4,12 @@
 
 namespace angiopose::core {
 
-/// A given tree as if it had been grown: rooted (rootedAt) at the thickest end of any branch, every branch but the
-/// trunk taken to leave the nearest point of the branches before it. Radii that are not known follow Murray's law from
-/// `rootRadiusMm` (murrayRadii). Pieces that do not connect count as fed by the nearest branch.
+/// Converts a given tree to a grown one: rooted (rootedAt) at the thickest end of any branch, with every branch but the
+/// trunk leaving from the nearest point of the branches before it. Unknown radii follow Murray's law from
+/// `rootRadiusMm` (murrayRadii). Disconnected parts are fed by the nearest branch.
 GrownTree withTakeoffs(const VesselTree& tree, double rootRadiusMm);
 
-/// Edge length of the box around the tree, the longest.
+/// Returns the longest edge of the tree's bounding box.
 double extentMm(const VesselTree& tree);
 
 }   // namespace angiopose::core

@@ -37,7 +37,7 @@ private:
     {
         std::string row;
         for (const Item& item : items) {
-            row += (row.empty() ? "" : row.ends_with('.') ? " " : ", ") + toText(item);   // sentences, or words
+            row += (row.empty() ? "" : row.ends_with('.') ? " " : ", ") + toText(item);   // sentences or phrases
         }
         return row;
     }

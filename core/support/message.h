@@ -13,8 +13,8 @@
 
 namespace angiopose::core {
 
-/// A line of the catalogue: what identifies a message, for programs and for translations, and the English sentence
-/// with %1 … where the arguments go.
+/// A catalog entry: the id of a message, for programs and translations, and the English sentence with %1 … as
+/// placeholders for the arguments.
 struct MessageEntry {
     const char* id;
     const char* english;
@@ -23,7 +23,7 @@ struct MessageEntry {
 class Message;
 using Messages = std::vector<Message>;
 
-/// A number as it is said. `unit` follows it, after a space unless it is "°"; may be empty.
+/// A number in a message. `unit` follows it, after a space unless it is "°"; may be empty.
 struct Quantity {
     static constexpr int asNeeded = -1;   ///< up to six significant digits and no more than needed
 
@@ -34,8 +34,8 @@ struct Quantity {
     bool operator==(const Quantity& other) const;
 };
 
-/// What fills one place of a sentence: a text that no language changes (a name, a word of a file), a number, texts in
-/// a row, or messages in a row: a sentence of its own, or words that have translations.
+/// Argument for a placeholder: an untranslated text (a name, a word from a file), a number, a list of texts, or a list
+/// of messages: sentences, or phrases that have translations.
 using MessageArgument = std::variant<std::string, Quantity, std::vector<std::string>, Messages>;
 
 enum class Severity { Note, Warning, Error };
@@ -43,32 +43,33 @@ enum class Severity { Note, Warning, Error };
 /// "note", "warning", "error".
 std::string_view toText(Severity severity);
 
-/// Something to tell the user, as data: which sentence, how grave, and what it is about. Made by naming an entry of a
-/// layer's catalogue and giving its arguments: `says::noSuchBranch(7)`.
+/// A message to the user as data: catalog entry, severity and arguments. Made by calling a catalog entry with its
+/// arguments: `says::noSuchBranch(7)`.
 class Message {
 public:
     Message(const MessageEntry& entry, std::vector<MessageArgument> arguments)
         : entry_(&entry), arguments_(std::move(arguments))
     {
     }
-    /// Words that no catalogue has: a patient's name, a sentence that another version stored. Its id is `text.plain`.
+    /// Makes a message from text without a catalog entry: a patient's name, a sentence stored by another version. Its
+    /// id is `text.plain`.
     static Message verbatim(std::string words);
 
     const MessageEntry& entry() const { return *entry_; }
     std::string_view id() const { return entry_->id; }
     const std::vector<MessageArgument>& arguments() const { return arguments_; }
 
-    /// Whether it is this message, whatever its arguments.
+    /// Whether it was made from this entry, with any arguments.
     bool is(const MessageEntry& entry) const { return entry_ == &entry; }
 
     Severity severity() const { return severity_; }
     Message as(Severity severity) const;
 
-    /// File, or key of a file, that the sentence is about; stands before it with a colon. May be empty.
+    /// File, or key in a file, that the message is about; it precedes the sentence with a colon. May be empty.
     const std::string& subject() const { return subject_; }
     Message about(std::string_view subject) const;
 
-    /// The English sentence, after its subject.
+    /// Returns the English sentence, preceded by its subject.
     std::string text() const;
 
     bool operator==(const Message&) const = default;
@@ -83,10 +84,10 @@ private:
 /// For logs and tests.
 std::ostream& operator<<(std::ostream& stream, const Message& message);
 
-/// English words of one argument: "2.4 mm", "aorta, liver".
+/// Returns the English text of one argument: "2.4 mm", "aorta, liver".
 std::string argumentText(const MessageArgument& argument);
 
-/// Highest number of a place in `english`: "… %1 of %2 …" has two.
+/// Returns the highest placeholder number in `english`: two for "… %1 of %2 …".
 constexpr std::size_t placesIn(std::string_view english)
 {
     std::size_t places = 0;
@@ -98,7 +99,8 @@ constexpr std::size_t placesIn(std::string_view english)
     return places;
 }
 
-/// What may be given for a place: a text, a number with or without its unit, a message, or several texts or messages.
+/// Converts a value to an argument: a text, a number with or without its unit, a message, or a list of texts or
+/// messages.
 template <class Given>
 MessageArgument messageArgument(const Given& given)
 {
@@ -113,7 +115,7 @@ MessageArgument messageArgument(const Given& given)
     }
 }
 
-/// An entry that knows how many arguments it takes, so that a wrong number does not compile.
+/// A catalog entry with a fixed number of arguments: a wrong number does not compile.
 template <std::size_t Places>
 struct MessageKind : MessageEntry {
     template <class... Arguments>
@@ -123,7 +125,7 @@ struct MessageKind : MessageEntry {
     }
 };
 
-/// For who gives a number with a unit.
+/// Returns a quantity in mm.
 constexpr Quantity inMm(double value, int decimals)
 {
     return {value, decimals, "mm"};

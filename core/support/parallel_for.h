@@ -10,18 +10,18 @@
 
 namespace angiopose::core {
 
-/// How many threads the work of this process may use at once: as many as the processor has, or fewer where that was
-/// limited. Changes times only, never numbers.
+/// Returns the number of threads this process may use at once: the number of processors, or fewer if limited. Affects
+/// times only, never results.
 int usableThreads();
 
-/// For a process that shares the machine with others of its kind; also for the libraries of this layer. Before any work
-/// begins.
+/// Limits the threads of a process that shares the machine with similar processes, including the libraries of this
+/// layer. Call before any work begins.
 void limitThreads(int threads);
 
-/// Carries what work on other threads throws to the thread that waits for them: of several exceptions the first.
+/// Transfers an exception from worker threads to the waiting thread; of several, the first.
 class FirstException {
 public:
-    /// Whether the work came to its end.
+    /// Returns whether the work completed without an exception.
     template <class Work>
     bool run(const Work& work) noexcept
     {
@@ -37,7 +37,7 @@ public:
         }
     }
 
-    /// Only once all threads have ended.
+    /// Call only after all threads have finished.
     void rethrow() const
     {
         if (first_) {
@@ -50,16 +50,16 @@ private:
     std::exception_ptr first_;
 };
 
-/// `asked`, or as many threads as may be used when it is 0.
+/// Returns `asked`, or the number of usable threads if it is 0.
 inline int threadCount(int asked)
 {
     return asked > 0 ? asked : usableThreads();
 }
 
-/// Calls `work(i)` once for each i below `count`, on `threads` threads, this one among them; `meanwhile(done)` is
-/// called on this one between its pieces of work, and its false leaves the rest undone. Results that depend on i alone
-/// and are stored by i come out the same for any number of threads. What work throws ends the rest and reaches the
-/// caller.
+/// Calls `work(i)` once for each i below `count` on `threads` threads, including the calling one. `meanwhile(done)` is
+/// called on the calling thread between its work items; returning false skips the remaining items. Results that depend
+/// only on i and are stored by i are the same for any number of threads. An exception from `work` ends the rest and is
+/// rethrown to the caller.
 template <class Work, class Meanwhile>
 bool parallelFor(std::size_t count, int threads, const Work& work, const Meanwhile& meanwhile)
 {
@@ -86,13 +86,13 @@ bool parallelFor(std::size_t count, int threads, const Work& work, const Meanwhi
             stopped = true;
         }
     }
-    helpers.clear();   // waits for their last piece
+    helpers.clear();   // waits for their last work items
     thrown.rethrow();
     return !stopped;
 }
 
-/// Does both pieces of work at the same time, the first on this thread; neither may read what the other writes. What
-/// either throws reaches the caller once both have ended.
+/// Runs both functions in parallel, the first on the calling thread; neither may read what the other writes. An
+/// exception from either is rethrown to the caller after both have finished.
 template <class First, class Second>
 void atOnce(const First& first, const Second& second)
 {

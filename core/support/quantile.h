@@ -4,13 +4,15 @@
 
 namespace angiopose::core {
 
-/// Value below which `fraction` (0…1) of the values lie, linear between neighbours (R type 7); NaN when there are none.
+/// Returns the value below which `fraction` (0…1) of the values lie, interpolated linearly between neighbors (R type
+/// 7); NaN without values.
 double quantile(std::vector<double> values, double fraction);
 
-/// The same for several fractions with one sort.
+/// Same for several fractions in one pass.
 std::vector<double> quantiles(std::vector<double> values, const std::vector<double>& fractions);
 
-/// The middle value, of an even number the upper one: always one of the values, of which there is at least one.
+/// Returns the middle value, the upper one for an even count, which is always one of the values. `values` must not be
+/// empty.
 double medianOf(std::vector<double> values);
 
 }   // namespace angiopose::core

@@ -7,13 +7,13 @@
 
 namespace angiopose::core {
 
-/// The user asked for an end before the work was done: an outcome, nothing to fix. Says what was left.
+/// Outcome of work that the user canceled before it finished; nothing to fix. States what was left undone.
 struct Stopped {
     Message message;
 };
 
-/// Why there is no value: what went wrong, in a message the user can act on (which file or value, the problem, the
-/// remedy), or that the user stopped it.
+/// Reason why there is no value: a message the user can act on (which file or value, the problem, the remedy), or
+/// cancellation by the user.
 class Error {
 public:
     Error(const Message& problem) : message(problem.as(Severity::Error)) {}
@@ -21,7 +21,7 @@ public:
 
     bool isStop() const { return isStop_; }
 
-    /// The same, told of a file or of a key in one.
+    /// Returns the same error about a file or a key in a file.
     Error about(std::string_view subject) const
     {
         Error reported = *this;
@@ -35,7 +35,7 @@ private:
     bool isStop_ = false;
 };
 
-/// A value, or why there is none: an error or Stop. Check before use.
+/// A value, or the reason why there is none: an error or a cancellation. Check before use.
 template <class T>
 class [[nodiscard]] Result {
 public:
@@ -53,7 +53,7 @@ private:
     std::variant<T, Error> content_;
 };
 
-/// The value of an operation that only succeeds or fails.
+/// Value type of operations that only succeed or fail.
 struct Done {};
 using Status = Result<Done>;
 

@@ -5,7 +5,7 @@
 
 namespace angiopose::core {
 
-/// Wall time since it was made or last read.
+/// Wall time since construction or the last reading.
 class Stopwatch {
 public:
     double lapMs()
@@ -21,7 +21,7 @@ private:
     Clock::time_point start_ = Clock::now();
 };
 
-/// Processor time of the thread that made it, which other programs disturb less than wall time.
+/// CPU time of the constructing thread, which other programs disturb less than wall time.
 class ThreadStopwatch {
 public:
     double elapsedMs() const { return nowMs() - startMs_; }

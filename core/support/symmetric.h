@@ -4,8 +4,8 @@
 
 namespace angiopose::core {
 
-/// What Eigen's decompositions say of small symmetric matrices, compiled once: each costs every source that names it
-/// seconds. Both triangles of the matrices are filled.
+/// Eigen's decompositions of small symmetric matrices, compiled only once because each adds seconds to the build of
+/// every source that uses it. Both triangles of the matrices must be filled.
 template <int Size>
 struct Axes {
     Eigen::Vector<double, Size> values;   ///< eigenvalues, ascending
@@ -23,7 +23,7 @@ using UpToSix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Col
 UpToSix inverseOf(const UpToSix& matrix);
 Eigen::Matrix<double, 6, 6> inverseOf(const Eigen::Matrix<double, 6, 6>& matrix);
 
-/// A x = b by LDLᵀ; where A is not regular, finite all the same.
+/// Solves A x = b by LDLᵀ; the result is finite even if A is singular.
 Eigen::Vector<double, 6> solveSymmetric(const Eigen::Matrix<double, 6, 6>& A, const Eigen::Vector<double, 6>& b);
 Eigen::MatrixXd solveSymmetric(const Eigen::MatrixXd& A, const Eigen::MatrixXd& b);
 

@@ -2,7 +2,7 @@
 
 namespace angiopose::core {
 
-/// What an observer of long work wants next.
+/// Decision of a progress observer.
 enum class Verdict { Continue, Stop };
 
 }   // namespace angiopose::core

@@ -10,14 +10,15 @@
 namespace angiopose::core {
 namespace {
 
-/// A point of a branch near a place.
+/// A point of a branch near a position.
 struct PlaceInBranch {
     const VesselBranch* branch = nullptr;
     std::size_t point = 0;
     double awayMm = 0.0;
 };
 
-/// The branch whose lumen holds the place; of several the one whose axis is nearest. Without radii what touches.
+/// Returns the branch whose lumen contains the position; of several, the one with the nearest axis. Without radii, a
+/// branch that touches it.
 std::optional<PlaceInBranch> branchAround(const VesselTree& tree, const Eigen::Vector3d& place)
 {
     std::optional<PlaceInBranch> around;
@@ -34,7 +35,8 @@ std::optional<PlaceInBranch> branchAround(const VesselTree& tree, const Eigen::V
     return around;
 }
 
-/// Takes what of the branch's first part runs inside others away; it begins on the axis of the one it came out of.
+/// Removes the start of the branch that runs inside other branches; the branch then begins on the axis of the one it
+/// left.
 std::optional<PlaceInBranch> trimInside(const VesselTree& tree, VesselBranch& branch)
 {
     std::optional<PlaceInBranch> last;

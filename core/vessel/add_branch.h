@@ -5,9 +5,9 @@
 
 namespace angiopose::core {
 
-/// The tree with a further branch, its id new. What of its ends runs inside other branches is left out, and each such
-/// end is led to the axis of the branch it lies in; it begins at the one of the lower generation, and counts as of the
-/// next. Fails where nothing of it lies outside.
+/// Returns the tree with an additional branch that gets a new id. End pieces inside other branches are removed, and
+/// each such end is connected to the axis of the branch that contains it; the branch begins at the one of the lower
+/// generation and belongs to the next generation. Fails if no part of it lies outside.
 Result<VesselTree> withBranch(const VesselTree& tree, VesselBranch branch);
 
 }   // namespace angiopose::core

@@ -13,25 +13,26 @@ namespace angiopose::core {
 struct Curve2d {
     int id = 0;
     std::vector<Eigen::Vector2d> pointsPx;
-    std::vector<double> radiusPx;   ///< one per point, or empty when unknown
+    std::vector<double> radiusPx;   ///< one per point, or empty if unknown
 
     double lengthPx() const;
 };
 
-/// What was traced in one frame.
+/// Curves traced in one frame.
 struct Centerline2d {
     std::vector<Curve2d> curves;
 
     std::size_t pointCount() const;
 };
 
-/// Unit tangents of an ordered curve by central differences over ±`reach` points.
+/// Returns the unit tangents of an ordered curve by central differences over ±`reach` points.
 std::vector<Eigen::Vector2d> tangentsOf(const std::vector<Eigen::Vector2d>& points, int reach = 2);
 
-/// The same curves with points every `spacingPx` of arc length; single points and duplicates survive as they are.
+/// Returns the same curves with points every `spacingPx` of arc length; single points and duplicates are kept
+/// unchanged.
 Centerline2d resampled(const Centerline2d& centerline, double spacingPx);
 
-/// What makes this centreline unusable (no points, NaN), in words for the user; empty when it is fine.
+/// Reports why this centerline is unusable (no points, NaN); nothing if it is valid.
 std::optional<Message> findProblem(const Centerline2d& centerline);
 
 }   // namespace angiopose::core

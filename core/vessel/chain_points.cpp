@@ -10,7 +10,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double reachInSpacings = 2.5;
-constexpr double besideOnGridPx = 1.5;   // a little more than √2
+constexpr double besideOnGridPx = 1.5;   // slightly more than √2
 
 struct Joint {
     double lengthPx = 0.0;
@@ -36,7 +36,7 @@ std::vector<std::size_t> fromLeftToRight(const ImagePoints& points)
     return order;
 }
 
-/// Every pair of points nearer than `reachPx`; `order` goes from left to right.
+/// Returns every pair of points closer than `reachPx`; `order` sorts the points from left to right.
 std::vector<Joint> jointsWithin(const ImagePoints& points, const std::vector<std::size_t>& order, double reachPx)
 {
     std::vector<Joint> joints;
@@ -54,12 +54,12 @@ std::vector<Joint> jointsWithin(const ImagePoints& points, const std::vector<std
     return joints;
 }
 
-/// Distance from the point at `place` of `order` to the nearest other one; infinite where there is none.
+/// Distance from the point at `place` of `order` to its nearest neighbor; infinite if there is none.
 double distanceToNearest(const ImagePoints& points, const std::vector<std::size_t>& order, std::size_t place)
 {
     double nearest = std::numeric_limits<double>::infinity();
     const Eigen::Vector2d& point = points[order[place]];
-    const auto isFurther = [&](std::size_t other) {   // and so are all beyond it
+    const auto isFurther = [&](std::size_t other) {   // then all points beyond it are farther, too
         const Eigen::Vector2d apart = points[order[other]] - point;
         nearest = std::min(nearest, apart.norm());
         return std::abs(apart.x()) > nearest;
@@ -71,7 +71,7 @@ double distanceToNearest(const ImagePoints& points, const std::vector<std::size_
     return nearest;
 }
 
-/// Median over the points of the distance to the nearest other one.
+/// Median distance of a point to its nearest neighbor.
 double usualSpacing(const ImagePoints& points, const std::vector<std::size_t>& order)
 {
     std::vector<double> nearest(order.size());
@@ -92,7 +92,7 @@ std::size_t rootOf(std::vector<std::size_t>& parents, std::size_t point)
     return point;
 }
 
-/// Who is joined to whom in the minimum spanning forest (Kruskal).
+/// Returns the neighbors of each point in the minimum spanning forest (Kruskal).
 JoinedPoints spanningForest(std::size_t count, std::vector<Joint> joints)
 {
     std::ranges::sort(joints, std::less{});
@@ -111,7 +111,7 @@ JoinedPoints spanningForest(std::size_t count, std::vector<Joint> joints)
     return neighbors;
 }
 
-/// From `start` over points that are not taken yet to the next end, or to the next fork.
+/// Follows untaken points from `start` to the next end or bifurcation.
 Curve2d curveFrom(std::size_t start, const ImagePoints& points, const JoinedPoints& neighbors,
                   std::vector<char>& isTaken)
 {
@@ -147,10 +147,10 @@ Centerline2d chainPoints(const ImagePoints& points)
             }
         }
     };
-    collect([&](std::size_t i) { return neighbors[i].size() < 2; });   // from the ends
-    collect([&](std::size_t i) { return neighbors[i].size() > 2; });   // from forks that no end led to
+    collect([&](std::size_t i) { return neighbors[i].size() < 2; });   // start at ends
+    collect([&](std::size_t i) { return neighbors[i].size() > 2; });   // start at bifurcations that no end led to
     const auto isCutOff = [&](std::size_t point) { return isTaken[point] != 0; };
-    collect([&](std::size_t i) { return std::ranges::any_of(neighbors[i], isCutOff); });   // between forks
+    collect([&](std::size_t i) { return std::ranges::any_of(neighbors[i], isCutOff); });   // start between bifurcations
     collect([](std::size_t) { return true; });
     return centerline;
 }

@@ -7,9 +7,9 @@
 
 namespace angiopose::core {
 
-/// Curves of image points in no order (px), such as the pixels of a skeleton: neighbours are joined by a minimum
-/// spanning tree, which is cut where it forks. Each point is in one curve; one without neighbours is a curve by itself.
-/// Points are neighbours up to 2.5 times their usual distance, and next to each other on the pixel grid.
+/// Chains unordered image points (px), such as skeleton pixels, into curves: neighbors are connected by a minimum
+/// spanning tree, which is split at bifurcations. Each point belongs to one curve; a point without neighbors forms its
+/// own curve. Neighbors are points within 2.5 times the typical spacing, and adjacent pixels.
 Centerline2d chainPoints(const std::vector<Eigen::Vector2d>& points);
 
 }   // namespace angiopose::core

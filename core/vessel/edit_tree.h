@@ -6,26 +6,27 @@
 #include <cstddef>
 #include <string>
 
-// Edits of a vessel tree: each takes a tree and gives the edited one, ids of untouched branches unchanged. A branch
-// that does not exist, or an edit that would leave nothing, is an error in words for the user.
+// Edits of a vessel tree: each takes a tree and returns the edited one, with the ids of untouched branches unchanged. A
+// nonexistent branch, or an edit that would leave nothing, is an error for the user.
 
 namespace angiopose::core {
 
-/// How near two branches must come to be connected, mm; as for `findNodes`.
+/// Maximum distance at which two branches connect, mm; as for `findNodes`.
 inline constexpr double touchingMm = 1.5;
 
-/// Without the branch and all that leaves it, directly or not.
+/// Removes the branch and all its descendants.
 Result<VesselTree> withoutSubtree(const VesselTree& tree, int branchId);
 
-/// Without end branches that are shorter, or on average thinner, than asked; the shortest go first, until none is left.
-/// A branch of unknown radius is never too thin.
+/// Removes end branches that are too short or, on average, too thin; the shortest first, until none is left. A branch
+/// of unknown radius is never too thin.
 Result<VesselTree> pruned(const VesselTree& tree, double minLengthMm, double minRadiusMm);
 
-/// The branch parted at its `point`-th point, which ends the first part; the second begins with the next point and is a
-/// branch of its own with a new id. Both parts need two points.
+/// Splits the branch at its `point`-th point, which ends the first part; the second part begins with the next point and
+/// gets a new id. Each part needs two points.
 Result<VesselTree> cutAt(const VesselTree& tree, int branchId, std::size_t point);
 
-/// Two branches made one over their nearest ends: id, name and direction of the first; the gap is bridged straight.
+/// Joins two branches at their nearest ends, keeping id, name and direction of the first; a straight line bridges the
+/// gap.
 Result<VesselTree> joined(const VesselTree& tree, int firstId, int secondId);
 
 /// An end of a branch: its first or its last point.
@@ -34,21 +35,21 @@ struct BranchEnd {
     bool atBack = true;
 };
 
-/// As `joined`, over the ends given.
+/// Same as `joined`, at the given ends.
 Result<VesselTree> joinedOver(const VesselTree& tree, const BranchEnd& first, const BranchEnd& second);
 
-/// The branch led on from one of its ends, straight, to a point: of another branch that it then touches.
+/// Extends the branch straight from one of its ends to a point, usually of another branch, which it then touches.
 Result<VesselTree> extendedTo(const VesselTree& tree, const BranchEnd& end, const Eigen::Vector3d& pointInPatient);
 
-/// The branch as a smoothing spline: bends narrower than about `widthMm` are taken out; its ends stay.
+/// Smooths the branch by a smoothing spline: removes bends narrower than about `widthMm` and keeps its ends.
 Result<VesselTree> smoothedBranch(const VesselTree& tree, int branchId, double widthMm);
 
-/// Index of the branch's point nearest to a place; the branch must exist.
+/// Returns the index of the branch's point nearest to a position; the branch must exist.
 std::size_t nearestPoint(const VesselTree& tree, int branchId, const Eigen::Vector3d& pointInPatient);
 
 Result<VesselTree> renamed(const VesselTree& tree, int branchId, const std::string& name);
 
-/// The branch counted as of a generation; −1: unknown.
+/// Sets the generation of the branch; −1: unknown.
 Result<VesselTree> withGeneration(const VesselTree& tree, int branchId, int generation);
 
 }   // namespace angiopose::core

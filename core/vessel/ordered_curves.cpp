@@ -8,10 +8,10 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t minReported = 8;   // points from which a curve has an order to speak of
+constexpr std::size_t minReported = 8;   // minimum number of points for a curve to have an order
 constexpr std::size_t askedPoints = 48;
-constexpr std::size_t firstAskedPoints = 16;   // where all but one of these are in order, the others are, too
-constexpr double minInOrder = 0.8;   // curves have nearly 1, pixels row by row 0.4 to 0.7
+constexpr std::size_t firstAskedPoints = 16;   // if all but one of these are in order, the curve counts as ordered
+constexpr double minInOrder = 0.8;   // nearly 1 for curves, 0.4 to 0.7 for pixels row by row
 constexpr double nearlyNearest = 1.5;   // steps along the pixel grid are 1 or √2
 constexpr std::size_t minLonePoints = 20;
 
@@ -24,7 +24,7 @@ bool isInOrder(const std::vector<Eigen::Vector2d>& points, std::size_t i)
         if (other + 1 == i || other == i + 1) {
             adjacent = std::min(adjacent, squared);
         }
-        // Copies of the point itself say nothing.
+        // Duplicates of the point carry no information.
         if (other != i && squared > 0.0) {
             nearest = std::min(nearest, squared);
         }
@@ -32,7 +32,7 @@ bool isInOrder(const std::vector<Eigen::Vector2d>& points, std::size_t i)
     return adjacent <= nearlyNearest * nearlyNearest * nearest;
 }
 
-/// Of `asked` points, spread evenly.
+/// Counts the ordered points among `asked` evenly spread points.
 std::size_t countInOrder(const std::vector<Eigen::Vector2d>& points, std::size_t asked)
 {
     std::size_t inOrder = 0;
@@ -55,7 +55,7 @@ bool isUnordered(const Curve2d& curve)
     return static_cast<double>(countInOrder(curve.pointsPx, asked)) < minInOrder * static_cast<double>(asked);
 }
 
-/// The points one by one are most of the curves.
+/// Whether most curves are single points.
 bool comesInSinglePoints(const Centerline2d& given)
 {
     const auto single = static_cast<std::size_t>(

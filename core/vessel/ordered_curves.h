@@ -6,15 +6,16 @@
 
 namespace angiopose::core {
 
-/// Curves put in order.
+/// Curves after reordering.
 struct OrderedCurves {
     Centerline2d curves;
-    std::size_t reorderedPoints = 0;   ///< of points that came in no order
+    std::size_t reorderedPoints = 0;   ///< number of points that were unordered
 };
 
-/// What is given is recognised: along a curve a point's nearest neighbour comes just before or after it. Where it
-/// mostly does not (pixels of a skeleton row by row, points in any order), or where points come one by one, they are
-/// chained (chainPoints); their radii are lost. Nothing: all curves are in order. Points must be finite.
+/// Reorders curves if necessary: along an ordered curve, a point's nearest neighbor is the previous or next point. If
+/// this fails for most points (skeleton pixels row by row, points in any order), or if most curves are single points,
+/// the points are chained (chainPoints) and lose their radii. Returns nothing if all curves are in order. Points must
+/// be finite.
 std::optional<OrderedCurves> putInOrder(const Centerline2d& given);
 
 }   // namespace angiopose::core

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-/// 0 … 1 from a to b: where the segment comes nearest to a point.
+/// Returns the position on the segment, 0 at a … 1 at b, nearest to a point.
 template <class Vector>
 double fractionNearest(const Vector& a, const Vector& b, const Vector& point)
 {
@@ -15,7 +15,7 @@ double fractionNearest(const Vector& a, const Vector& b, const Vector& point)
     return length2 > 0.0 ? std::clamp((point - a).dot(b - a) / length2, 0.0, 1.0) : 0.0;
 }
 
-/// The nearest place so far.
+/// The nearest position found so far.
 struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
     TreePlace place;
@@ -31,7 +31,7 @@ struct Nearest {
 
 constexpr double chordMm = 3.0;
 
-/// The point of a branch that lies `wayMm` of its length further on, or its end.
+/// Returns the point of a branch `wayMm` of arc length further on, or its end.
 Eigen::Vector3d pointFurther(const VesselTree& tree, TreePlace place, double wayMm)
 {
     const std::vector<Eigen::Vector3d>& points = tree.branches[place.branch].pointsInPatient;

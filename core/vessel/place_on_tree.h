@@ -8,27 +8,27 @@
 
 namespace angiopose::core {
 
-/// A place on a tree: on one of its branches, between two points of it.
+/// A position on a tree: on one of its branches, between two of its points.
 struct TreePlace {
-    std::size_t branch = 0;   ///< place in VesselTree::branches
-    std::size_t segment = 0;   ///< from this point of the branch to the next
+    std::size_t branch = 0;   ///< index into VesselTree::branches
+    std::size_t segment = 0;   ///< from the branch point with this index to the next
     double fraction = 0.0;   ///< 0…1 along the segment
 };
 
-/// The place on the tree nearest to a point in space; nothing on an empty tree.
+/// Returns the position on the tree nearest to a point in space; nothing for an empty tree.
 std::optional<TreePlace> nearestPlace(const VesselTree& tree, const Eigen::Vector3d& pointInPatient);
 
 Eigen::Vector3d pointAt(const VesselTree& tree, const TreePlace& place);   ///< LPS, mm
 
-/// Where the branch runs to there: the chord of 3 mm of it, unit.
+/// Returns the direction of the branch at this position: the chord over 3 mm, unit vector.
 Eigen::Vector3d directionAt(const VesselTree& tree, const TreePlace& place);
 
 std::optional<double> radiusAt(const VesselTree& tree, const TreePlace& place);   ///< mm; nothing without radii
 
-/// The same as a point.
+/// Same as a point in space.
 std::optional<Eigen::Vector3d> nearestOnTree(const VesselTree& tree, const Eigen::Vector3d& pointInPatient);
 
-/// The place on the tree that projects nearest to a pixel; nothing where that is farther than `reachPx`.
+/// Returns the point on the tree that projects nearest to a pixel; nothing if it is farther than `reachPx`.
 std::optional<Eigen::Vector3d> placeUnderPixel(const VesselTree& tree, const Sight& sight, const Eigen::Vector2d& pixel,
                                                double reachPx);
 

@@ -6,14 +6,14 @@
 #include <cstddef>
 #include <vector>
 
-// Arc length on ordered points, in 2-D (px) and 3-D (mm) alike.
+// Arc-length functions for ordered points, in 2-D (px) and 3-D (mm).
 
 namespace angiopose::core {
 
 template <int Dim>
 using Polyline = std::vector<Eigen::Matrix<double, Dim, 1>>;
 
-/// A place on a polyline: between point `index` and the next one.
+/// A position on a polyline: between point `index` and the next one.
 struct PolylineStation {
     std::size_t index = 0;
     double fraction = 0.0;   ///< 0 at `index`, 1 at the next point
@@ -29,8 +29,8 @@ double polylineLength(const Polyline<Dim>& points)
     return length;
 }
 
-/// Unit tangents by central differences over ±`reach` points; where these coincide, the predecessor's (x axis at
-/// first).
+/// Returns unit tangents by central differences over ±`reach` points; if these coincide, the previous tangent
+/// (initially the x axis).
 template <int Dim>
 Polyline<Dim> polylineTangents(const Polyline<Dim>& points, std::size_t reach)
 {
@@ -49,7 +49,8 @@ Polyline<Dim> polylineTangents(const Polyline<Dim>& points, std::size_t reach)
     return tangents;
 }
 
-/// Stations every `spacing` of arc length, evenly stretched so that both ends are stations. One point: one station.
+/// Returns stations about every `spacing` of arc length, with the spacing adjusted to make both ends stations. One
+/// station for a single point.
 template <int Dim>
 std::vector<PolylineStation> evenStations(const Polyline<Dim>& points, double spacing)
 {
@@ -81,7 +82,7 @@ std::vector<PolylineStation> evenStations(const Polyline<Dim>& points, double sp
     return stations;
 }
 
-/// Values (points, radii, …) given per polyline point, linearly interpolated at the stations.
+/// Interpolates values given per polyline point (points, radii, …) linearly at the stations.
 template <class Value>
 std::vector<Value> interpolate(const std::vector<Value>& values, const std::vector<PolylineStation>& stations)
 {

@@ -10,7 +10,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t thicknessStretch = 5;   ///< points that tell how thick an end is
+constexpr std::size_t thicknessStretch = 5;   ///< number of points from which the thickness of an end is computed
 
 double endRadius(const VesselBranch& branch, bool atBack)
 {
@@ -28,7 +28,8 @@ void turnAround(VesselBranch& branch)
     std::reverse(branch.radiusMm.begin(), branch.radiusMm.end());
 }
 
-/// The point of the branch that is nearest to `place`, if it is near enough to touch; else the number of points.
+/// Returns the index of the branch point nearest to `place` if it is close enough to touch; otherwise the number of
+/// points.
 std::size_t touchingPoint(const VesselBranch& branch, const Eigen::Vector3d& place)
 {
     std::size_t best = branch.pointsInPatient.size();
@@ -43,7 +44,7 @@ std::size_t touchingPoint(const VesselBranch& branch, const Eigen::Vector3d& pla
     return best;
 }
 
-/// Follows the vessels from a root and hands them out in order.
+/// Traverses the vessels from a root and outputs them in order.
 class RootWalker {
 public:
     explicit RootWalker(const VesselTree& tree) : left_(tree.branches.begin(), tree.branches.end())
@@ -55,7 +56,7 @@ public:
 
     bool isDone() const { return left_.empty(); }
 
-    /// From the end with the greatest worth; `worth(branch, atBack)`.
+    /// Traverses from the end with the greatest `worth(branch, atBack)`.
     template <class Worth>
     void walkFromBest(const Worth& worth)
     {
@@ -126,7 +127,7 @@ private:
         result_.branches.push_back(std::move(child));
     }
 
-    /// What follows the `at`-th point, which both parts keep.
+    /// Splits off the part after the `at`-th point, which both parts keep.
     VesselBranch secondPart(VesselBranch& branch, std::size_t at)
     {
         const auto from = static_cast<std::ptrdiff_t>(at);

@@ -4,10 +4,10 @@
 
 namespace angiopose::core {
 
-/// The tree seen from the branch end that is nearest to `rootInPatient`: every branch runs away from the root, its
-/// generation counts the branches on the way there, and parents come before their children. Ids and names stay; where
-/// the way leads into the middle of a branch, that is parted, and the part that ran towards the junction keeps the id.
-/// Pieces that do not connect (within `touchingMm`) follow, each from its own thickest end.
+/// Roots the tree at the branch end nearest to `rootInPatient`: every branch runs away from the root, its generation
+/// counts the branches on the path from there, and parents come before their children. Ids and names are kept; a branch
+/// that another one meets in the middle is split, and the part that ran toward the junction keeps the id. Disconnected
+/// parts (farther than `touchingMm`) follow, each from its own thickest end.
 VesselTree rootedAt(const VesselTree& tree, const Eigen::Vector3d& rootInPatient);
 
 }   // namespace angiopose::core

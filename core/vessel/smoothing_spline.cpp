@@ -3,11 +3,11 @@
 namespace angiopose::core {
 namespace {
 
-/// A symmetric matrix with two side diagonals, made to solve for one right-hand side in place.
+/// A symmetric pentadiagonal matrix, solved in place for one right-hand side.
 struct PentadiagonalMatrix {
     std::vector<double> diagonal;
-    std::vector<double> upper1;   ///< [i] stands at (i, i + 1)
-    std::vector<double> upper2;   ///< [i] stands at (i, i + 2)
+    std::vector<double> upper1;   ///< [i] is the element (i, i + 1)
+    std::vector<double> upper2;   ///< [i] is the element (i, i + 2)
 };
 
 /// W + λ DᵀD with the second differences D.
@@ -26,7 +26,7 @@ PentadiagonalMatrix normalMatrix(const std::vector<double>& weights, double lamb
     return a;
 }
 
-/// Factors a = L D Lᵀ row by row while it eliminates x, then substitutes back.
+/// Factors a = L D Lᵀ row by row while eliminating x, then back-substitutes.
 template <class Value>
 void solveInPlace(PentadiagonalMatrix a, std::vector<Value>& x)
 {

@@ -5,8 +5,8 @@
 
 namespace angiopose::core {
 
-/// Penalised least squares, min Σ wᵢ|xᵢ − yᵢ|² + λ Σ |second difference of x|²: the smoothing spline on even points
-/// (Whittaker 1923; Eilers 2003). `weights` one per point; keeps straight lines as they are.
+/// Penalized least squares, min Σ wᵢ|xᵢ − yᵢ|² + λ Σ |second difference of x|²: the smoothing spline on evenly spaced
+/// points (Whittaker 1923; Eilers 2003). One weight per point in `weights`; straight lines stay unchanged.
 std::vector<Eigen::Vector2d> smoothed(const std::vector<Eigen::Vector2d>& points, const std::vector<double>& weights,
                                       double lambda);
 std::vector<Eigen::Vector3d> smoothed(const std::vector<Eigen::Vector3d>& points, const std::vector<double>& weights,

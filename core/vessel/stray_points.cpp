@@ -9,7 +9,7 @@ namespace {
 
 constexpr double maxStrayShare = 0.01;
 
-/// The median along each axis; points that are no numbers do not count.
+/// Returns the median along each axis, ignoring points that are not finite.
 Eigen::Vector3d middleOf(const std::vector<Eigen::Vector3d>& points)
 {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();

@@ -6,11 +6,11 @@
 
 namespace angiopose::core {
 
-inline constexpr double largestReachMm = 2500.0;   ///< no two places of a body are farther apart
+inline constexpr double largestReachMm = 2500.0;   ///< maximum distance between two points of a body
 
-/// Takes out points that cannot be of one body with the others (no numbers, or farther than `largestReachMm` from their
-/// middle) and the triangles at them; returns how many. Where these are more than one in a hundred, the unit is wrong
-/// rather than a point astray: nothing is taken out then.
+/// Removes points that cannot belong to the same body as the others (not finite, or farther than `largestReachMm` from
+/// their center) and their triangles; returns their number. If they are more than one in a hundred, the unit is
+/// probably wrong, and nothing is removed.
 std::size_t dropStrayPoints(SurfaceMesh& mesh);
 
 }   // namespace angiopose::core

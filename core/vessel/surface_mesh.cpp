@@ -8,9 +8,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t pointsUnheard = 0xFFFF;   ///< less one
+constexpr std::size_t pointsUnheard = 0xFFFF;   ///< bit mask: points between checks for cancellation, minus one
 
-/// Undirected edge, and whether the triangle runs along it upwards.
+/// Undirected edge, and whether the triangle traverses it in ascending order.
 struct HalfEdge {
     std::uint32_t low, high;
     bool isUpward;

@@ -9,24 +9,24 @@
 
 namespace angiopose::core {
 
-/// The wall of vessels as triangles, patient LPS mm.
+/// The vessel wall as triangles, patient LPS mm.
 struct SurfaceMesh {
     std::vector<Eigen::Vector3d> pointsInPatient;
     std::vector<std::array<std::uint32_t, 3>> triangles;   ///< indices into the points; all within range
 };
 
-/// How well a mesh bounds an inside.
+/// Result of checking how well a mesh encloses a volume.
 struct MeshCheck {
-    std::size_t openEdges = 0;   ///< edges with one triangle: the rim of a hole
+    std::size_t openEdges = 0;   ///< edges with one triangle, on the border of a hole
     std::size_t crowdedEdges = 0;   ///< edges with more than two triangles
-    bool isOriented = false;   ///< neighbours agree on which side is outside
+    bool isOriented = false;   ///< whether neighboring triangles agree on the outside
 
     bool isClosed() const { return openEdges == 0 && crowdedEdges == 0; }
 };
 MeshCheck checkMesh(const SurfaceMesh& mesh);
 
-/// The same mesh with points at exactly the same place merged, and triangles without area left out. Incomplete where
-/// `shouldContinue`, asked now and then, says no.
+/// Returns the mesh with coincident points merged and triangles without area removed. Incomplete if `shouldContinue`,
+/// called from time to time, returns false.
 SurfaceMesh welded(const SurfaceMesh& mesh, const std::function<bool()>& shouldContinue = {});
 
 }   // namespace angiopose::core

@@ -11,9 +11,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t directionStretch = 5;   ///< points that tell an end's direction
+constexpr std::size_t directionStretch = 5;   ///< number of points from which the direction of an end is computed
 
-/// From a point to the curve of a branch, between its points too: these may lie far apart.
+/// Returns the distance from a point to the polyline of a branch, including between its points, which may be far apart.
 double distanceTo(const VesselBranch& branch, const Eigen::Vector3d& point)
 {
     const auto& points = branch.pointsInPatient;
@@ -27,7 +27,7 @@ double distanceTo(const VesselBranch& branch, const Eigen::Vector3d& point)
     return nearest;
 }
 
-/// For each branch the representative of the piece it belongs to.
+/// Returns, for each branch, the representative of its connected component.
 std::vector<std::size_t> piecesOf(const VesselTree& tree)
 {
     const std::size_t count = tree.branches.size();
@@ -47,7 +47,7 @@ std::vector<std::size_t> piecesOf(const VesselTree& tree)
     return piece;
 }
 
-/// Unit direction in which a branch leaves through its end.
+/// Returns the unit direction in which a branch leaves through its end.
 Eigen::Vector3d outwards(const VesselBranch& branch, bool atBack)
 {
     const auto& points = branch.pointsInPatient;
@@ -57,13 +57,13 @@ Eigen::Vector3d outwards(const VesselBranch& branch, bool atBack)
     return way.norm() > 1e-9 ? way.normalized().eval() : Eigen::Vector3d::Zero().eval();
 }
 
-/// A little distance more than makes up for a bend.
+/// Returns the plausibility of a gap: a short distance outweighs a change of direction.
 double worthOf(const TreeGap& gap)
 {
     return (1.5 + gap.directionAgreement) / (touchingMm + gap.distanceMm);
 }
 
-/// The best way from one end over to a branch of another piece.
+/// Returns the best connection from one end to a branch of another component.
 TreeGap gapBetween(const VesselBranch& from, bool atBack, const VesselBranch& to)
 {
     TreeGap gap;
@@ -101,7 +101,7 @@ double lengthOfPiece(const VesselTree& tree, const std::vector<std::size_t>& pie
 std::vector<TreeGap> findGaps(const VesselTree& tree, double longestMm)
 {
     const std::vector<std::size_t> piece = piecesOf(tree);
-    std::map<std::size_t, std::optional<TreeGap>> best;   // by piece
+    std::map<std::size_t, std::optional<TreeGap>> best;   // by component
     for (const std::size_t which : piece) {
         best.try_emplace(which);
     }
@@ -112,7 +112,7 @@ std::vector<TreeGap> findGaps(const VesselTree& tree, double longestMm)
                     continue;
                 }
                 const TreeGap gap = gapBetween(tree.branches[a], atBack, tree.branches[b]);
-                for (const std::size_t which : {piece[a], piece[b]}) {   // a gap concerns both pieces
+                for (const std::size_t which : {piece[a], piece[b]}) {   // a gap belongs to both components
                     std::optional<TreeGap>& known = best[which];
                     if (gap.distanceMm <= longestMm && (!known || worthOf(gap) > worthOf(*known))) {
                         known = gap;
@@ -121,7 +121,7 @@ std::vector<TreeGap> findGaps(const VesselTree& tree, double longestMm)
             }
         }
     }
-    if (!best.empty()) {   // the largest piece is what the others are to be joined to
+    if (!best.empty()) {   // the others are joined to the largest component
         best.erase(std::max_element(best.begin(), best.end(), [&](const auto& a, const auto& b) {
             return lengthOfPiece(tree, piece, a.first) < lengthOfPiece(tree, piece, b.first);
         }));

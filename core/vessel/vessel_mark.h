@@ -10,27 +10,27 @@ namespace angiopose::core {
 
 enum class VesselMarkKind { CheckPoint, OstiumRing };
 
-/// A named place on the vessels: a check point, by which a pose is judged, or the ring of an ostium.
+/// A named mark on the vessels: a target point, for evaluating a pose, or the ring of an ostium.
 struct VesselMark {
-    int id = 0;   ///< unique among the marks of a case: views say by it where they see it
+    int id = 0;   ///< unique among the marks of a case; sightings in the views refer to it
     VesselMarkKind kind = VesselMarkKind::CheckPoint;
     std::string name;
-    Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm; of a ring its centre
-    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   ///< of a ring: along its branch; unit
-    double radiusMm = 0.0;   ///< of a ring
-    std::string extraKeys{};   ///< JSON object with what a case file says of it that this version does not know
+    Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm; center of a ring
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   ///< ring only: unit vector along its branch
+    double radiusMm = 0.0;   ///< ring only
+    std::string extraKeys{};   ///< JSON object with the keys of the case file that this version does not recognize
 
     bool operator==(const VesselMark&) const = default;
 };
 
-/// One more than the largest id.
+/// Returns one more than the largest id.
 int nextMarkId(const std::vector<VesselMark>& marks);
 
-/// Points around a ring, evenly, the first one not repeated.
+/// Returns evenly spaced points around a ring, without repeating the first.
 std::vector<Eigen::Vector3d> ringPoints(const VesselMark& ring, std::size_t count);
 
-/// The mark where it goes when its vessels take another shape: both trees have the same branches and points. It keeps
-/// its way to the nearest place of the vessels; a ring turns with its branch. As it was where the trees do not match.
+/// Moves a mark with deforming vessels; both trees must have the same branches and points. The mark keeps its offset to
+/// the nearest point of the vessels, and a ring rotates with its branch. Unchanged if the trees do not match.
 VesselMark movedWith(const VesselTree& from, const VesselTree& to, VesselMark mark);
 
 }   // namespace angiopose::core

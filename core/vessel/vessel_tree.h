@@ -9,18 +9,18 @@
 
 namespace angiopose::core {
 
-/// One branch of a vessel tree: an ordered centreline in patient LPS, mm.
+/// One branch of a vessel tree: an ordered centerline in patient LPS, mm.
 struct VesselBranch {
-    int id = 0;   ///< stable, unique in the tree
-    std::string name;   ///< as labelled; may be empty
+    int id = 0;   ///< stable and unique in the tree
+    std::string name;   ///< anatomical label; may be empty
     std::vector<Eigen::Vector3d> pointsInPatient;   ///< at least two
-    std::vector<double> radiusMm;   ///< one per point, or empty when unknown
-    int generation = -1;   ///< 0 begins at the root, 1 leaves such a branch, …; -1 unknown
+    std::vector<double> radiusMm;   ///< one per point, or empty if unknown
+    int generation = -1;   ///< 0 begins at the root, 1 leaves such a branch, …; -1 if unknown
 
     double lengthMm() const;
 };
 
-/// Branches of one vessel tree. Branches that meet need not share a point: nodes join ends that touch.
+/// Branches of one vessel tree. Branches that meet need not share a point: findNodes connects ends that touch.
 struct VesselTree {
     std::vector<VesselBranch> branches;
 
@@ -31,37 +31,40 @@ struct VesselTree {
 /// A bifurcation (two or more branches meet) or a free end.
 struct VesselNode {
     Eigen::Vector3d pointInPatient;
-    std::vector<int> branchIds;   ///< the branches that end or pass here
+    std::vector<int> branchIds;   ///< branches that end here or pass through
 
     bool isBifurcation() const { return branchIds.size() > 1; }
 };
 
-/// Bifurcations and ends. Branch ends closer than `toleranceMm` to another branch's point are one node with it.
+/// Returns the bifurcations and free ends. Branch ends closer than `toleranceMm` to a point of another branch form one
+/// node with it.
 std::vector<VesselNode> findNodes(const VesselTree& tree, double toleranceMm = 1.5);
 
-/// Length-weighted centroid of the whole tree, patient LPS mm: the pivot of pose edits and of OBJ parameters.
+/// Returns the length-weighted centroid of the whole tree, patient LPS mm: the pivot of pose edits and of OBJ
+/// parameters.
 Eigen::Vector3d centroidInPatient(const VesselTree& tree);
 
-/// Unit tangents of an ordered curve by central differences; a zero-length neighbourhood inherits its predecessor's.
+/// Returns the unit tangents of an ordered curve by central differences; a zero-length neighborhood takes the previous
+/// tangent.
 std::vector<Eigen::Vector3d> tangentsOf(const std::vector<Eigen::Vector3d>& points);
 
-/// The same tree with points every `spacingMm` of arc length (ends kept, radius interpolated; duplicates dropped).
+/// Returns the tree resampled every `spacingMm` of arc length (ends kept, radii interpolated, duplicates removed).
 VesselTree resampled(const VesselTree& tree, double spacingMm);
 
-/// The tree without the branches in `excludedIds`.
+/// Returns the tree without the branches in `excludedIds`.
 VesselTree without(const VesselTree& tree, const std::vector<int>& excludedIds);
 
-/// True when all branches together are no longer than twice the greatest width: a ball or a block rather than vessels.
-/// Never without radii.
+/// Whether the total length of all branches is at most twice the greatest width, as for a ball or a block rather than
+/// vessels. False without radii.
 bool isCompact(const VesselTree& tree);
 
-/// Diagonal of the box around all points.
+/// Returns the diagonal of the bounding box.
 double acrossMm(const VesselTree& tree);
 
-/// False where vessels of a CT are hardly of that size or width: the unit of the numbers may be another.
+/// Whether size and width are typical of vessels in CT; if not, the numbers may be in another unit.
 bool isUsualSize(const VesselTree& tree);
 
-/// What makes this tree unusable (no branch, one point, NaN, …), in words for the user; empty when it is fine.
+/// Reports why this tree is unusable (no branch, one point, NaN, …); nothing if it is valid.
 std::optional<Message> findProblem(const VesselTree& tree);
 
 }   // namespace angiopose::core

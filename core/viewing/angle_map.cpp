@@ -16,7 +16,7 @@ constexpr double finestStepDeg = 0.5;
 constexpr double foundToDeg = 0.1;
 constexpr double minApartDeg = 20.0;
 constexpr std::size_t maxSuggestions = 3;
-constexpr double worthFollowing = 0.1;   // cost above the best of the grid from which no better place is expected
+constexpr double worthFollowing = 0.1;   // cost above the best grid point beyond which refinement is not worthwhile
 
 std::optional<Message> findProblem(const AngleMapOptions& options)
 {
@@ -35,7 +35,7 @@ std::optional<Message> findProblem(const AngleMapOptions& options)
     return {};
 }
 
-/// From end to end in equal steps of at most `stepDeg`.
+/// Divides the range into equal steps of at most `stepDeg`, including both ends.
 std::vector<double> gridOf(const AngleRange& range, double stepDeg)
 {
     const auto steps = static_cast<int>(std::ceil((range.toDeg - range.fromDeg) / stepDeg - 1e-9));
@@ -46,7 +46,7 @@ std::vector<double> gridOf(const AngleRange& range, double stepDeg)
     return grid;
 }
 
-/// No neighbour of the grid is better.
+/// Whether no neighbor in the grid is better.
 bool isLowest(const AngleMap& map, std::size_t column, std::size_t row)
 {
     const double cost = map.at(column, row).cost();
@@ -71,7 +71,7 @@ public:
 
     AngleSuggestion at(const GantryAngles& angles) const { return {angles, sight_.from(poseAt_(angles))}; }
 
-    /// Walks downhill in steps that are halved, eight ways, within what the gantry reaches.
+    /// Descends in eight directions, halving the step, within the gantry limits.
     AngleSuggestion refined(AngleSuggestion best) const
     {
         for (double step = 0.5 * options_.stepDeg; step > 0.5 * foundToDeg;) {
@@ -105,7 +105,7 @@ private:
     const AngleMapOptions& options_;
 };
 
-/// Degrees between the rays of two positions.
+/// Returns the angle in degrees between the rays of two gantry positions.
 double apartDeg(const GantryAngles& a, const GantryAngles& b)
 {
     const double cosine =
@@ -139,7 +139,7 @@ std::vector<AngleSuggestion> suggestions(const AngleMap& map, const AngleSearch&
     return apart;
 }
 
-const Eigen::Vector3d anyIsocenter = Eigen::Vector3d::Zero();   // before and after the turn the same: it cancels
+const Eigen::Vector3d anyIsocenter = Eigen::Vector3d::Zero();   // same before and after the rotation, so it cancels
 
 }   // namespace
 

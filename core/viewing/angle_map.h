@@ -22,26 +22,26 @@ struct AngleRange {
     double toDeg = 0.0;
 };
 
-/// Which angles the gantry reaches, and how finely they are looked at.
+/// Angle ranges of the gantry, and the grid step.
 struct AngleMapOptions {
     AngleRange primary{-90.0, 90.0};
     AngleRange secondary{-40.0, 40.0};
     double stepDeg = 2.5;
-    int threads = 0;   ///< 0: all of the processor
+    int threads = 0;   ///< 0: all processors
 };
 
-/// Angles that may be chosen.
+/// Suggested gantry angles.
 struct AngleSuggestion {
     GantryAngles angles;
     SightQuality quality;
 };
 
-/// How a part of the vessels is seen from all angles.
+/// View quality of a part of the vessels from all gantry angles.
 struct AngleMap {
-    std::vector<double> primaryDeg;   ///< of the columns, ascending
-    std::vector<double> secondaryDeg;   ///< of the rows, ascending
+    std::vector<double> primaryDeg;   ///< angles of the columns, ascending
+    std::vector<double> secondaryDeg;   ///< angles of the rows, ascending
     std::vector<SightQuality> qualities;   ///< row by row
-    std::vector<AngleSuggestion> best;   ///< at least 20° from each other, best first, at most three
+    std::vector<AngleSuggestion> best;   ///< at most three, at least 20° apart, best first
 
     const SightQuality& at(std::size_t column, std::size_t row) const
     {
@@ -49,20 +49,20 @@ struct AngleMap {
     }
 };
 
-/// The pose of the vessels with the gantry at other angles.
+/// Returns the pose of the vessels with the gantry at other angles.
 using PoseAtAngles = std::function<RigidTransform(const GantryAngles&)>;
 
-/// Looks at the part from a grid of angles, then finds the best angles to a tenth of a degree. `observe` hears of
-/// progress, 0…1, and may stop it. Fails for ranges that are empty, not finite or beyond ±180° and ±90°, and for steps
+/// Evaluates the part on a grid of angles, then refines the best angles to a tenth of a degree. `observe` receives the
+/// progress, 0…1, and can cancel. Fails for ranges that are empty, not finite or beyond ±180° and ±90°, and for steps
 /// below half a degree.
 Result<AngleMap> mapAngles(const PartSight& sight, const PoseAtAngles& poseAt, const AngleMapOptions& options = {},
                            const std::function<Verdict(double)>& observe = {});
 
-/// The angles of a view's gantry when its frame was taken; nothing where they are not known.
+/// Returns the gantry angles of a view at its frame; nothing if they are unknown.
 std::optional<GantryAngles> gantryAnglesOf(const View& view);
 
-/// The vessels at their pose in the view, with the gantry turned to other angles about its isocentre. Fails where the
-/// view lacks angles or the distance from source to isocentre.
+/// Returns the pose of the vessels in the view as a function of the gantry angles, with rotation about the isocenter.
+/// Fails if the view lacks angles or the source-to-isocenter distance.
 Result<PoseAtAngles> turningGantry(const View& view);
 
 }   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 namespace angiopose::core {
 
-/// Frames of a run, both ends included.
+/// A range of frames in a run, both ends included.
 struct FrameRange {
     int first = 0;
     int last = 0;
@@ -14,18 +14,18 @@ struct FrameRange {
 
 enum class CineOrder { Loop, BackAndForth };
 
-/// Which frame of a playing run is due. It goes by the time alone: where showing takes too long, frames are left out,
-/// and none comes late. Times in ms, of any clock that never goes back.
+/// Determines the frame that is due in a playing run, from the time alone: if display is too slow, frames are skipped
+/// and none is late. Times in ms, of any monotonic clock.
 class CineClock {
 public:
-    /// `frameMs` > 0 is how long each frame stays.
+    /// `frameMs` > 0 is the duration of each frame.
     CineClock(const FrameRange& range, CineOrder order, double frameMs);
 
-    /// From `frame` on; from the first of the range where it lies outside.
+    /// Starts from `frame`, or from the first frame of the range if it lies outside.
     void start(int frame, double nowMs);
 
     int frameAt(double nowMs) const;
-    double untilNextMs(double nowMs) const;   ///< above 0
+    double untilNextMs(double nowMs) const;   ///< always above 0
 
 private:
     long stepsUntil(double nowMs) const;

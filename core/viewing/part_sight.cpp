@@ -78,11 +78,12 @@ Result<std::vector<VesselPiece>> piecesOfTakeOff(const VesselTree& tree, int bra
     return found;
 }
 
-/// A piece in the plane one millimetre from the source: lengths there are angles, whatever the detector's distance.
+/// A piece projected to the plane one millimeter from the source: lengths there are angles, independent of the detector
+/// distance.
 struct PartSight::Seen {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
-    double radius = 0.0;   ///< negative: not before the source
-    double sine = 0.0;   ///< between the vessel and the ray
+    double radius = 0.0;   ///< negative: not in front of the source
+    double sine = 0.0;   ///< sine of the angle between the vessel and the ray
 };
 
 namespace {
@@ -96,7 +97,8 @@ bool isTouching(const VesselPiece& a, const VesselPiece& b)
     return (a.middleInPatient - b.middleInPatient).squaredNorm() < reach * reach;
 }
 
-/// Share of the width of a vessel of half width `radius` that another one covers, `apart` beside it.
+/// Returns the fraction of a vessel's width, of half-width `radius`, that another vessel covers at the lateral distance
+/// `apart`.
 double coveredWidth(double radius, double other, double apart)
 {
     const double low = std::max(-radius, apart - other);
@@ -104,7 +106,7 @@ double coveredWidth(double radius, double other, double apart)
     return std::clamp((high - low) / (2.0 * radius), 0.0, 1.0);
 }
 
-/// The places of a part in square cells, so that what cannot touch one is passed by at once.
+/// Positions of a part in square cells, for skipping pieces that are too far away to overlap.
 class PlaceCells {
 public:
     PlaceCells(const std::vector<Eigen::Vector2d>& places, double minCellSize)
@@ -125,7 +127,7 @@ public:
         }
     }
 
-    /// Calls `visit(i)` for every place within a cell's size of `place`, and for some beyond.
+    /// Calls `visit(i)` for every position within a cell size of `place`, and for some beyond.
     template <class Visit>
     void near(const Eigen::Vector2d& place, const Visit& visit) const
     {

@@ -26,7 +26,7 @@ Status checkCase(const Case& session)
     return Done{};
 }
 
-/// Walks away from the first frame in one direction.
+/// Tracks from the first frame in one direction.
 class Walk {
 public:
     Walk(const Case& session, RunFollower follower)
@@ -61,8 +61,8 @@ private:
         return traceFrame(*view.angiogram, view.frame, traceOptionsOf(view));
     }
 
-    /// Lines that stand still agree with a pose in every frame, those without contrast too: they are no target, unless
-    /// the frame that following began with shows nothing else either, as a phantom's does.
+    /// Stationary lines agree with a pose in every frame, even without contrast, so they are not a target; except if
+    /// the start frame shows nothing else either, as with a phantom.
     Result<Centerline2d> targetHere() const
     {
         if (const auto given = givenTargetOf(case_.shown())) {
@@ -82,7 +82,8 @@ private:
     bool startsStill_ = false;
 };
 
-/// Of one view: of several it is known in space, and one run does not tell how that goes on.
+/// Only for a single view: a deformation from several views is known in 3-D, and one run does not determine how it
+/// continues.
 std::shared_ptr<const DeformableResult> deformationToFollow(const Case& session)
 {
     const auto deformed = knownDeformation(session.shown(), session.vessels, session.shown().cameraFromPatient);
@@ -100,7 +101,7 @@ FollowedFrame givenFrame(const Case& session)
     return given;
 }
 
-/// Each frame was bent by itself; in time they belong together.
+/// Smooths in time the deformations, which were found frame by frame.
 void smoothBends(const VesselTree& tree, std::vector<FollowedFrame>& frames)
 {
     std::vector<DeformationInTime> deformations;
@@ -114,7 +115,8 @@ void smoothBends(const VesselTree& tree, std::vector<FollowedFrame>& frames)
     }
 }
 
-/// Poses were found for bent vessels: frames that do not show them have them bent as in the nearest that does.
+/// Gives frames without a deformation the one from the nearest frame that has it, because poses were found for deformed
+/// vessels.
 void carryDeformation(std::vector<FollowedFrame>& frames)
 {
     const std::vector<FollowedFrame> found = frames;
@@ -164,7 +166,7 @@ Result<std::vector<FollowedFrame>> followFrames(const Case& session, const WorkO
             const double done = static_cast<double>(frames.size()) / count;
             FollowedFrame followed = walk.step(frame, [&](double) { return course.tell("following", done); });
             if (course.isStopped()) {
-                break;   // in the midst of this frame
+                break;   // stopped within this frame
             }
             frames.push_back(std::move(followed));
             course.tell("following", static_cast<double>(frames.size()) / count);
@@ -181,7 +183,7 @@ Result<std::vector<FollowedFrame>> followFrames(const Case& session, const WorkO
 RunPeriods periodsOf(const Case& session, const std::vector<FollowedFrame>& frames)
 {
     const auto& run = session.shown().angiogram;
-    if (!run || !session.vessels.tree || !(run->frameTimeMs > 1.0)) {   // 1 ms and less: not told
+    if (!run || !session.vessels.tree || !(run->frameTimeMs > 1.0)) {   // 1 ms or less: not specified
         return {};
     }
     std::vector<TimedPose> poses;

@@ -10,13 +10,14 @@
 
 namespace angiopose::core {
 
-/// Follows the vessels from the case's frame and pose to the end of the run, then back to its beginning
-/// (ALGORITHMS §6.11); frames in order, a stopped run only as far as it came. Vessels that are known to be bent in the
-/// case's frame are followed bent, and smoothed in time (§11.6). Fails where the case is not ready, where
-/// its frame's target is given rather than traced, or where the gantry turns during the run.
+/// Tracks the vessels from the case's frame and pose to the end of the run, then back to its beginning (ALGORITHMS
+/// §6.11). Returns the frames in order; when stopped, only those already tracked. Vessels with a known deformation in
+/// the case's frame are tracked deformed, and smoothed in time (§11.6). Fails if the case is not ready, if the target
+/// of its frame is given instead of traced, or if the gantry rotates during the run.
 Result<std::vector<FollowedFrame>> followFrames(const Case& session, const WorkObserver& observe = {});
 
-/// Breath and heart in what was followed, where the angiogram tells the time between frames.
+/// Returns the respiratory and cardiac periods in the tracked frames, if the angiogram specifies the time between
+/// frames.
 RunPeriods periodsOf(const Case& session, const std::vector<FollowedFrame>& frames);
 
 }   // namespace angiopose::core

@@ -9,30 +9,30 @@
 
 namespace angiopose::core {
 
-/// How far work on a case is.
+/// Progress of work on a case.
 struct WorkReport {
-    std::string_view stage;   ///< "tracing", "following", or of the solver: "search", "refine", …
-    double fraction = 0.0;   ///< of the whole work, 0…1, never decreasing
-    std::size_t view = 0;   ///< place in Case::views of what is worked on
-    const IterationReport* iteration = nullptr;   ///< of a solver in that view, for as long as the call lasts; or null
+    std::string_view stage;   ///< "tracing", "following", or a stage of the solver: "search", "refine", …
+    double fraction = 0.0;   ///< fraction of the whole work, 0…1, never decreasing
+    std::size_t view = 0;   ///< index into Case::views of the current view
+    const IterationReport* iteration = nullptr;   ///< report of the solver in that view, valid during the call; or null
 };
 
-/// The one observer of everything that is done with a case. Called on the calling thread, several times a second; its
-/// Stop ends the work, and what was found so far is kept where it is worth something.
+/// Observer of all work on a case. Called on the calling thread, several times a second; returning Stop ends the work,
+/// and useful intermediate results are kept.
 using WorkObserver = std::function<Verdict(const WorkReport&)>;
 
-/// The way through one piece of work, for who carries it out: tells the observer each part as a part of the whole, so
-/// that progress never falls, and remembers that it was told to stop.
+/// Progress of one task, for its implementation: reports each part to the observer as a fraction of the whole, never
+/// decreasing, and records a stop request.
 class Course {
 public:
     explicit Course(const WorkObserver& observe) : observe_(observe) {}
     Course(const Course&) = delete;
     Course& operator=(const Course&) = delete;
 
-    /// What is told from now on is about `view`, and goes from `first` to `last` of the whole.
+    /// Starts a part: subsequent reports are about `view` and range from `first` to `last` of the whole.
     void enter(double first, double last, std::size_t view);
 
-    /// `fraction`: of the part.
+    /// `fraction`: progress within the part.
     Verdict tell(std::string_view stage, double fraction, const IterationReport* iteration = nullptr);
     bool isStopped() const { return isStopped_; }
 

@@ -16,9 +16,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double tracingShare = 0.1;   // of the whole, where something has to be traced
-constexpr int maxEstimates = 3;   // of the geometry; most are settled by the second
-constexpr double firstShare = 0.7;   // of the rest, for what may be all there is to do
+constexpr double tracingShare = 0.1;   // share of the whole work, if anything must be traced
+constexpr int maxEstimates = 3;   // geometry estimates; most converge by the second
+constexpr double firstShare = 0.7;   // share of the rest for the first registration, often the only one
 
 Result<std::vector<std::size_t>> plannedViews(const Case& session, RegistrationPlan::Views views)
 {
@@ -34,13 +34,13 @@ Result<std::vector<std::size_t>> plannedViews(const Case& session, RegistrationP
     return registeredViews(session);
 }
 
-/// What a view lacks is said of its file where there are several.
+/// With several views, adds the image file to the error.
 Error about(const Error& error, const View& view, std::size_t viewCount)
 {
     return viewCount > 1 && !error.isStop() ? error.about(view.imageFile.path) : error;
 }
 
-/// The vessels of the views that are registered, and what finding them took (NaN where they were known).
+/// Targets of the registered views, and the tracing times (NaN if the target was known).
 struct TracedViews {
     std::vector<Centerline2d> targets;
     std::vector<double> tookMs;
@@ -74,13 +74,13 @@ Result<TracedViews> traceViews(const Case& session, const std::vector<std::size_
     return traced;
 }
 
-/// A part of the course, as shares of it.
+/// A part of the progress, as fractions of the whole.
 struct Part {
     double first;
     double last;
 };
 
-/// What a solver says of the views at `places` goes to the course as a part of it.
+/// Forwards the solver's reports on the views at `places` as one part of the progress.
 IterationObserver solverObserver(Course& course, const std::vector<std::size_t>& places, const Part& part)
 {
     return [&course, &places, part](const IterationReport& report) {
@@ -89,8 +89,8 @@ IterationObserver solverObserver(Course& course, const std::vector<std::size_t>&
     };
 }
 
-/// What holds for all views together belongs to the first one: its depth is known from the others. Where they are not
-/// trusted together none of them is.
+/// Returns the result of one view. The joint uncertainty goes to the first view, whose depth is known from the others.
+/// If the joint result is unreliable, so is every single one.
 RegistrationResult resultOfAll(const MultiViewResult& joint, std::size_t view)
 {
     RegistrationResult result = joint.views[view];
@@ -107,11 +107,11 @@ RegistrationResult resultOfAll(const MultiViewResult& joint, std::size_t view)
     return result;
 }
 
-/// What every result of a run keeps besides what was found.
+/// Data that every result of a registration stores in addition to its findings.
 struct RunNotes {
     Provenance provenance;
     double readMs;
-    std::vector<double> traceMs;   ///< of each registered view
+    std::vector<double> traceMs;   ///< per registered view
 
     void addTo(RegistrationResult& result, std::size_t number, const View& view) const
     {
@@ -122,7 +122,7 @@ struct RunNotes {
     }
 };
 
-/// `spreads`: how far the cameras may be off, where that is not by where they come from any more.
+/// `spreads`: uncertainties of the cameras, if no longer given by the origin of their values.
 Status registerOne(RegisteredCase& run, const RunNotes& notes, std::span<const CameraSpread> spreads,
                    const IterationObserver& observe)
 {
@@ -168,7 +168,7 @@ Status registerTogether(RegisteredCase& run, const RunNotes& notes, std::span<co
     }
     run.joint = std::move(joint).value();
     run.joint->warnings.insert(run.joint->warnings.begin(), inputs.notes.begin(), inputs.notes.end());
-    const double totalMs = watch.lapMs();   // one run found them all
+    const double totalMs = watch.lapMs();   // one registration found all of them
     for (std::size_t k = 0; k < run.places.size(); ++k) {
         RegistrationResult& result = run.joint->views[k];
         result.time.totalMs = totalMs;
@@ -192,7 +192,7 @@ Status registerPlanned(RegisteredCase& run, const RunNotes& notes, std::span<con
                                  : registerOne(run, notes, spreads, observe);
 }
 
-/// The geometry of the planned views as it was given, and what of it was corrected since.
+/// Original geometry of the planned views, and the corrections made since.
 class GivenGeometry {
 public:
     explicit GivenGeometry(const RegisteredCase& run)
@@ -206,8 +206,8 @@ public:
 
     const std::vector<CameraSpread>& spreads() const { return spreads_; }
 
-    /// Takes over the cameras that the images show; false where those are the ones that the views have. They start
-    /// where they started.
+    /// Applies the cameras estimated from the images and resets the initial poses; returns false if the views already
+    /// have these cameras.
     bool correct(RegisteredCase& run)
     {
         bool isChanged = false;
@@ -223,7 +223,7 @@ public:
         return isChanged;
     }
 
-    /// What was corrected, in words, in the results that rest on it.
+    /// Adds a note about the corrections to the results that depend on them.
     void tell(RegisteredCase& run) const
     {
         for (std::size_t k = 0; k < spreads_.size(); ++k) {
@@ -247,7 +247,7 @@ private:
     std::vector<CameraSpread> spreads_;
 };
 
-/// Whatever fits: images that are not of one patient, or of opposite sides of one, tell no pose.
+/// Marks the results as unreliable, whatever the fit, if the images come from different patients or opposite sides.
 void distrustOtherPatients(RegisteredCase& run)
 {
     Case registered;
@@ -288,8 +288,8 @@ bool isContradicted(const RegisteredCase& run)
     });
 }
 
-/// Registers; where that contradicts the geometry, again with the one that the images show, until they show no other.
-/// An estimate that does not end in a fit to be trusted is dropped: a wrong pose shows a wrong geometry.
+/// Registers, and repeats with the geometry estimated from the images as long as they contradict the current one. An
+/// estimate that does not lead to a reliable fit is discarded, because a wrong pose implies a wrong geometry.
 Status registerEstimating(RegisteredCase& run, const RunNotes& notes, Course& course, double begin)
 {
     GivenGeometry geometry(run);

@@ -2,7 +2,7 @@
 
 namespace angiopose::ui {
 
-/// Everything the window can be asked to do, in the order of the menus.
+/// All commands of the main window, in menu order.
 enum class Command {
     // File
     Open,

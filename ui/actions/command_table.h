@@ -26,14 +26,14 @@ enum class Menu {
     Help
 };
 
-/// What a command says, its keys separated by "; ", and its traits.
+/// Label of a command, its shortcuts separated by "; ", and its traits.
 struct CommandRow {
     Command command;
     const char* text;   ///< English, translated by CommandTable::tr
     const char* keys = "";
     unsigned traits = 0;
 
-    QString name() const;   ///< "copy-pose-as-matrix": in the settings, the same in every language
+    QString name() const;   ///< "copy-pose-as-matrix": key in the settings, independent of the language
 };
 
 struct MenuRows {
@@ -42,17 +42,17 @@ struct MenuRows {
     std::span<const CommandRow> commands;
 };
 
-/// The one list of all commands: menus, keys and the key sheet are made from it.
+/// Single list of all commands; menus, shortcuts and the shortcut sheet are built from it.
 class CommandTable {
     Q_DECLARE_TR_FUNCTIONS(angiopose::ui::CommandTable)
 public:
     enum Trait : unsigned {
-        Switch = 1,   ///< stays on until called again
-        StartsGroup = 2,   ///< a separator comes before it
-        Repeats = 4   ///< again and again while the key is held
+        Switch = 1,   ///< checkable: stays on until triggered again
+        StartsGroup = 2,   ///< preceded by a separator
+        Repeats = 4   ///< auto-repeats while the key is held
     };
 
-    /// Menus in the order of the bar; Exports lies in File, from Brightness to Mouse they lie in View.
+    /// Menus in menu-bar order; Exports is a submenu of File, and Brightness to Mouse are submenus of View.
     static std::span<const MenuRows> menus();
 
 private:

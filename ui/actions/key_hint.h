@@ -11,11 +11,11 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// The keys the user chose, as people write them ("" for none); the others have those of the command table. Like theme
-/// and language one choice for the whole program: see `speakAgain`.
+/// Sets the user-defined shortcuts in portable text form ("" for none); all other commands keep those of the command
+/// table. Applies to the whole program, like theme and language: see `speakAgain`.
 void setChosenKeys(std::map<Command, QString> chosen);
 
-QString keyOf(Command command);   ///< "" when it has none
+QString keyOf(Command command);   ///< "" if the command has no shortcut
 
 /// "Register  R": the key where the thing is.
 QString withKey(const QString& words, Command command);
@@ -23,10 +23,10 @@ QString withKey(const QString& words, Command command);
 /// "Finds the pose. (R)": the key behind the sentence of a tool tip.
 QString tipWithKey(const QString& sentence, Command command);
 
-/// A button for a mode, its key in its tip; see `follow`.
+/// Creates a button for a mode with its shortcut in the tooltip; see `follow`.
 QPushButton* modeButton(const Words& text, Command command);
 
-/// Makes a button do what an action does, and be as the action is.
+/// Makes a button trigger an action and mirror its checked and enabled state.
 void follow(QPushButton& button, QAction& action);
 
 }   // namespace angiopose::ui

@@ -9,15 +9,15 @@ class QAction;
 
 namespace angiopose::ui {
 
-/// One line of the key sheet.
+/// One line of the shortcut sheet.
 struct KeyLine {
-    QString heading;   ///< where the key works
+    QString heading;   ///< context in which the shortcut works
     QString keys;
     QString effect;
-    QAction* action = nullptr;   ///< whose key can be changed; null where it is fixed
+    QAction* action = nullptr;   ///< action with an editable shortcut; null for fixed keys
 };
 
-/// The keys that are fixed, mode by mode and view by view, and what the mouse does.
+/// Lists the fixed keys by mode and view, and the mouse actions.
 std::vector<KeyLine> keyNotes(const MousePreset& mouse);
 
 }   // namespace angiopose::ui

@@ -4,10 +4,10 @@
 
 namespace angiopose::ui {
 
-/// What dragging on the angiogram does when no tool takes the drag.
+/// Action of a drag on the angiogram that no tool handles.
 enum class DragAction { None, WindowLevel, Pan, Zoom, Frames };
 
-/// Habits from other programs: a drag action for each button. Ctrl+left is window and level in all of them.
+/// Mouse conventions of other programs: one drag action per button. Ctrl+left adjusts window/level in every preset.
 struct MousePreset {
     DragAction left = DragAction::WindowLevel;
     DragAction shiftLeft = DragAction::WindowLevel;
@@ -29,11 +29,11 @@ struct MousePreset {
     }
 };
 
-/// As in most viewers (Weasis, OHIF): left windows, middle pans, right zooms.
+/// As in most viewers (Weasis, OHIF): left adjusts window/level, middle pans, right zooms.
 inline constexpr MousePreset radiologyMouse{};
 /// As in 3D Slicer: left only picks, Shift+left and middle pan, right zooms.
 inline constexpr MousePreset slicerMouse{DragAction::None, DragAction::Pan, DragAction::Pan, DragAction::Zoom};
-/// As IHE's Basic Image Review starts: left runs through the frames, Shift+left pans.
+/// Default of IHE Basic Image Review: left scrolls through the frames, Shift+left pans.
 inline constexpr MousePreset scrollMouse{DragAction::Frames, DragAction::Pan, DragAction::Pan, DragAction::Zoom};
 
 }   // namespace angiopose::ui

@@ -14,7 +14,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr std::array choices{Menu::Colors, Menu::Theme, Menu::Language, Menu::Mouse};   ///< one of each is on
+constexpr std::array choices{Menu::Colors, Menu::Theme, Menu::Language, Menu::Mouse};   ///< exclusive choices
 
 bool isChoice(Menu menu)
 {

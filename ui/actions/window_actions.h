@@ -16,7 +16,8 @@ class QWidget;
 
 namespace angiopose::ui {
 
-/// The window's named actions with their keys, made from the table that also feeds menus and key sheet.
+/// Named actions of the main window with their shortcuts, built from the table that also feeds the menus and the
+/// shortcut sheet.
 class WindowActions : public QObject {
     Q_OBJECT
 public:
@@ -25,7 +26,7 @@ public:
     QAction* operator[](Command command) const { return actions_.at(command); }
     QMenu* recentMenu() const { return recent_; }
     void fillMenus(QMenuBar* menuBar);
-    /// Every command with its key, the keys that are fixed, and what the mouse does.
+    /// Lists every command with its shortcut, the fixed keys and the mouse actions.
     std::vector<KeyLine> keySheet(const MousePreset& mouse) const;
 
 private:

@@ -65,7 +65,7 @@ QLayout* ArchiveDialog::makeButtons()
     row->addWidget(close);
     row->addWidget(retrieve_);
     for (QPushButton* button : {part_, close, retrieve_}) {
-        button->setAutoDefault(false);   // Return in a field searches
+        button->setAutoDefault(false);   // Return in a field starts the search instead
     }
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
     connect(part_, &QPushButton::clicked, this, &ArchiveDialog::partRequested);

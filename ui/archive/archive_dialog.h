@@ -16,7 +16,8 @@ class ReceiveLine;
 class SearchFields;
 class TransferLine;
 
-/// Asks an archive: which one, what to look for, what to bring here. Shows what it is told; deletes itself when closed.
+/// Queries an archive: selects the archive, searches it and retrieves series. Displays the values it is given; deletes
+/// itself when closed.
 class ArchiveDialog : public QDialog {
     Q_OBJECT
 public:
@@ -29,8 +30,8 @@ public:
     CacheLine& cache() { return *cache_; }
     ReceiveLine& receive() { return *receive_; }
 
-    void showState();   ///< what can be done now
-    void offerPart(bool isOffered);   ///< to open what came of a retrieval that did not end well
+    void showState();   ///< updates which actions are available
+    void offerPart(bool isOffered);   ///< offers to open the result of an incomplete retrieval
 
 signals:
     void retrieveRequested();

@@ -6,13 +6,13 @@
 
 namespace angiopose::ui {
 
-/// An archive as the user enters it. Of keys and passwords only the paths of their files.
+/// Archive settings as entered by the user. Keys and passwords are stored only as file paths.
 struct ArchiveEntry {
-    QString name;   ///< by which the user calls it
+    QString name;   ///< display name chosen by the user
     QString host;   ///< empty: DICOMweb only
     int port = 104;
-    QString title = QStringLiteral("ANY-SCP");   ///< its AE title
-    QString ownTitle = QStringLiteral("ANGIOPOSE");   ///< ours
+    QString title = QStringLiteral("ANY-SCP");   ///< called AE title
+    QString ownTitle = QStringLiteral("ANGIOPOSE");   ///< calling AE title
     int receivePort = 0;   ///< 0: none
     bool isTls = false;
     QString caFile, certificateFile, keyFile;
@@ -21,29 +21,29 @@ struct ArchiveEntry {
     int answerSeconds = 9;
 };
 
-/// Who may push to our port, and how. Of keys only the paths of their files.
+/// Allowed senders of the storage SCP and its TLS settings. Keys are stored only as file paths.
 struct PortEntry {
-    QString titles, hosts;   ///< that may call, with commas between them; empty: any
+    QString titles, hosts;   ///< allowed callers, comma-separated; empty: any
     bool isTls = false;
     QString caFile, certificateFile, keyFile;
 };
 
-/// What is looked for; what is empty is not asked about.
+/// Search criteria; empty fields are not part of the query.
 struct ArchiveSearch {
     QString patientName, patientId;
-    QString from, to;   ///< of the study, as typed
+    QString from, to;   ///< study dates, as typed
     QString modality;
 };
 
-/// A study or series that an archive holds, in words.
+/// Display texts of a study or series found in an archive.
 struct MatchRow {
     QString key;
-    QString what;   ///< the patient; of a series its number
+    QString what;   ///< patient of a study, or number of a series
     QString patientId;
     QString date;
     QString modality;
     QString description;
-    int images = 0;   ///< 0: not told
+    int images = 0;   ///< 0: not reported
 };
 
 }   // namespace angiopose::ui

@@ -15,11 +15,11 @@ namespace {
 
 constexpr int matchKeyRole = Qt::UserRole;
 constexpr int imagesRole = Qt::UserRole + 1;
-constexpr int wantedRole = Qt::UserRole + 2;   ///< the series of the study are there or on their way
+constexpr int wantedRole = Qt::UserRole + 2;   ///< series of the study are loaded or requested
 
 enum MatchColumn { What, PatientId, Date, MatchModality, MatchDescription, MatchImages, MatchColumnCount };
 
-/// Sorted by numbers where they are numbers, within words too: series 9 before series 10.
+/// Sorts numbers by value, also inside text: series 9 comes before series 10.
 class MatchItem : public QTreeWidgetItem {
 public:
     using QTreeWidgetItem::QTreeWidgetItem;
@@ -100,7 +100,7 @@ void MatchList::showStudies(const std::vector<MatchRow>& studies)
     emit choiceChanged();
 }
 
-/// Long names and IDs leave room for the description.
+/// Limits the width of long names and IDs to leave room for the description.
 void MatchList::fitColumns()
 {
     for (int column : {What, PatientId, Date, MatchModality, MatchImages}) {

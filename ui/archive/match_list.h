@@ -7,7 +7,7 @@
 
 namespace angiopose::ui {
 
-/// Studies of an archive, each with its series once they are asked for. Several may be chosen.
+/// Studies of an archive with multiple selection; the series of a study are loaded on demand.
 class MatchList : public QTreeWidget {
     Q_OBJECT
 public:
@@ -15,13 +15,13 @@ public:
 
     void showStudies(const std::vector<MatchRow>& studies);
     void showSeries(const QString& studyKey, const std::vector<MatchRow>& series);
-    /// Why the series of a study are not there; they are asked for again when it is unfolded again.
+    /// Marks the series of a study as not loaded; expanding the study again requests them again.
     void showNoSeries(const QString& studyKey);
-    /// Said in the middle of an empty list.
+    /// Sets the text shown in the middle of an empty list.
     void setEmptyWords(const QString& words);
 
     struct Chosen {
-        QString study, series;   ///< keys; without a series: all of the study
+        QString study, series;   ///< keys; an empty series means the whole study
     };
     std::vector<Chosen> chosen() const;
 

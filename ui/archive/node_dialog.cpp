@@ -22,7 +22,7 @@ constexpr int maxAeLetters = 16;
 constexpr int maxNameLetters = 64;
 constexpr int nodeFieldWidth = 400;
 
-/// The fields of all forms below each other.
+/// Aligns the fields of all forms of the dialog.
 void alignNames(const QDialog& dialog)
 {
     int widest = 0;

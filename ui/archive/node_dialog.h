@@ -12,11 +12,11 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// The path of a file that may be typed or chosen.
+/// Field for a file path that can be typed or chosen.
 class PathField : public QWidget {
     Q_OBJECT
 public:
-    /// `name` is what it is called where it cannot be seen.
+    /// `name` is the accessible name.
     explicit PathField(const QString& name, QWidget* parent = nullptr);
 
     void setPath(const QString& path);
@@ -34,7 +34,7 @@ class NumberField;
 class PathField;
 class TransferLine;
 
-/// Asks how an archive is reached. Stays open until what was entered is found to be good; deletes itself when closed.
+/// Edits the connection settings of an archive. Stays open until the input is accepted; deletes itself when closed.
 class NodeDialog : public QDialog {
     Q_OBJECT
 public:
@@ -45,7 +45,7 @@ public:
     TransferLine& line() { return *line_; }
 
 signals:
-    void saveRequested(const ui::ArchiveEntry& entry);   ///< answer with `accept` or a problem in the line
+    void saveRequested(const ui::ArchiveEntry& entry);   ///< the receiver answers with `accept` or shows a problem
     void testRequested(const ui::ArchiveEntry& entry);
 
 private:

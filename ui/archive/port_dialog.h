@@ -13,7 +13,7 @@ namespace angiopose::ui {
 class PathField;
 class TransferLine;
 
-/// Asks who may push to our port, and whether encrypted. Stays open until what was entered is found to be good; deletes
+/// Edits who may send to the storage SCP and whether TLS is required. Stays open until the input is accepted; deletes
 /// itself when closed.
 class PortDialog : public QDialog {
     Q_OBJECT
@@ -24,7 +24,7 @@ public:
     TransferLine& line() { return *line_; }
 
 signals:
-    void saveRequested(const ui::PortEntry& entry);   ///< answer with `accept` or a problem in the line
+    void saveRequested(const ui::PortEntry& entry);   ///< the receiver answers with `accept` or shows a problem
 
 private:
     QFormLayout* makeForm();

@@ -13,7 +13,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int maxTitleLetters = 16;   // PS3.5 6.2, AE
+constexpr int maxTitleLetters = 16;   // AE title limit, PS3.5 6.2
 
 }   // namespace
 
@@ -41,7 +41,7 @@ ReceiveLine::ReceiveLine(QWidget* parent)
     security_->setAutoDefault(false);
     security_->setToolTip(tr("Who may call this port, and encryption (TLS)"));
     words_->setObjectName(QStringLiteral("receiveWords"));
-    words_->setTextFormat(Qt::PlainText);   // callers choose their names
+    words_->setTextFormat(Qt::PlainText);   // calling AE titles are untrusted text
     words_->setWordWrap(true);
     open_->setAutoDefault(false);
     open_->setToolTip(tr("Choose from what came"));

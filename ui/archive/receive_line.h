@@ -11,7 +11,7 @@ namespace angiopose::ui {
 
 class NumberField;
 
-/// A port to which modalities and archives may push: on or off, and what came.
+/// Switches the storage SCP on and off and shows what was received.
 class ReceiveLine : public QWidget {
     Q_OBJECT
 public:
@@ -19,7 +19,7 @@ public:
 
     void showPort(int port, const QString& title);
     void showListening(bool isListening);
-    /// `words` say what came; `canOpen`: something that can be looked at.
+    /// Shows a summary of the received objects; `canOpen`: some of them can be opened.
     void showArrivals(const QString& words, bool canOpen);
     int port() const;
     QString title() const;
@@ -40,13 +40,13 @@ private:
 
 class NumberField;
 
-/// How much of what was retrieved is kept, and how much may be.
+/// Shows the size of the retrieval cache and edits its limit.
 class CacheLine : public QWidget {
     Q_OBJECT
 public:
     explicit CacheLine(QWidget* parent = nullptr);
 
-    /// `size` in words; `folder` is where it lies.
+    /// Shows the formatted `size` of the cache and its `folder`.
     void showCache(const QString& size, bool isEmpty, double limitGb, const QString& folder);
     void setBusy(bool isBusy);
 

@@ -12,7 +12,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// A field with its name above.
+/// Creates a field with its label above it.
 QVBoxLayout* namedField(const QString& name, QWidget* field)
 {
     auto* label = roleLabel("label", name);

@@ -10,7 +10,7 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// What is looked for in an archive. Return in any field searches.
+/// Search criteria for an archive. Return in any field starts the search.
 class SearchFields : public QWidget {
     Q_OBJECT
 public:

@@ -9,14 +9,14 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// Which archive is meant, and the list of archives: add, edit, remove, test.
+/// Selects an archive and manages the list of archives: add, edit, remove, test.
 class NodeBar : public QWidget {
     Q_OBJECT
 public:
     explicit NodeBar(QWidget* parent = nullptr);
 
     void showNodes(const QStringList& names, const QString& chosen);
-    QString node() const;   ///< empty: there is none yet
+    QString node() const;   ///< empty if no archive is configured
     void setBusy(bool isBusy);
 
 signals:
@@ -40,7 +40,8 @@ private:
 class NodeBar;
 class TransferLine;
 
-/// Asks to which archive the DICOM objects of a case are sent, and shows how that goes; deletes itself when closed.
+/// Selects the archive that receives the DICOM objects of a case and shows the transfer progress; deletes itself when
+/// closed.
 class SendDialog : public QDialog {
     Q_OBJECT
 public:
@@ -49,9 +50,9 @@ public:
     NodeBar& nodes() { return *nodes_; }
     TransferLine& line() { return *line_; }
 
-    void showState();   ///< what can be done now
-    void showNode();   ///< which is chosen now, or that there is none
-    void showSent(const QString& words);   ///< nothing is left to do
+    void showState();   ///< updates which actions are available
+    void showNode();   ///< shows the selected archive, or that there is none
+    void showSent(const QString& words);   ///< the transfer is complete
 
 signals:
     void sendRequested();

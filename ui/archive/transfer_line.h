@@ -8,17 +8,17 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// What is going on with an archive, how far it is, Stop; afterwards what became of it.
+/// Shows the running archive transfer with progress and Stop, then its outcome.
 class TransferLine : public QWidget {
     Q_OBJECT
 public:
     explicit TransferLine(QWidget* parent = nullptr);
 
     void showHint(const QString& words);   ///< what to do next
-    void showBusy(const QString& words);   ///< without an end in sight
+    void showBusy(const QString& words);   ///< indeterminate progress
     void showProgress(const QString& words, qsizetype done, qsizetype all);
     void showDone(const QString& words);
-    void showProblem(const QString& words);   ///< and what to do about it
+    void showProblem(const QString& words);   ///< the problem and its remedy
     bool isBusy() const { return isBusy_; }
     QString words() const;
 

@@ -10,7 +10,7 @@ namespace {
 
 using Glyph = GlyphButton::Glyph;
 
-/// An arrow head at its tip; `along` is where it points, of length 1.
+/// Adds an arrowhead at its tip; `along` is the unit vector of its direction.
 void addHead(QPainterPath& path, const QPointF& tip, const QPointF& along)
 {
     constexpr double length = 3.2;
@@ -20,7 +20,7 @@ void addHead(QPainterPath& path, const QPointF& tip, const QPointF& along)
     path.lineTo(tip - length * along - length * across);
 }
 
-/// Around the origin, 12 px wide at most.
+/// Glyph outline centered on the origin, at most 12 px wide.
 QPainterPath pathOf(Glyph glyph)
 {
     QPainterPath path;

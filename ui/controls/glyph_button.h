@@ -4,7 +4,7 @@
 
 namespace angiopose::ui {
 
-/// A tool button with a drawn sign in the tone of its text, sharp at any scale. Needs an accessible name.
+/// Tool button with a vector glyph in the text color, sharp at any scale. Needs an accessible name.
 class GlyphButton : public QToolButton {
     Q_OBJECT
 public:

@@ -7,11 +7,11 @@ class QWidget;
 
 namespace angiopose::ui {
 
-/// The least height of a widget whose content comes and goes: it grows at once and shrinks only after the content has
-/// been at rest, so that nothing below it moves under the hand.
+/// Minimum height of a widget with changing content: grows at once and shrinks only after the content has been stable
+/// for a while, to keep the widgets below it from jumping under the pointer.
 class LingeringHeight : public QObject {
 public:
-    /// `least` holds from the start. Belongs to the widget.
+    /// `minPx` is the initial minimum height. Owned by the widget.
     LingeringHeight(QWidget& widget, int minPx);
 
     void ask(int heightPx);

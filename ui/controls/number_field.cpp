@@ -22,7 +22,7 @@ namespace {
 
 constexpr QChar fieldMinusSign{0x2212};
 
-/// The box whose value a wheel over the widget would change.
+/// Returns the combo box, spin box or slider whose value a wheel event over the widget would change.
 QWidget* guarded(QObject* watched)
 {
     const bool holdsValue = qobject_cast<QComboBox*>(watched) || qobject_cast<QAbstractSpinBox*>(watched) ||
@@ -37,7 +37,7 @@ NumberField::NumberField(NumberFormat format, QWidget* parent) : QLineEdit(paren
     setProperty("role", "number");
     setUnit(format_.unit);
     connect(this, &QLineEdit::returnPressed, this, &NumberField::commit);
-    speak(this, [this] { showValue(value_); });   // with the decimal sign of the language
+    speak(this, [this] { showValue(value_); });   // decimal separator of the language
 }
 
 void NumberField::setUnit(const QString& unit)
@@ -67,7 +67,7 @@ void NumberField::setAsking(bool asking)
 
 bool NumberField::event(QEvent* event)
 {
-    // Up, Down and Esc belong to the field while it has the focus, not to the window's shortcuts.
+    // Up, Down and Esc go to the focused field, not to the window's shortcuts.
     if (event->type() == QEvent::ShortcutOverride) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_Escape) {
@@ -95,7 +95,7 @@ void NumberField::wheelEvent(QWheelEvent* event)
         event->ignore();
         return;
     }
-    // Alt and Shift turn the wheel sideways on some desktops.
+    // Alt and Shift make the wheel horizontal on some desktops.
     const QPoint delta = event->angleDelta();
     const int notches = delta.y() != 0 ? delta.y() : delta.x();
     stepBy(notches / 120.0, event->modifiers());
@@ -192,11 +192,11 @@ bool WheelGuard::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::Polish) {
         if (QWidget* box = guarded(watched); box && box->focusPolicy() == Qt::WheelFocus) {
-            box->setFocusPolicy(Qt::StrongFocus);   // else the wheel itself would give it the keys
+            box->setFocusPolicy(Qt::StrongFocus);   // otherwise the wheel would give it focus
         }
     } else if (event->type() == QEvent::Wheel) {
         if (const QWidget* box = guarded(watched); box && !box->hasFocus()) {
-            event->ignore();   // goes on to what lies around
+            event->ignore();   // passed on to the surrounding scroll area
             return true;
         }
     }

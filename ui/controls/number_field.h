@@ -8,28 +8,28 @@ namespace angiopose::ui {
 
 enum class NumberSign { WhenNegative, Always };
 
-/// What a number field accepts and how it shows it.
+/// Range and display format of a number field.
 struct NumberFormat {
     double min = 0.0;
     double max = 0.0;
     int decimals = 0;
     QString unit;
-    double step = 1.0;   ///< of arrow keys and wheel; Shift ten times, Ctrl a tenth
+    double step = 1.0;   ///< step of arrow keys and wheel; ×10 with Shift, ×0.1 with Ctrl
     NumberSign sign = NumberSign::WhenNegative;
 };
 
-/// A number with its unit in hint tone inside the field. Accepts '.' and ','; the wheel turns it only while it has
-/// the focus; Enter or leaving commits, Esc takes the typing back.
+/// Number field with its unit shown inside in a muted tone. Accepts '.' and ','; the wheel changes it only while it has
+/// focus; Enter or losing focus commits, Esc reverts.
 class NumberField : public QLineEdit {
     Q_OBJECT
 public:
     explicit NumberField(NumberFormat format, QWidget* parent = nullptr);
 
-    void showValue(std::optional<double> value);   ///< silent; leaves text alone that the user is typing
+    void showValue(std::optional<double> value);   ///< emits no signal; does not overwrite text being typed
     std::optional<double> value() const { return value_; }
     void setUnit(const QString& unit);
-    void setDecimals(int decimals) { format_.decimals = decimals; }   ///< of what is shown next
-    void setAsking(bool asking);   ///< glows: somebody should type or confirm this
+    void setDecimals(int decimals) { format_.decimals = decimals; }   ///< takes effect at the next update
+    void setAsking(bool asking);   ///< highlights a value to be entered or confirmed
 
 signals:
     void edited(double value);
@@ -52,8 +52,8 @@ private:
     std::optional<double> value_;
 };
 
-/// The wheel turns a number or a choice only while that has the keys, and else scrolls what lies around it: nobody
-/// changes a case in passing. Holds for every box of the application, those of dialogs too.
+/// Lets the wheel change a combo box, spin box or slider only while it has focus; otherwise the wheel scrolls the
+/// surrounding area, which prevents accidental edits. Applies to the whole application, including dialogs.
 class WheelGuard : public QObject {
     Q_OBJECT
 public:

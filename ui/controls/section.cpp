@@ -9,8 +9,8 @@
 namespace angiopose::ui {
 namespace {
 
-/// A label that remembers how high its words are at a width: layouts ask for it again whenever a column folds or
-/// unfolds, and each answer shapes the text anew.
+/// Label that caches its height for a width: layouts ask for it whenever a column folds or unfolds, and each answer
+/// would lay the text out again.
 class WrappedLabel : public QLabel {
 public:
     using QLabel::QLabel;
@@ -21,7 +21,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    mutable QString askedAbout_;   ///< text and role that the heights are of
+    mutable QString askedAbout_;   ///< text and role of the cached heights
     mutable QHash<int, int> heightAt_;
 };
 
@@ -30,7 +30,7 @@ int WrappedLabel::heightForWidth(int width) const
     if (!wordWrap()) {
         return QLabel::heightForWidth(width);
     }
-    const QString about = property("role").toString() + text();   // a role has a font and room of its own
+    const QString about = property("role").toString() + text();   // each role has its own font and padding
     if (about != askedAbout_) {
         askedAbout_ = about;
         heightAt_.clear();
@@ -39,7 +39,7 @@ int WrappedLabel::heightForWidth(int width) const
     return known != heightAt_.cend() ? *known : *heightAt_.insert(width, QLabel::heightForWidth(width));
 }
 
-/// Font or style: the next question is a new one.
+/// Clears the cache when the font or style changes.
 void WrappedLabel::changeEvent(QEvent* event)
 {
     heightAt_.clear();
@@ -85,7 +85,7 @@ Section::Section(const char* name, const Words& title, Folding folding, QWidget*
         fold_ = new QToolButton;
         fold_->setProperty("role", "fold");
         fold_->setArrowType(Qt::DownArrow);
-        fold_->setFocusPolicy(Qt::TabFocus);   // a click leaves no mark
+        fold_->setFocusPolicy(Qt::TabFocus);   // no focus rectangle after a click
         withName(fold_, [title] { return tr("Fold %1").arg(title()); });
         connect(fold_, &QToolButton::clicked, this, [this] { setFolded(!isFolded()); });
         title_->installEventFilter(this);

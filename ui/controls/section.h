@@ -9,7 +9,7 @@
 
 namespace angiopose::ui {
 
-/// A line of text that yields: what does not fit ends in "…" and stands whole in the tool tip.
+/// Single-line label that shrinks: text that does not fit is elided with "…" and shown in full in the tooltip.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 public:
@@ -24,11 +24,11 @@ protected:
 
 enum class Folding { Fixed, Foldable };
 
-/// A part of a column: heading, hint on its right, content below. Told apart by tone and space, not by lines.
+/// Part of a column: heading, hint at its right, content below. Separated by tone and spacing, not by lines.
 class Section : public QWidget {
     Q_OBJECT
 public:
-    /// `name` is the object name, by which the folding is remembered.
+    /// `name` is the object name, used as the key of the saved folding state.
     Section(const char* name, const Words& title, Folding folding, QWidget* parent = nullptr);
 
     void setHint(const QString& hint);
@@ -51,7 +51,7 @@ private:
     QVBoxLayout* contentLayout_;
 };
 
-/// A label of the given role ("heading", "label", "hint", "strong", "attention"): its tone comes from the theme.
+/// Creates a label of the given role ("heading", "label", "hint", "strong", "attention"); the theme sets its color.
 QLabel* roleLabel(const char* role, const QString& text = {}, QWidget* parent = nullptr);
 
 /// Changes the role of a widget and restyles it at once.

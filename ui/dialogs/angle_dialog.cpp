@@ -81,7 +81,7 @@ void SimulatedView::paintEvent(QPaintEvent*)
 
 void SimulatedView::paintBranch(QPainter& painter, const core::VesselBranch& branch, double scale) const
 {
-    const Palette& tones = ui::palette(ThemeMode::Dark);   // the ground is dark in every theme
+    const Palette& tones = ui::palette(ThemeMode::Dark);   // dark background in every theme
     QPen pen(toQColor(branch.id == branchId_ ? tones.accent : tones.label));
     pen.setCapStyle(Qt::RoundCap);
     std::optional<Eigen::Vector2d> before;

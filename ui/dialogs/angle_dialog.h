@@ -16,13 +16,13 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// The vessels as the detector would show them, as wide as they are, what is looked at in the accent.
+/// Simulated view of the vessels on the detector at their true width, with the target branch in the accent color.
 class SimulatedView : public QWidget {
     Q_OBJECT
 public:
     explicit SimulatedView(QWidget* parent = nullptr);
 
-    /// No sight: nothing to show yet.
+    /// Without a sight, nothing is shown.
     void showVessels(std::shared_ptr<const core::VesselTree> tree, int branchId,
                      const std::optional<core::Sight>& sight);
     QSize sizeHint() const override { return {230, 230}; }
@@ -42,20 +42,20 @@ class AngleMapPlot;
 class NumberField;
 class SimulatedView;
 
-/// What the gantry reaches.
+/// Gantry angle limits.
 struct GantryReach {
     core::AngleRange primary;
     core::AngleRange secondary;
 };
 
-/// Which C-arm angles show a branch: the map, the best angles, and what would be seen from those that are picked.
-/// Stays open beside the window; shows what it is told, reports what the user wants.
+/// Finds C-arm angles that show a branch well: angle map, best angles and a simulated view of the selected angles.
+/// Non-modal; displays the values it is given and emits signals for user actions.
 class AngleDialog : public QDialog {
     Q_OBJECT
 public:
     AngleDialog(const GantryReach& reach, QWidget* parent);
 
-    void showBranch(const QString& title, const QString& hint);   ///< what is looked at, and what to know of it
+    void showBranch(const QString& title, const QString& hint);   ///< target branch and notes about it
     void showMap(const std::optional<core::AngleMap>& map, const std::optional<core::AngleSuggestion>& now);
     void showPicked(const core::AngleSuggestion& picked);
     void showVessels(std::shared_ptr<const core::VesselTree> tree, int branchId,
@@ -65,7 +65,7 @@ public:
     GantryReach reach() const;
 
 signals:
-    void questionChanged();   ///< take-off or reach
+    void questionChanged();   ///< origin only, or gantry limits
     void picked(const core::GantryAngles& angles);
 
 private:
@@ -80,7 +80,7 @@ private:
     QLabel* picked_;
     QPushButton* now_;
     std::array<QPushButton*, 3> best_{};
-    std::array<NumberField*, 4> reach_{};   ///< RAO, LAO, CAU, CRA
+    std::array<NumberField*, 4> reach_{};   ///< limits of RAO, LAO, CAU, CRA
     std::optional<core::AngleSuggestion> nowAt_;
     std::optional<core::AngleMap> map_;
 };

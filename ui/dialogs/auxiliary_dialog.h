@@ -14,27 +14,27 @@ namespace angiopose::ui {
 
 class NumberField;
 
-/// What one step of the pose hangs on.
+/// Constraint of one pose parameter: expected standard deviations and the branches that determine it.
 struct PinnedStep {
     QString name;   ///< "depth"
     QString unit;
-    double stdOfAll = 0.0;   ///< expected 1-σ with every branch …
-    double stdOfChosen = 0.0;   ///< … and with the chosen ones alone
-    QString pinnedBy;   ///< names of the branches that narrow it most
+    double stdOfAll = 0.0;   ///< expected 1-σ with all branches …
+    double stdOfChosen = 0.0;   ///< … and with the auxiliary branches only
+    QString pinnedBy;   ///< branches that constrain it best
 };
 
-/// What is known about the choice of auxiliary branches.
+/// Assessment of the current set of auxiliary branches.
 struct AuxiliaryAdvice {
     std::vector<PinnedStep> steps;
     QString suggestion;   ///< names of the suggested branches; empty: none
-    QString preview;   ///< what the alternation would use now
-    QString otherMethod;   ///< one that uses the choice throughout; empty: the method of the case does
-    int generations = 0;   ///< deepest known generation + 1; 0: unknown
-    std::optional<double> largestRadiusMm;   ///< nothing: the tree knows no radii
+    QString preview;   ///< branches that the alternation would use now
+    QString otherMethod;   ///< method that uses the subset throughout; empty: the current method already does
+    int generations = 0;   ///< highest known generation + 1; 0: unknown
+    std::optional<double> largestRadiusMm;   ///< empty: the tree has no radii
 };
 
-/// Ways to choose the auxiliary branches, and what the choice tells about the pose. Stays open beside the window;
-/// shows what it is told, reports what the user wants.
+/// Selects the auxiliary branches and shows how well they constrain the pose. Non-modal; displays the values it is
+/// given and emits signals for user actions.
 class AuxiliaryDialog : public QDialog {
     Q_OBJECT
 public:
@@ -45,11 +45,11 @@ public:
 signals:
     void generationRequested(int last);   ///< generations 0 … last
     void radiusRequested(double atLeastMm);
-    void viewRequested();   ///< the branches in view
+    void viewRequested();   ///< branches visible in the view
     void lassoRequested();
     void suggestionRequested();
     void clearRequested();
-    void methodRequested();   ///< the other method
+    void methodRequested();   ///< switches to `otherMethod`
 
 private:
     QLayout* makeWays();

@@ -113,7 +113,7 @@ void BlindTrialDialog::chooseLog()
     auto* dialog = new QFileDialog(this, tr("Log of the trials"), log_->text(), tr("Tables (*.csv)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setOption(QFileDialog::DontConfirmOverwrite);   // trials are added to what is there
+    dialog->setOption(QFileDialog::DontConfirmOverwrite);   // new trials are appended to an existing file
     dialog->setDefaultSuffix(QStringLiteral("csv"));
     connect(dialog, &QFileDialog::fileSelected, log_, &QLineEdit::setText);
     dialog->open();

@@ -13,16 +13,16 @@ namespace angiopose::ui {
 
 class NumberField;
 
-/// What a blind trial needs to know before it begins.
+/// Settings of a blind trial.
 struct BlindTrialSetup {
     QString observer;
     std::uint64_t seed = 1;
     double rangeMm = 15.0;
     double rangeDeg = 8.0;
-    QString logPath;   ///< comma-separated table, one row per trial
+    QString logPath;   ///< CSV file, one row per trial
 };
 
-/// Asks for observer, start range, seed and log of a blind trial.
+/// Asks for the observer, the range of initial poses, the seed and the log file of a blind trial.
 class BlindTrialDialog : public QDialog {
     Q_OBJECT
 public:

@@ -14,13 +14,13 @@ class QPushButton;
 namespace angiopose::ui {
 
 struct PackChoice {
-    Choice identity = Choice::Off;   ///< whether it goes with the case
-    Choice shiftedDates = Choice::Off;   ///< instead of none
-    Choice blackedOut = Choice::Off;   ///< letters that are drawn into the pictures
-    QString pseudonym;   ///< empty: made up
+    Choice identity = Choice::Off;   ///< whether the identity is kept
+    Choice shiftedDates = Choice::Off;   ///< shifts dates instead of removing them
+    Choice blackedOut = Choice::Off;   ///< masks burned-in text
+    QString pseudonym;   ///< empty: generated
 };
 
-/// Asks how a case is packed: without identity unless that is wished. `chosen` follows on Pack.
+/// Asks how to share a case; de-identifies it unless the user keeps the identity. Emits `chosen` on Pack.
 class PackDialog : public QDialog {
     Q_OBJECT
 public:
@@ -38,14 +38,14 @@ private:
     QLineEdit* pseudonym_;
 };
 
-/// What is to be written without identity, where and how.
+/// Files to de-identify, the destination and the options.
 struct DeidentifyChoice {
     QStringList paths;   ///< files and folders
     QString outputFolder;
-    PackChoice how;   ///< its identity is off
+    PackChoice how;   ///< always without identity
 };
 
-/// Asks which files and folders are written without identity. Where they lie is asked by who hears the wishes.
+/// Asks which files and folders to de-identify. The receiver of its requests opens the file dialogs.
 class DeidentifyDialog : public QDialog {
     Q_OBJECT
 public:

@@ -7,7 +7,7 @@ class QString;
 
 namespace angiopose::ui {
 
-/// The row below a dialog: what rejects it, and the primary button that accepts it, by Enter too.
+/// Creates the button row of a dialog: Cancel, and the default button that accepts (also by Enter).
 QHBoxLayout* dialogButtons(QDialog& dialog, const QString& cancel, QPushButton& accept);
 
 }   // namespace angiopose::ui

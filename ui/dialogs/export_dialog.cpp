@@ -137,7 +137,7 @@ ExportChoice ExportDialog::choice() const
     return result;
 }
 
-/// What does not belong to the picture that is wanted cannot be chosen.
+/// Disables options that do not apply to the selected content.
 void ExportDialog::showPart()
 {
     const auto part = static_cast<PicturePart>(part_->currentIndex());

@@ -20,28 +20,28 @@ enum class Choice { Off, On };
 enum class PictureFormat { Png, Svg, Pdf };
 enum class PicturePart { Overlay, Frame, Frame16 };
 
-/// How the user wants the overlay exported.
+/// Options of an overlay export.
 struct ExportChoice {
     int widthPx = 1024;
     Choice residualColors = Choice::On;
     Choice identity = Choice::Off;
-    Choice english = Choice::Off;   ///< texts in the picture, where the window speaks another language
-    Choice cutout = Choice::Off;   ///< swipe or lens, where the window has one
-    Choice startBeside = Choice::Off;   ///< a second picture with the vessels at the start pose
+    Choice english = Choice::Off;   ///< English labels although the window uses another language
+    Choice cutout = Choice::Off;   ///< swipe or lens, if active in the window
+    Choice startBeside = Choice::Off;   ///< second image with the vessels at the initial pose
     PictureFormat format = PictureFormat::Png;
-    PicturePart part = PicturePart::Overlay;   ///< grey values of 16 bit: PNG alone, at the frame's own size
+    PicturePart part = PicturePart::Overlay;   ///< Frame16 (16-bit gray values): PNG only, native size
     int dotsPerInch = 300;
 };
 
-/// Asks what, as what, how large and with what before an overlay is written. `chosen` follows on Export.
+/// Asks for content, format, size and options of an overlay export. Emits `chosen` on Export.
 class ExportDialog : public QDialog {
     Q_OBJECT
 public:
-    /// `viewWidthPx` is what the window shows now, `aspect` height by width of the picture.
+    /// `viewWidthPx` is the current width of the view, `aspect` the height/width ratio of the image.
     ExportDialog(int viewWidthPx, double aspect, QWidget* parent);
 
     void showChoice(const ExportChoice& choice);
-    void offerCutout(bool hasCutout);   ///< on, where the window shows one
+    void offerCutout(bool hasCutout);   ///< checked if the window shows a cutout
     ExportChoice choice() const;
 
 signals:
@@ -68,22 +68,22 @@ private:
     QCheckBox* startBeside_;
 };
 
-/// What the user wants to have as DICOM objects, in the order of the boxes.
+/// DICOM objects that can be exported, in the order of the check boxes.
 enum class DicomPart { Picture, Run, Report, State, Registration, Segmentation, Measurements };
 
 struct DicomChoice {
     std::vector<DicomPart> parts;
-    Choice identity = Choice::Off;   ///< burned into pictures and report
+    Choice identity = Choice::Off;   ///< burned into images and report
 };
 
 enum class DicomPurpose { Export, Send };
 
-/// Asks which DICOM objects are made of a case. What the case does not allow cannot be chosen. `chosen` follows on
-/// Export, or on the way to an archive.
+/// Asks which DICOM objects to create from a case. Objects that the case cannot provide are disabled. Emits `chosen` on
+/// Export or Send.
 class DicomDialog : public QDialog {
     Q_OBJECT
 public:
-    /// `possible` can be chosen, and is at first.
+    /// The `possible` objects are enabled and initially checked.
     DicomDialog(const std::vector<DicomPart>& possible, DicomPurpose purpose, QWidget* parent);
 
     DicomChoice choice() const;
@@ -94,7 +94,7 @@ signals:
 private:
     void showState();
 
-    std::vector<QCheckBox*> boxes_;   ///< one for each part
+    std::vector<QCheckBox*> boxes_;   ///< one per DicomPart
     QCheckBox* identity_;
     QPushButton* export_;
 };

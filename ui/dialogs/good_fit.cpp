@@ -85,7 +85,7 @@ GoodFit::GoodFit(QWidget* parent) : QDialog(parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(20, 18, 20, 16);
     layout->setSpacing(14);
-    auto* area = new QScrollArea;   // for screens without room for all six
+    auto* area = new QScrollArea;   // small screens cannot show all six examples
     area->setWidget(pictures);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
@@ -113,7 +113,7 @@ QWidget* GoodFit::makeCell(FitExample example)
     sentence->setWordWrap(true);
     sentence->setFixedWidth(picturePx);
     sentence->ensurePolished();
-    sentence->setMinimumHeight(sentence->heightForWidth(picturePx));   // a layout in layouts does not ask for it
+    sentence->setMinimumHeight(sentence->heightForWidth(picturePx));   // nested layouts ignore height-for-width
     auto* layout = new QVBoxLayout(cell);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(5);

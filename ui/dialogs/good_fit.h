@@ -9,12 +9,12 @@ class QLabel;
 
 namespace angiopose::ui {
 
-/// What can be wrong with a fit, and what only looks wrong: the examples of the page, good ones first.
+/// Examples of correct and wrong fits, including fits that only look wrong; correct ones first.
 enum class FitExample { Right, Unopacified, Deformed, Shifted, Turned, Tilted };
 inline constexpr int fitExampleCount = 6;
 
-/// "What a good fit looks like": three good and three bad fits with a sentence each. Pictures arrive as they are made.
-/// Deletes itself when closed.
+/// "What a good fit looks like": three good and three bad fits with one sentence each. Images are added as they are
+/// rendered. Deletes itself when closed.
 class GoodFit : public QDialog {
     Q_OBJECT
 public:

@@ -36,7 +36,7 @@ bool isModifier(int key)
     return std::ranges::find(modifiers, key) != modifiers.end();
 }
 
-/// The key as shortcuts are written: "?" and not "Shift+?", and the keypad's digits like the others.
+/// Returns the key in shortcut notation: "?" instead of "Shift+?", and keypad digits like the others.
 QKeySequence keyOf(const QKeyEvent& event)
 {
     Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeypadModifier;
@@ -48,7 +48,7 @@ QKeySequence keyOf(const QKeyEvent& event)
     return QKeySequence(QKeyCombination(modifiers, static_cast<Qt::Key>(event.key())));
 }
 
-/// Keys that move about in dialogs, hide the overlay or take back: no command may have them alone.
+/// True for keys that navigate dialogs, hide the overlay or cancel; no command may use them without a modifier.
 bool isReserved(const QKeySequence& key)
 {
     static const std::array reserved{QKeySequence(Qt::Key_H),      QKeySequence(Qt::Key_Tab),
@@ -136,7 +136,7 @@ void KeySheet::showMatching()
         items.append(new QTreeWidgetItem({line.keys, line.effect}));
         items.back()->setData(0, lineRole, static_cast<int>(i));
     }
-    list_->addTopLevelItems(items);   // at once, and spanned afterwards: either lays out the list anew
+    list_->addTopLevelItems(items);   // added in one call and spanned afterwards: each step relayouts the list
     for (QTreeWidgetItem* heading : headings) {
         heading->setFirstColumnSpanned(true);
     }

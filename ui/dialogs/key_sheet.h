@@ -15,18 +15,18 @@ class QTreeWidgetItem;
 
 namespace angiopose::ui {
 
-/// All keys on one page; typing narrows them down, Enter on a line takes a new key for it. Knows which keys are taken,
-/// changes nothing itself. Deletes itself when closed.
+/// Lists all shortcuts; typing filters them, Enter on a line records a new shortcut. Detects conflicts but changes
+/// nothing itself. Deletes itself when closed.
 class KeySheet : public QDialog {
     Q_OBJECT
 public:
     KeySheet(std::vector<KeyLine> lines, QWidget* parent);
 
-    void showLines(std::vector<KeyLine> lines);   ///< keeps search and place
+    void showLines(std::vector<KeyLine> lines);   ///< keeps search text and selection
     bool isListening() const { return listening_ != nullptr; }
 
 signals:
-    void keyChosen(QAction* action, const QKeySequence& key);   ///< an empty key: none
+    void keyChosen(QAction* action, const QKeySequence& key);   ///< an empty key removes the shortcut
     void resetRequested();
 
 protected:
@@ -43,9 +43,9 @@ private:
     std::vector<KeyLine> lines_;
     QLineEdit* search_;
     QTreeWidget* list_;
-    QLabel* word_;   ///< what to do, and what came of it
+    QLabel* word_;   ///< instruction or result
     QAction* listening_ = nullptr;
-    QKeySequence warnedOf_;   ///< pressed once although another line has it
+    QKeySequence warnedOf_;   ///< conflicting key that was pressed once
 };
 
 }   // namespace angiopose::ui

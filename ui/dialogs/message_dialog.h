@@ -6,14 +6,14 @@
 
 namespace angiopose::ui {
 
-/// What went wrong or what to know: a heading, one sentence on problem and remedy, details to copy.
+/// Error or notice: a heading, one sentence with problem and remedy, and details to copy.
 struct Message {
     QString heading;
     QString text;
     QString details;
 };
 
-/// Shows one message over its parent; details fold out and can be copied. Deletes itself when closed.
+/// Shows one message above its parent; details expand and can be copied. Deletes itself when closed.
 class MessageDialog : public QDialog {
     Q_OBJECT
 public:
@@ -22,8 +22,8 @@ public:
     static void show(const Message& message, QWidget* parent);
 };
 
-/// A question whose answers are verbs, the first under Enter. `answered` carries the index of the chosen verb; closing
-/// means the last one unless told otherwise.
+/// Question whose answers are verbs; Enter selects the first. `answered` carries the index of the selected answer;
+/// closing selects the last one by default.
 class QuestionDialog : public QDialog {
     Q_OBJECT
 public:
@@ -38,7 +38,7 @@ private:
     int meantByClosing_;
 };
 
-/// All that the window has told, the newest last, to be read again and copied. Deletes itself when closed.
+/// Message log, newest last, for reading and copying. Deletes itself when closed.
 class MessageHistory : public QDialog {
     Q_OBJECT
 public:

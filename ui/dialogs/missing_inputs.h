@@ -10,18 +10,18 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// A case names files that are not there: asks where each lies now, or which folder to search.
+/// Asks for the new location of each missing input file of a case, or for a folder to search.
 class MissingInputs : public QDialog {
     Q_OBJECT
 public:
-    /// `missing` are full paths; `startFolder` is where looking begins.
+    /// `missing` holds full paths; `startFolder` is the initial folder of the file dialog.
     MissingInputs(const QString& caseName, const QStringList& missing, const QString& startFolder, QWidget* parent);
 
-    void offerWithout(bool possible);   ///< the case opens without all of them
+    void offerWithout(bool possible);   ///< offers to open the case without the missing files
 
 signals:
     void withoutRequested();
-    void located(const std::map<QString, QString>& placeOfMissing);   ///< some or all of them
+    void located(const std::map<QString, QString>& placeOfMissing);   ///< holds some or all of the missing files
     void searchRequested(const QString& folder);
 
 private:

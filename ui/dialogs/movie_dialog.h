@@ -11,39 +11,39 @@ namespace angiopose::ui {
 enum class MovieFormat { Mp4, Gif };
 enum class MoviePart { Run, Convergence, Turn };
 
-/// How the user wants a movie.
+/// Options of a movie export.
 struct MovieChoice {
     MoviePart part = MoviePart::Run;
     MovieFormat format = MovieFormat::Mp4;
     int widthPx = 1024;
     double framesPerSecond = 15.0;
     Choice identity = Choice::Off;
-    Choice english = Choice::Off;   ///< texts in the pictures, where the window speaks another language
-    Choice residualColors = Choice::Off;   ///< of a convergence
+    Choice english = Choice::Off;   ///< English labels although the window uses another language
+    Choice residualColors = Choice::Off;   ///< for convergence movies
 };
 
-/// What there is to show, and what becomes of a choice.
+/// Available movie content, and the outcome of a set of options.
 struct MovieOffer {
-    bool hasRun = false;   ///< of more than one frame
+    bool hasRun = false;   ///< more than one frame
     bool hasConvergence = false;
     std::function<double(MoviePart)> usualPerSecond;
     struct Outcome {
         std::size_t pictures = 0;
         double seconds = 0.0;
         QSize size;
-        QString words;   ///< what of the run, whose poses
-        QString problem;   ///< why it cannot be written; empty: it can
+        QString words;   ///< frame range and poses used
+        QString problem;   ///< reason why it cannot be written; empty: writable
     };
     std::function<Outcome(const MovieChoice&)> outcomeOf;
 };
 
-/// Asks what moves, as what, how large and how fast before a movie is written. `chosen` follows on Export.
+/// Asks for content, format, size and frame rate of a movie. Emits `chosen` on Export.
 class MovieDialog : public QDialog {
     Q_OBJECT
 public:
     MovieDialog(MovieOffer offer, QWidget* parent);
 
-    void showChoice(const MovieChoice& choice);   ///< what is not offered gives way
+    void showChoice(const MovieChoice& choice);   ///< replaces options that are not available
     MovieChoice choice() const;
 
 signals:

@@ -45,7 +45,7 @@ enum PoseColumn {
     PoseColumnCount
 };
 
-/// Sorts by the number behind the text.
+/// Sorts by the numeric value behind the text.
 class Row : public QTreeWidgetItem {
 public:
     using QTreeWidgetItem::QTreeWidgetItem;
@@ -58,7 +58,7 @@ public:
     }
 };
 
-/// What was measured is not typed over.
+/// Keeps measured values read-only.
 class ReadOnly : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -194,7 +194,7 @@ void PoseTable::fillRow(QTreeWidgetItem& item, const PoseRow& row, bool isRefere
 {
     const core::PoseSnapshot& snapshot = row.snapshot;
     item.setData(PoseName, poseIdRole, snapshot.id);
-    item.setSizeHint(PoseNote, {0, table_->fontMetrics().height() + poseRowSpacing});   // the one that stretches
+    item.setSizeHint(PoseNote, {0, table_->fontMetrics().height() + poseRowSpacing});   // the stretching column
     item.setText(PoseName, snapshot.id == 0 ? tr("The pose as it is") : QString::fromStdString(snapshot.name));
     item.setText(PoseMethod, methodWords(snapshot.method));
     const auto& metrics = snapshot.metrics;

@@ -19,31 +19,31 @@ class QTreeWidgetItem;
 
 namespace angiopose::ui {
 
-/// One row of the comparison: a snapshot (or the pose as it is, id 0) and how far it lies from the reference.
+/// One row of the comparison: a snapshot (or the current pose, id 0) and its difference from the reference.
 struct PoseRow {
     core::PoseSnapshot snapshot;
     core::PoseDifference difference;
 };
 
-/// Poses, methods and observers side by side. Stays open beside the window; shows what it is told, reports what the
-/// user wants.
+/// Compares poses, methods and observers. Non-modal; displays the values it is given and emits signals for user
+/// actions.
 class PoseTable : public QDialog {
     Q_OBJECT
 public:
     explicit PoseTable(QWidget* parent);
 
-    void showRows(const std::vector<PoseRow>& rows, int referenceId);   ///< silent
+    void showRows(const std::vector<PoseRow>& rows, int referenceId);   ///< emits no signal
     void showChosenMethods(const std::vector<std::string>& methodIds);
-    void showRun(const QString& what, double progress);   ///< while methods run
+    void showRun(const QString& what, double progress);   ///< progress of the running registrations
     void showIdle(const QString& words);
     QTreeWidget* table() const { return table_; }
 
 signals:
-    void wasPicked(int snapshotId);   ///< to be looked at; 0: the pose as it is
+    void wasPicked(int snapshotId);   ///< snapshot to display; 0: the current pose
     void referenceRequested(int snapshotId);
     void restoreRequested(int snapshotId);
     void removeRequested(const std::set<int>& snapshotIds);
-    void textEdited(const core::PoseSnapshot& edited);   ///< name, author or note
+    void textEdited(const core::PoseSnapshot& edited);   ///< name, author or note edited
     void runRequested(const std::vector<std::string>& methodIds);
     void stopRequested();
     void exportRequested();

@@ -11,7 +11,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// What is typed so far, or the number before while it is none.
+/// Returns the number typed so far, or `before` while the text is not a number.
 double numberIn(const QLineEdit& field, double before)
 {
     const auto typed = numberFrom(field.text());
@@ -56,7 +56,7 @@ PruneDialog::PruneDialog(std::function<int(const PruneLimits&)> countGone, QWidg
         emit pruneRequested(limits_);
         accept();
     });
-    for (NumberField* field : {length_, radius_}) {   // the count follows the typing
+    for (NumberField* field : {length_, radius_}) {   // updates the count while typing
         connect(field, &QLineEdit::textChanged, this, &PruneDialog::showCount);
     }
     const PruneLimits start;

@@ -16,11 +16,11 @@ struct PruneLimits {
     double minRadiusMm = 0.0;
 };
 
-/// Asks below which length and radius end branches go, and says how many that would be.
+/// Asks for the length and radius below which end branches are removed, and shows how many that would be.
 class PruneDialog : public QDialog {
     Q_OBJECT
 public:
-    /// `countGone` tells how many branches would go; a negative number: nothing would be left.
+    /// `countGone` returns the number of branches to remove; negative: no branch would remain.
     PruneDialog(std::function<int(const PruneLimits&)> countGone, QWidget* parent = nullptr);
 
 signals:

@@ -10,15 +10,15 @@ class QTreeWidget;
 
 namespace angiopose::ui {
 
-/// What a session that ended without closing left behind.
+/// Recovery copy left by a session that ended unexpectedly.
 struct RecoveryRow {
-    QString path;   ///< of the copy
-    QString name;   ///< of the case
+    QString path;   ///< path of the copy
+    QString name;   ///< name of the case
     QString when;
-    QString folder;   ///< where the case lives; empty: it was never saved
+    QString folder;   ///< folder of the case; empty: never saved
 };
 
-/// Offers copies of unsaved work: one to open, any to delete, all to keep for later.
+/// Offers recovery copies of unsaved work: open one, delete any, or keep all for later.
 class RecoveryDialog : public QDialog {
     Q_OBJECT
 public:

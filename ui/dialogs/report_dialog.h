@@ -8,25 +8,25 @@ namespace angiopose::ui {
 
 class ElidedLabel;
 
-/// How the user wants a report.
+/// Options of a report.
 struct ReportChoice {
     Choice identity = Choice::Off;
-    QString templatePath;   ///< empty: the built-in one
+    QString templatePath;   ///< empty: built-in template
 };
 
-/// Asks whether a report names the patient and which template it is made by. `chosen` follows on Export.
+/// Asks whether the report names the patient and which template to use. Emits `chosen` on Export.
 class ReportDialog : public QDialog {
     Q_OBJECT
 public:
     explicit ReportDialog(const ReportChoice& choice, QWidget* parent);
 
-    void showTemplate(const QString& path);   ///< empty: the built-in one
+    void showTemplate(const QString& path);   ///< empty: built-in template
     ReportChoice choice() const;
 
 signals:
     void chosen(const ui::ReportChoice& choice);
-    void templateWanted();   ///< another file is to be chosen
-    void copyWanted();   ///< of the built-in one, to be changed
+    void templateWanted();   ///< the user wants to choose a template file
+    void copyWanted();   ///< the user wants an editable copy of the built-in template
 
 private:
     QHBoxLayout* makeTemplateButtons();

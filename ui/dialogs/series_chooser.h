@@ -11,7 +11,7 @@ class QTreeWidget;
 
 namespace angiopose::ui {
 
-/// One series of a DICOM folder, as the user sees it.
+/// Display texts of one series in a DICOM folder.
 struct SeriesRow {
     QString id;
     QString description;
@@ -20,7 +20,7 @@ struct SeriesRow {
     QString size;   ///< "512 × 512 × 300"
     QString spacingMm;   ///< "0.49 × 0.49 × 0.75"
     QString date;
-    QStringList notes;   ///< warnings, or why it cannot be opened
+    QStringList notes;   ///< warnings, or the reason why it cannot be opened
     bool isOpenable = true;
 };
 

@@ -135,7 +135,7 @@ void StudyBrowser::showProgress(qsizetype read, qsizetype found)
     allFiles_->hide();
     damaged_->hide();
     damagedFiles_->hide();
-    progress_->setRange(0, read > 0 ? static_cast<int>(found) : 0);   // no end while folders are looked through
+    progress_->setRange(0, read > 0 ? static_cast<int>(found) : 0);   // indeterminate while folders are scanned
     progress_->setValue(static_cast<int>(read));
     status_->setText(read > 0 ? tr("%1 of %2 files").arg(locale.toString(read), locale.toString(found))
                               : tr("%1 files found").arg(locale.toString(found)));
@@ -162,7 +162,7 @@ void StudyBrowser::choose(const QString& key)
     list_->choose(key);
 }
 
-/// What is ticked, in words, and what there is to know about the row.
+/// Shows a summary of the checked series and the notes of the current row.
 void StudyBrowser::showChoice()
 {
     const auto nameOf = [this](const QString& key) {
@@ -191,7 +191,8 @@ void StudyBrowser::showChoice()
     open_->setEnabled(!isReading_ && (hasChoice || (current && current->use != StudySeriesRow::Use::None)));
 }
 
-/// What is ticked; the row that is selected where nothing is. While files are read a series may lack some of its own.
+/// Emits the checked series, or the selected row if none is checked. A series may still be incomplete while files are
+/// being read.
 void StudyBrowser::takeChoice()
 {
     if (isReading_) {

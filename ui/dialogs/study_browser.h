@@ -15,8 +15,8 @@ namespace angiopose::ui {
 
 class StudyList;
 
-/// What lies in a folder or on a disc, to choose from: one series for the vessels, runs for the views. Shows what it is
-/// told while that is found; deletes itself when closed.
+/// Lists the content of a folder or disc for selection: one series for the vessels, cine runs for the views. Displays
+/// results while scanning; deletes itself when closed.
 class StudyBrowser : public QDialog {
     Q_OBJECT
 public:
@@ -25,8 +25,8 @@ public:
     void showRows(const std::vector<PatientRow>& patients);
     void showPicture(const QString& key, const QImage& picture);
     void showProgress(qsizetype read, qsizetype found);
-    /// Nothing is read any more. `words` say how much was; `damaged` names files; `offer` tells of files that were not
-    /// read, empty where there are none.
+    /// Reports that scanning has ended. `words` summarizes what was read; `damaged` lists file names; `offer` describes
+    /// files that were not read, empty if none.
     void showEnd(const QString& words, const QStringList& damaged, const QString& offer);
     void choose(const QString& key);
     StudyList& list() { return *list_; }
@@ -35,7 +35,7 @@ signals:
     void stopRequested();
     void allFilesRequested();
     void picturesWanted(const QStringList& keys);
-    /// Keys; `vessels` may be empty, or `views`.
+    /// Carries the keys of the selected series; `vessels` or `views` may be empty.
     void chosen(const QString& vessels, const QStringList& views);
 
 protected:

@@ -15,12 +15,12 @@ namespace {
 constexpr int keyRole = Qt::UserRole;
 constexpr int studyOrderRole = Qt::UserRole + 1;
 constexpr int wordsRole = Qt::UserRole + 2;
-constexpr int glanceMs = 60;   // what is passed by needs no picture
+constexpr int glanceMs = 60;   // rows scrolled past faster than this need no thumbnail
 constexpr int headingHeight = 30;
 
 enum Column { Description, Number, Modality, Images, Size, Pace, BodyPart, ColumnCount };
 
-/// Sorted by numbers where they are numbers; patients and studies keep their order but by name.
+/// Sorts numbers by value; patients and studies keep their order unless sorted by name.
 class Item : public QTreeWidgetItem {
 public:
     using QTreeWidgetItem::QTreeWidgetItem;
@@ -36,7 +36,7 @@ public:
     }
 };
 
-/// The picture in the middle of a square tile; an empty tile where there is none yet.
+/// Centers the image on a square thumbnail; empty thumbnail if there is no image yet.
 QIcon tileOf(const QImage& picture, double ratio)
 {
     const auto side = static_cast<int>(StudyList::pictureSize * ratio);
@@ -50,7 +50,7 @@ QIcon tileOf(const QImage& picture, double ratio)
     }
     tile.setDevicePixelRatio(ratio);
     QIcon icon(tile);
-    icon.addPixmap(tile, QIcon::Selected);   // untinted in the row that is selected
+    icon.addPixmap(tile, QIcon::Selected);   // not tinted when the row is selected
     return icon;
 }
 
@@ -82,7 +82,7 @@ StudyList::StudyList(QWidget* parent) : QTreeWidget(parent)
     connect(this, &QTreeWidget::itemCollapsed, this, [this] { looked_.start(); });
 }
 
-/// The item of a key below `parent` (null: a patient), new where there is none.
+/// Returns the item of a key below `parent` (null: a patient) and creates it if needed.
 QTreeWidgetItem* StudyList::itemFor(const QString& key, QTreeWidgetItem* parent, int place)
 {
     QTreeWidgetItem*& item = items_[key];
@@ -177,20 +177,20 @@ void StudyList::fillSeries(QTreeWidgetItem& item, const StudySeriesRow& row)
     }
 }
 
-/// Series change their names while more of them is found.
+/// Removes items that are no longer listed: series change their keys while more of them is found.
 void StudyList::removeOthers(const std::set<QString>& kept)
 {
-    const QSignalBlocker quiet(this);   // rows are half gone; choiceChanged follows
+    const QSignalBlocker quiet(this);   // rows are inconsistent here; choiceChanged follows
     for (const QString& key : items_.keys()) {
         QTreeWidgetItem* item = kept.contains(key) ? nullptr : items_.value(key);
-        if (item) {   // else it went with what it belonged to
+        if (item) {   // otherwise already deleted with its parent
             forget(*item);
             delete item;
         }
     }
 }
 
-/// The item and all below it are no longer known.
+/// Removes the item and its descendants from the index.
 void StudyList::forget(const QTreeWidgetItem& item)
 {
     for (int i = 0; i < item.childCount(); ++i) {
@@ -299,7 +299,7 @@ void StudyList::search(const QString& words)
     looked_.start();
 }
 
-/// Series without all the words are hidden, and what has no series left.
+/// Hides series that do not contain all search words, and parents without a visible series.
 void StudyList::showMatches()
 {
     const auto matches = [this](const QTreeWidgetItem& item) {

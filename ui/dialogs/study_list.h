@@ -11,36 +11,37 @@
 
 namespace angiopose::ui {
 
-/// One series of a study, in words.
+/// Display texts of one series of a study.
 struct StudySeriesRow {
     enum class Use { Vessels, View, None };
 
-    QString key;   ///< tells it from all others, and stays while more is found
+    QString key;   ///< unique, and stable while more files are found
     Use use = Use::None;
     int number = 0;
     QString modality;
     QString description;
     int imageCount = 0;
     QString size;   ///< "512 × 512"
-    QString pace;   ///< distance of slices, or frames in a second
-    double paceValue = 0.0;   ///< by which it is sorted
+    QString pace;   ///< slice spacing, or frames per second
+    double paceValue = 0.0;   ///< sort value
     QString bodyPart;
-    QStringList notes;   ///< why it cannot be opened, what is missing, warnings
+    QStringList notes;   ///< reason why it cannot be opened, missing parts, warnings
 };
 
 struct StudyRow {
     QString key;
-    QString words;   ///< date, description, accession
+    QString words;   ///< date, description, accession number
     std::vector<StudySeriesRow> series;
 };
 
 struct PatientRow {
     QString key;
-    QString words;   ///< name, ID, birth date; or nothing of these
+    QString words;   ///< name, ID, birth date; may be empty
     std::vector<StudyRow> studies;
 };
 
-/// Patients, their studies and series with small pictures. Ticks choose: of series with vessels one, of runs any.
+/// Patients with their studies and series as thumbnails. Check boxes select one series for the vessels and any number
+/// of cine runs.
 class StudyList : public QTreeWidget {
     Q_OBJECT
 public:
@@ -48,13 +49,13 @@ public:
 
     explicit StudyList(QWidget* parent = nullptr);
 
-    /// What was ticked, unfolded and selected stays so, as far as it is still there.
+    /// Updates the rows; checked, expanded and selected items stay so if they still exist.
     void showRows(const std::vector<PatientRow>& patients);
     void showPicture(const QString& key, const QImage& picture);
     void search(const QString& words);
 
-    QString chosenVessels() const { return vessels_; }   ///< a key; empty: none
-    QStringList chosenViews() const;   ///< in the order of the list
+    QString chosenVessels() const { return vessels_; }   ///< series key; empty: none
+    QStringList chosenViews() const;   ///< in list order
     const StudySeriesRow* currentRow() const;
     const StudySeriesRow* rowOf(const QString& key) const;
     void choose(const QString& key);
@@ -62,8 +63,8 @@ public:
 
 signals:
     void choiceChanged();
-    void openRequested();   ///< a double click or Enter on a series
-    void picturesWanted(const QStringList& keys);   ///< of the rows that are seen, from above
+    void openRequested();   ///< double click or Enter on a series
+    void picturesWanted(const QStringList& keys);   ///< visible rows, from top to bottom
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -86,7 +87,7 @@ private:
     QString vessels_;
     std::set<QString> views_;
     QStringList words_;
-    QTimer looked_;   ///< runs for a moment after the list moved
+    QTimer looked_;   ///< delays thumbnail requests after scrolling
     bool isFilling_ = false;
 };
 

@@ -9,13 +9,13 @@ class QPlainTextEdit;
 
 namespace angiopose::ui {
 
-/// A text that would go into a support bundle.
+/// One text file of a support bundle.
 struct SupportPart {
     QString name;
     QString text;
 };
 
-/// Shows every text of a support bundle before it is written; `saveRequested` follows on Save.
+/// Shows every text of a support bundle before it is written; emits `saveRequested` on Save.
 class SupportDialog : public QDialog {
     Q_OBJECT
 public:

@@ -13,7 +13,7 @@
 #include <QTextList>
 #include <QVBoxLayout>
 
-/// Resources of a static library are there only once asked for, and only from outside any namespace.
+/// Registers the resources of the static library; Q_INIT_RESOURCE works only outside any namespace.
 static void loadPages()
 {
     Q_INIT_RESOURCE(help);
@@ -22,7 +22,7 @@ static void loadPages()
 namespace angiopose::ui {
 namespace {
 
-/// "angiopose::ui::PosePanel" → "panels/pose_panel", as its source file is called.
+/// Maps "angiopose::ui::PosePanel" to "panels/pose_panel", the name of its source file.
 QString pageOfClass(const QWidget& widget)
 {
     static const QRegularExpression wordStart(QStringLiteral("(?<=[a-z0-9])(?=[A-Z])"));
@@ -30,7 +30,7 @@ QString pageOfClass(const QWidget& widget)
     return QStringLiteral("panels/") + name.replace(wordStart, QStringLiteral("_")).toLower();
 }
 
-/// Room between paragraphs, and headings that are told apart by weight more than by size: Markdown brings neither.
+/// Adds paragraph spacing, and headings that differ in weight more than in size; Markdown provides neither.
 void setType(QTextDocument& document, const QFont& font)
 {
     constexpr double gapPx = 8.0;

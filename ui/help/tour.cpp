@@ -17,9 +17,9 @@ namespace angiopose::ui {
 namespace {
 
 constexpr int bubbleWidth = 360;
-constexpr int bubbleGap = 14;   ///< between bubble and target
+constexpr int bubbleGap = 14;   ///< distance between bubble and target
 
-/// Where a bubble of `size` stands best: beside the target where there is room, else at its foot.
+/// Returns the position of a bubble of `size`: beside the target if there is room, otherwise at its lower edge.
 QPoint placeBeside(const QRect& target, const QSize& size, const QRect& room)
 {
     const int y = std::clamp(target.center().y() - size.height() / 2, room.top(), room.bottom() - size.height());
@@ -34,7 +34,7 @@ QPoint placeBeside(const QRect& target, const QSize& size, const QRect& room)
 
 }   // namespace
 
-/// A line around the target that lets every click through.
+/// Outline around the target, transparent for mouse events.
 class Tour::Frame : public QWidget {
 public:
     using QWidget::QWidget;
@@ -93,7 +93,7 @@ Tour::Tour(std::vector<TourStop> stops, QWidget* window)
 
 Tour::~Tour()
 {
-    delete frame_;   // null when the window has taken it along
+    delete frame_;   // null if the window has already deleted it
 }
 
 void Tour::goTo(int stop)
@@ -158,7 +158,7 @@ void Tour::keyPressEvent(QKeyEvent* event)
         case Qt::Key_Escape:
             end();
             break;
-        case Qt::Key_Return:   // whichever button has the keys is pressed, as in a dialog
+        case Qt::Key_Return:   // presses the focused button, as in a dialog
         case Qt::Key_Enter:
             if (auto* button = qobject_cast<QPushButton*>(focusWidget())) {
                 button->click();
@@ -183,7 +183,7 @@ void Tour::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.fillRect(rect(), toQColor(tones.panel));
     painter.setPen(toQColor(tones.accent));
-    painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));   // whole pixels at any scale
+    painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));   // aligned to whole pixels at any scale
 }
 
 void Tour::end()

@@ -11,24 +11,24 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// One thing the tour points at.
+/// One stop of the tour.
 struct TourStop {
     QPointer<QWidget> target;
     QString heading;
     QString text;
-    QString way{};   ///< on the button that goes on; empty: "Next"
-    std::function<void()> onLeave{};   ///< called when that button is pressed here; may be empty
+    QString way{};   ///< label of the next button; empty: "Next"
+    std::function<void()> onLeave{};   ///< called when that button is pressed at this stop; may be empty
 };
 
-/// A bubble that goes from widget to widget and says what each is for. It lies in the window without blocking it: who
-/// starts to work just works on. Deletes itself when it ends.
+/// Guided tour: a bubble that moves from widget to widget and explains each. It does not block the window, so work can
+/// continue. Deletes itself at the end.
 class Tour : public QWidget {
     Q_OBJECT
 public:
     Tour(std::vector<TourStop> stops, QWidget* window);
     ~Tour() override;
 
-    void goTo(int stop);   ///< past the last: ends
+    void goTo(int stop);   ///< ends the tour after the last stop
     int current() const { return current_; }
     int stopCount() const { return static_cast<int>(stops_.size()); }
 
@@ -45,7 +45,7 @@ private:
     void goOn();
     void place();
     void end();
-    QRect targetRect() const;   ///< in the window
+    QRect targetRect() const;   ///< in window coordinates
 
     std::vector<TourStop> stops_;
     int current_ = 0;
@@ -54,7 +54,7 @@ private:
     QLabel* count_;
     QPushButton* back_;
     QPushButton* next_;
-    QPointer<QWidget> frame_;   ///< around the target
+    QPointer<QWidget> frame_;   ///< outline around the target
 };
 
 }   // namespace angiopose::ui

@@ -31,7 +31,7 @@ NumberFormat grayFormat(double lowest)
     return {lowest, 1e9, 0, QString(), 10.0};
 }
 
-/// As people count them, from 1.
+/// Formats frame numbers, counted from 1.
 QString framesText(const std::vector<int>& frames)
 {
     QStringList parts;

@@ -13,31 +13,31 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// What the panel shows of the run.
+/// Properties of the run that the panel shows.
 struct RunState {
     core::RunTreatment treatment;
-    core::Polarity polarity = core::Polarity::VesselsDark;   ///< in force
-    std::vector<int> maskFrames;   ///< in force, or what would be chosen; empty: none
-    bool hasRun = false;   ///< several frames
+    core::Polarity polarity = core::Polarity::VesselsDark;   ///< polarity in use
+    std::vector<int> maskFrames;   ///< mask frames in use, or the suggested ones; empty: none
+    bool hasRun = false;   ///< more than one frame
     bool isComputing = false;
 };
 
-/// How the frames become the picture that is traced: subtraction of mask frames, composite, meaning of the pixel
-/// values; and the few numbers of the tracing that a user would turn.
+/// Preprocessing of the frames before tracing (mask subtraction, min-IP composite, meaning of the pixel values) and the
+/// main tracing options.
 class AngiogramPanel : public Section {
     Q_OBJECT
 public:
     explicit AngiogramPanel(QWidget* parent = nullptr);
 
-    void showRun(const RunState& state);   ///< silent
-    void showWindowLevel(double window, double level);   ///< of the grey values; silent
-    void showTracing(const core::TraceOptions& options, double widestPx);   ///< silent; the radius as it is settled
+    void showRun(const RunState& state);   ///< emits no signal
+    void showWindowLevel(double window, double level);   ///< window and level of the gray values; emits no signal
+    void showTracing(const core::TraceOptions& options, double widestPx);   ///< emits no signal; radius in use
 
 signals:
     void windowLevelTyped(double window, double level);
     void treatmentEdited(const core::RunTreatment& treatment, const ui::Words& what);
     void shiftByHandRequested();
-    void editingRequested();   ///< of the traced curves by hand
+    void editingRequested();   ///< manual editing of the traced curves
     void tracingEdited(const core::TraceOptions& options, const ui::Words& what);
 
 private:

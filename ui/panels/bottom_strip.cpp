@@ -13,7 +13,7 @@ namespace {
 
 constexpr int progressSteps = 1000;
 constexpr int stripHeight = 88;
-constexpr int besideProgressPx = 10;   // its bar, and the gap above it
+constexpr int besideProgressPx = 10;   // progress bar and the gap above it
 
 }   // namespace
 
@@ -51,7 +51,7 @@ BottomStrip::BottomStrip(QWidget* parent)
     });
 }
 
-/// The bars, and below them what plays them and a note.
+/// Lays out the frame bars, with playback controls and a note below them.
 QLayout* BottomStrip::placedFrames()
 {
     auto* frames = new QVBoxLayout;
@@ -70,7 +70,7 @@ QLayout* BottomStrip::placedFrames()
     return frames;
 }
 
-/// What runs, how far it is, and Stop, whose place stays when nothing runs.
+/// Lays out the running task, its progress and Stop, which keeps its space while idle.
 QLayout* BottomStrip::placedTask()
 {
     status_->setWordWrap(true);
@@ -121,7 +121,7 @@ void BottomStrip::showLoop(const core::FrameRange& range)
 void BottomStrip::showFrameNote(const QString& note)
 {
     frameNote_->showText(note);
-    frameNote_->setVisible(!note.isEmpty());   // without an angiogram what is told has their room
+    frameNote_->setVisible(!note.isEmpty());   // without an angiogram, the status text uses this space
     frames_->setVisible(!note.isEmpty());
 }
 
@@ -153,7 +153,7 @@ void BottomStrip::resizeEvent(QResizeEvent*)
     fitTask();
 }
 
-/// As much as there is room for, with dots where more is said: by the tip and the list of messages.
+/// Elides the status text to the available width; the tooltip and the message log show it in full.
 void BottomStrip::fitTask()
 {
     const int room = contentsRect().height() - layout()->contentsMargins().top() -

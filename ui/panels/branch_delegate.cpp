@@ -18,7 +18,7 @@ constexpr int residualWidth = 44;
 constexpr int pillWidth = 40;
 constexpr int crossWidth = 20;
 constexpr int nameIndent = 20;
-constexpr int generationWidth = 32;   // "10级", the widest
+constexpr int generationWidth = 32;   // "10级", the widest text
 
 void paintBackground(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index)
 {
@@ -43,7 +43,7 @@ QColor residualTone(const QModelIndex& index)
     return toQColor(residualColor(std::clamp(residual.toDouble() / scaleMm, 0.0, 1.0)));
 }
 
-/// The tone as text: deep enough to be read on the light theme's paper.
+/// Darkens the tone if needed to be readable as text on the light theme.
 QColor readable(const QColor& tone)
 {
     const QColor strong = toQColor(activePalette().textStrong);
@@ -81,14 +81,14 @@ void paintCross(QPainter& painter, const QRect& area, bool excluded)
     painter.drawLine(center + QPointF(-3.5, 3.5), center + QPointF(3.5, -3.5));
 }
 
-/// From behind the chip to the generation.
+/// Returns the rectangle between the color chip and the generation.
 QRect nameRectIn(const QStyleOptionViewItem& option, int right)
 {
     const int left = option.rect.left() + margin + nameIndent;
     return {left, option.rect.top(), right - left - generationWidth, option.rect.height()};
 }
 
-/// The name, and behind it the generation where that leaves the name whole.
+/// Paints the name, followed by the generation if the full name leaves room.
 void paintName(QPainter& painter, QRect area, const QFont& font, const QModelIndex& index)
 {
     const Palette& tones = activePalette();
@@ -107,7 +107,7 @@ void paintName(QPainter& painter, QRect area, const QFont& font, const QModelInd
         area.setWidth(area.width() + generationWidth - 4);
     }
     painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter,
-                     QFontMetrics(name).elidedText(text, Qt::ElideMiddle, area.width()));   // numbers stand last
+                     QFontMetrics(name).elidedText(text, Qt::ElideMiddle, area.width()));   // numbers come last
     painter.setFont(font);
     if (hasGeneration) {
         const QRect behind(area.right(), area.top(), generationWidth - 4, area.height());
@@ -120,7 +120,7 @@ void paintName(QPainter& painter, QRect area, const QFont& font, const QModelInd
 
 void BranchDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const
 {
-    // Marks and residuals change while a name is being typed: that must not bring the old name back.
+    // Updates of marks and residuals must not overwrite a name being typed.
     const auto* field = qobject_cast<QLineEdit*>(editor);
     if (!field || !field->isModified()) {
         QStyledItemDelegate::setEditorData(editor, index);

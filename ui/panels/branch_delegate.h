@@ -4,8 +4,8 @@
 
 namespace angiopose::ui {
 
-/// Paints a branch row (chip, name, generation, length, auxiliary pill, exclude cross, residual) and takes clicks on
-/// its switches.
+/// Paints a branch row (chip, name, generation, length, auxiliary pill, exclude cross, residual) and handles clicks on
+/// its toggles.
 class BranchDelegate : public QStyledItemDelegate {
     Q_OBJECT
 public:
@@ -14,7 +14,7 @@ public:
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
-    void setEditorData(QWidget* editor, const QModelIndex& index) const override;   ///< leaves typing alone
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override;   ///< keeps typed text
     void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                               const QModelIndex& index) const override;
 

@@ -9,7 +9,7 @@
 
 namespace angiopose::ui {
 
-/// The branches of a tree with their marks and residuals, one row each.
+/// Branches of a tree with their marks and residuals, one per row.
 class BranchModel : public QAbstractListModel {
     Q_OBJECT
 public:
@@ -17,15 +17,15 @@ public:
         IdRole = Qt::UserRole,
         NameRole,
         LengthRole,
-        RadiusRole,   ///< mean, mm; −1 where unknown
-        GenerationRole,   ///< −1 where unknown
-        OrderRole,   ///< place in the tree
+        RadiusRole,   ///< mean radius, mm; −1 if unknown
+        GenerationRole,   ///< −1 if unknown
+        OrderRole,   ///< position in the tree
         AuxiliaryRole,
         ExcludedRole,
         HiddenRole,
         HoveredRole,
         ResidualRole,
-        ResidualScaleRole   ///< end of the scale of residuals, mm; 0: none
+        ResidualScaleRole   ///< end of the residual scale, mm; 0: none
     };
 
     using QAbstractListModel::QAbstractListModel;
@@ -34,11 +34,11 @@ public:
     void setMarks(const BranchMarks& marks);
     void setResiduals(const std::map<int, double>& residualMm, double scaleMaximumMm);   ///< medians by branch id
 
-    int rowOf(int branchId) const;   ///< −1 when there is none
+    int rowOf(int branchId) const;   ///< −1 if there is none
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
-    bool setData(const QModelIndex& index, const QVariant& value, int role) override;   ///< a wish: see `renamed`
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;   ///< request only: see `renamed`
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 signals:
@@ -47,8 +47,8 @@ signals:
 private:
     struct Row {
         int id = 0;
-        QString name;   ///< as shown
-        QString ownName;   ///< empty where the branch has none
+        QString name;   ///< displayed name
+        QString ownName;   ///< empty if the branch is unnamed
         double lengthMm = 0.0;
         double radiusMm = -1.0;
         int generation = -1;

@@ -30,7 +30,7 @@ struct Order {
     Qt::SortOrder direction;
 };
 
-/// What the list can be sorted by; long, wide and ill-fitting branches come first.
+/// Sort orders of the list; longest, widest and worst-fitting branches come first.
 constexpr std::array orders{
     Order{QT_TRANSLATE_NOOP("angiopose::ui::BranchPanel", "as in the tree"), BranchModel::OrderRole,
           Qt::AscendingOrder},
@@ -95,7 +95,7 @@ BranchPanel::BranchPanel(QWidget* parent)
             [this](int id) { emit auxiliaryToggled(affectedBy(id)); });
     connect(delegate, &BranchDelegate::excludeClicked, this, [this](int id) { emit excludedToggled(affectedBy(id)); });
     connect(list_, &QListView::entered, this, [this](const QModelIndex& index) { emit hovered(idAt(index)); });
-    // Queued: the answer is another tree, which must not take the editor away while it is at work.
+    // Queued: the answer is a new tree, which must not delete the editor while it is in use.
     connect(model_, &BranchModel::renamed, this, &BranchPanel::renamed, Qt::QueuedConnection);
     connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &BranchPanel::reportSelection);
     connect(list_, &QWidget::customContextMenuRequested, this, &BranchPanel::showContextMenu);
@@ -109,7 +109,7 @@ QWidget* BranchPanel::makeFilterRow()
     speak(filter_, [this] { filter_->setPlaceholderText(tr("Find a branch")); });
     withName(filter_, [] { return tr("Find a branch"); });
     filter_->setClearButtonEnabled(true);
-    order_->setSizeAdjustPolicy(QComboBox::AdjustToContents);   // in every language
+    order_->setSizeAdjustPolicy(QComboBox::AdjustToContents);   // fits the texts of every language
     withName(order_, [] { return tr("Order of the branches"); });
     withTip(order_, [] { return tr("Order of the branches"); });
     speak(order_, [this] {

@@ -19,19 +19,19 @@ namespace angiopose::ui {
 
 class BranchModel;
 
-/// The branch list. Hovering and selecting are reported as they happen; switching branches on and off is a wish that
-/// the owner answers with `showMarks`.
+/// Branch list. Reports hovering and selection as they happen; switching branches on or off is a request that the owner
+/// answers with `showMarks`.
 class BranchPanel : public Section {
     Q_OBJECT
 public:
     explicit BranchPanel(QWidget* parent = nullptr);
 
     void showTree(const core::VesselTree& tree);
-    void showMarks(const BranchMarks& marks);   ///< silent
+    void showMarks(const BranchMarks& marks);   ///< emits no signal
     void showResiduals(const std::map<int, double>& residualMm, double scaleMaximumMm);
-    /// What the tree needs mending for, "" for nothing; `isMendable`: it can be done at a click.
+    /// Shows a defect of the tree, "" for none; `isMendable`: one click repairs it.
     void showAdvice(const QString& text, bool isMendable);
-    void setEditActions(const QList<QAction*>& actions);   ///< for the context menu
+    void setEditActions(const QList<QAction*>& actions);   ///< actions of the context menu
     void editName(int branchId);
     void focusFilter();
     QListView* list() const { return list_; }
@@ -57,9 +57,9 @@ private:
     QWidget* makeAdviceRow();
     void sortBy(int choice);
     void selectMarked();
-    QModelIndex indexOf(int branchId) const;   ///< in the list as it is sorted and filtered
+    QModelIndex indexOf(int branchId) const;   ///< in the sorted and filtered list
     std::set<int> selectedIds() const;
-    std::set<int> affectedBy(int branchId) const;   ///< the selection when it contains the branch, else the branch
+    std::set<int> affectedBy(int branchId) const;   ///< the selection if it contains the branch, otherwise the branch
     void showContextMenu(const QPoint& position);
     void showKeys();
     void reportSelection();
@@ -76,7 +76,7 @@ private:
     QList<QAction*> editActions_;
     QLabel* empty_;
     BranchMarks marks_;
-    bool showing_ = false;   ///< true while the owner, not the user, changes the selection
+    bool showing_ = false;   ///< true while the program, not the user, changes the selection
 };
 
 }   // namespace angiopose::ui

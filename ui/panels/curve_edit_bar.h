@@ -12,7 +12,7 @@ class QToolButton;
 
 namespace angiopose::ui {
 
-/// The edits of the traced curves as buttons, at the bottom of the angiogram while that mode is on.
+/// Buttons for editing the traced curves, at the bottom of the angiogram while that mode is on.
 class CurveEditBar : public QFrame {
     Q_OBJECT
 public:
@@ -20,19 +20,19 @@ public:
 
     void showEdit(CurveEdit edit);
     struct Counts {
-        int curves = 0;   ///< but those apart
-        int suspects = 0;   ///< among them
-        int devices = 0;   ///< kept apart
+        int curves = 0;   ///< all curves except devices
+        int suspects = 0;   ///< curves that may be devices
+        int devices = 0;   ///< curves marked as devices
 
         bool operator==(const Counts&) const = default;
     };
     void showCurves(const Counts& counts);
-    void setEdited(bool edited);   ///< only edited curves can be traced again
+    void setEdited(bool edited);   ///< enables tracing again, which needs edited curves
 
 signals:
     void editChosen(ui::CurveEdit edit);
     void traceAgainRequested();
-    void followRequested();   ///< of the catheter or wire that is kept apart
+    void followRequested();   ///< track the marked catheter or guidewire
     void doneRequested();
 
 private:

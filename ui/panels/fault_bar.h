@@ -5,8 +5,8 @@
 
 namespace angiopose::ui {
 
-/// Says above the views that the program ended by a fault last time, where what is known of it lies, and offers to
-/// hand that on. Hidden until there is something to say.
+/// Reports above the views that the program crashed last time, where the crash data is stored, and offers to share it.
+/// Hidden otherwise.
 class FaultBar : public QWidget {
     Q_OBJECT
 public:

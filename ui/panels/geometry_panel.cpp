@@ -26,7 +26,7 @@ QString originWord(core::Origin origin)
     return GeometryPanel::tr("missing");
 }
 
-/// A value that somebody should look at: not there, made up, or a needed one that the header only hints at.
+/// True for required values the user should check: missing, assumed, or a spacing derived from the header.
 bool needsLook(GeometryValue value, core::Origin origin)
 {
     const bool isNeeded = kindOf(value).isNeeded;
@@ -177,7 +177,7 @@ void GeometryPanel::showRow(GeometryValue value)
 {
     const core::Sourced<double> sourced = shownValue(state_, value);
     const core::Origin origin = sourced.value ? sourced.origin : core::Origin::Missing;
-    const bool isOfHeader = value == GeometryValue::Sod && state_.cArm.sourceToObjectMm.value;   // does as a start
+    const bool isOfHeader = value == GeometryValue::Sod && state_.cArm.sourceToObjectMm.value;   // fine initially
     const bool isLooked = needsLook(value, origin) && !isOfHeader;
     row(value).field->showValue(sourced.value);
     row(value).field->setAsking(isLooked && state_.imageSizePx.x() > 0 && !state_.cameraOverride);

@@ -13,8 +13,8 @@ class QGridLayout;
 
 namespace angiopose::ui {
 
-/// Distances, spacing, angles, roll, beam centre, isocentre and mirror of the C-arm, each with where it comes from, and
-/// what the header says. What the image did not bring can be typed; every edit is reported as a whole C-arm.
+/// Distances, spacing, angles, roll, beam center, isocenter and mirroring of the C-arm, each with its source, and the
+/// header values. Values missing in the image can be entered; every edit is reported as a complete C-arm.
 class GeometryPanel : public Section {
     Q_OBJECT
 public:

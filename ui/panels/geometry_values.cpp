@@ -72,7 +72,7 @@ const std::array<GeometryValueKind, geometryValueCount>& kinds()
     return table;
 }
 
-/// One coordinate of a point, or of what stands in for it.
+/// Returns one coordinate of a point, or of its substitute.
 template <class Point>
 Sourced<double> coordinate(const Sourced<Point>& point, const std::optional<Point>& standIn, Eigen::Index index,
                            const char* standInBasis)
@@ -169,7 +169,7 @@ core::CArm withValue(const GeometryState& state, GeometryValue value, double num
             }
             break;
         case GeometryValue::Spacing: {
-            // Oblong pixels stay as oblong as the header has them.
+            // Keeps the pixel aspect ratio of the header.
             const bool hasBoth = state.cArm.columnSpacingMm.value && state.cArm.rowSpacingMm.value;
             const double aspect = hasBoth ? *state.cArm.rowSpacingMm.value / *state.cArm.columnSpacingMm.value : 1.0;
             cArm.columnSpacingMm = typed;

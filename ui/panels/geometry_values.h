@@ -12,25 +12,25 @@
 
 namespace angiopose::ui {
 
-/// What the geometry panel shows.
+/// Values shown by the geometry panel.
 struct GeometryState {
     core::CArm cArm;
     std::vector<core::HeaderTag> headerTags;
     Eigen::Vector2i imageSizePx = Eigen::Vector2i::Zero();   ///< columns, rows; zero without an image
-    Eigen::Vector2d turnedDeg = Eigen::Vector2d::Zero();   ///< of the gantry at this frame since the first
-    std::optional<Eigen::Vector3d> vesselCentroidMm;   ///< stands in for the isocentre
-    std::optional<core::ProjectionCamera> cameraOverride;   ///< of the case file; wins over distances and spacing
-    std::optional<double> vesselMmPerPx;   ///< scale at the vessels, when there is a pose
+    Eigen::Vector2d turnedDeg = Eigen::Vector2d::Zero();   ///< gantry rotation of this frame relative to the first
+    std::optional<Eigen::Vector3d> vesselCentroidMm;   ///< substitute for the isocenter
+    std::optional<core::ProjectionCamera> cameraOverride;   ///< from the case file; overrides distances and spacing
+    std::optional<double> vesselMmPerPx;   ///< scale at the vessels, if there is a pose
     core::Messages contradictions;
-    QString missing;   ///< what keeps the camera or the start pose from being known; empty when nothing
+    QString missing;   ///< missing inputs of the camera or the initial pose; empty if complete
 };
 
-/// The numbers of a C-arm that can be typed.
+/// Editable numbers of a C-arm.
 enum class GeometryValue {
     Sid,
     Sod,
     Spacing,
-    FieldWidth,   ///< another way to tell the spacing
+    FieldWidth,   ///< alternative input for the spacing
     Primary,
     Secondary,
     Roll,
@@ -41,22 +41,22 @@ enum class GeometryValue {
     IsocenterZ
 };
 inline constexpr std::size_t geometryValueCount = 12;
-inline constexpr GeometryValue firstSeldomValue = GeometryValue::Roll;   ///< from here on: folded away
+inline constexpr GeometryValue firstSeldomValue = GeometryValue::Roll;   ///< folded from here on
 
-/// How a value is labelled and typed, and what to assume when nobody knows it: a usual C-arm.
+/// Label and number format of a value, and the typical C-arm value assumed when it is unknown.
 struct GeometryValueKind {
     const char* label;
     const char* help;
     NumberFormat format;
     double usual;
-    bool isNeeded;   ///< without it there is no camera or no start pose
+    bool isNeeded;   ///< required for the camera or the initial pose
 };
 const GeometryValueKind& kindOf(GeometryValue value);
 
-/// The value as it holds: what the case has, or what stands in for it.
+/// Returns the effective value: the value of the case, or its substitute.
 core::Sourced<double> shownValue(const GeometryState& state, GeometryValue value);
 
-/// The C-arm with this value typed, or assumed.
+/// Returns the C-arm with this value entered or assumed.
 core::CArm withValue(const GeometryState& state, GeometryValue value, double number, core::Origin origin,
                      const std::string& basis);
 

@@ -9,7 +9,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// The button that stands for menus without room: Qt's own sign for it is drawn for light windows only.
+/// Styles the overflow button of the menu bar; Qt's own icon suits light windows only.
 void showRestOf(QMenuBar& menuBar)
 {
     if (auto* rest = menuBar.findChild<QToolButton*>(QStringLiteral("qt_menubar_ext_button"))) {

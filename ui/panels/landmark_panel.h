@@ -12,23 +12,23 @@ class QListWidget;
 
 namespace angiopose::ui {
 
-/// What the landmark panel shows.
+/// Values shown by the landmark panel.
 struct LandmarkState {
     std::vector<core::Landmark> landmarks;
-    std::vector<double> errorPx;   ///< at the pose as it is, one each; empty without a pose
-    QString verdict;   ///< what the pairs fix, or what they lack
-    bool isEnough = false;   ///< a pose can be found
+    std::vector<double> errorPx;   ///< reprojection error of each pair at the current pose; empty without a pose
+    QString verdict;   ///< parameters that the pairs determine, or what is missing
+    bool isEnough = false;   ///< the pairs determine a pose
 };
 
-/// The pairs a start pose is found from: listed with what remains of each, removable, and the command to place the
-/// vessels by them.
+/// Landmark pairs for the initial pose: a list with the residual of each pair, removal, and the command that registers
+/// from them.
 class LandmarkPanel : public Section {
     Q_OBJECT
 public:
     explicit LandmarkPanel(QWidget* parent = nullptr);
 
     void showLandmarks(const LandmarkState& state);
-    void bindMode(QAction& action);   ///< the switch that starts and ends clicking
+    void bindMode(QAction& action);   ///< action that toggles landmark picking
 
 signals:
     void removeRequested(const std::vector<int>& indices);

@@ -4,7 +4,7 @@
 
 namespace angiopose::ui {
 
-/// The padlock beside a degree of freedom: open it is free, closed and amber it is locked.
+/// Padlock beside a degree of freedom: open means free, closed and amber means locked.
 class LockDot : public QAbstractButton {
     Q_OBJECT
 public:

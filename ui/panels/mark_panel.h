@@ -14,28 +14,28 @@ class QTreeWidget;
 
 namespace angiopose::ui {
 
-/// A mark as it is listed.
+/// One row of the mark list.
 struct MarkRow {
     QString name;
-    QString value;   ///< its error, its width, or what it is
-    QString basis;   ///< what the value rests on, sentences
-    bool isDoubtful = false;   ///< more off than the pose claims
+    QString value;   ///< error, width or type of the mark
+    QString basis;   ///< basis of the value, in sentences
+    bool isDoubtful = false;   ///< error larger than the pose uncertainty
 };
 
-/// Check points, rings, arrows and texts: the modes that set them, and the list, in which they are chosen, renamed and
-/// removed.
+/// Target points, rings, arrows and texts: the modes that set them, and the list in which they are selected, renamed
+/// and removed.
 class MarkPanel : public Section {
     Q_OBJECT
 public:
     explicit MarkPanel(QWidget* parent = nullptr);
 
-    void showMarks(const std::vector<MarkRow>& rows, const QString& note);   ///< silent, keeps what is chosen
-    void bindMode(std::size_t mode, QAction& action);   ///< by ui::MarkMode
-    std::set<int> chosen() const;   ///< places in the list
+    void showMarks(const std::vector<MarkRow>& rows, const QString& note);   ///< emits no signal, keeps the selection
+    void bindMode(std::size_t mode, QAction& action);   ///< indexed by ui::MarkMode
+    std::set<int> chosen() const;   ///< row indices
     void choose(int place);
 
 signals:
-    void choiceChanged();   ///< `chosen`
+    void choiceChanged();   ///< see `chosen`
     void renamed(int place, const QString& name);
     void removeRequested(const std::set<int>& places);
     void exportRequested();
@@ -52,12 +52,12 @@ private:
 
     QTreeWidget* list_;
     QLabel* basis_;
-    std::array<QPushButton*, 5> modes_;   ///< by ui::MarkMode
+    std::array<QPushButton*, 5> modes_;   ///< indexed by ui::MarkMode
     QPushButton* remove_;
     QPushButton* export_;
     std::vector<MarkRow> rows_;
     QString note_;
-    bool showing_ = false;   ///< true while the owner, not the user, changes the list
+    bool showing_ = false;   ///< true while the program, not the user, changes the list
 };
 
 }   // namespace angiopose::ui

@@ -38,7 +38,7 @@ QString kindWord(core::MeasurementKind kind)
 
 QPushButton* modeButton(core::MeasurementKind kind)
 {
-    auto* button = withText(new QPushButton, [kind] { return kindWord(kind); });   // three beside each other: no keys
+    auto* button = withText(new QPushButton, [kind] { return kindWord(kind); });   // three in a row: no shortcuts
     withTip(button, [kind] { return withKey(kindWord(kind), commandOf(kind)); });
     button->setCheckable(true);
     return button;
@@ -188,7 +188,7 @@ void MeasurePanel::showMeasurements(const MeasureState& state)
     showBasis();
 }
 
-/// Of the one that is chosen, else of the plane.
+/// Shows the basis of the selected measurement, otherwise that of the plane.
 void MeasurePanel::showBasis()
 {
     const std::set<int> places = chosen();
@@ -222,7 +222,7 @@ bool MeasurePanel::eventFilter(QObject* watched, QEvent* event)
         return Section::eventFilter(watched, event);
     }
     const int key = static_cast<QKeyEvent*>(event)->key();
-    if (event->type() == QEvent::ShortcutOverride) {   // in the list these keys are about measurements, not branches
+    if (event->type() == QEvent::ShortcutOverride) {   // in this list, these keys act on measurements, not branches
         event->setAccepted(key == Qt::Key_Delete || key == Qt::Key_F2);
         return event->isAccepted();
     }

@@ -17,37 +17,37 @@ class QTreeWidget;
 
 namespace angiopose::ui {
 
-/// A measurement as it is listed.
+/// One row of the measurement list.
 struct MeasureRow {
-    QString name;   ///< as the user named it, or what it is
-    QString value;   ///< or why there is none
-    QString basis;   ///< what the value rests on, sentences
-    bool isDoubtful = false;   ///< no value, or one on assumed ground
+    QString name;   ///< user-defined name, or the type of measurement
+    QString value;   ///< measured value, or why there is none
+    QString basis;   ///< basis of the value, in sentences
+    bool isDoubtful = false;   ///< no value, or based on assumptions
 };
 
-/// What the measure panel shows.
+/// Values shown by the measurement panel.
 struct MeasureState {
     std::vector<MeasureRow> rows;
-    core::MeasurementPlane plane = core::MeasurementPlane::Vessels;   ///< for the chosen ones, or for the next
-    QString basis;   ///< of the plane
+    core::MeasurementPlane plane = core::MeasurementPlane::Vessels;   ///< of the selected measurements, or the next one
+    QString basis;   ///< basis of the plane
     std::optional<double> typedMmPerPx;
 };
 
-/// Measurements in the image and in slices: where those of the image are taken to lie, the modes that draw them, and
-/// the list, in which they are chosen, renamed and removed.
+/// Measurements in the image and in slices: the plane assumed for image measurements, the drawing modes, and the list
+/// in which measurements are selected, renamed and removed.
 class MeasurePanel : public Section {
     Q_OBJECT
 public:
     explicit MeasurePanel(QWidget* parent = nullptr);
 
-    void showMeasurements(const MeasureState& state);   ///< silent, keeps what is chosen
+    void showMeasurements(const MeasureState& state);   ///< emits no signal, keeps the selection
     void bindMode(core::MeasurementKind kind, QAction& action);
-    std::set<int> chosen() const;   ///< places in the list
+    std::set<int> chosen() const;   ///< row indices
 
 signals:
     void planePicked(core::MeasurementPlane plane);
     void scaleTyped(double mmPerPx);   ///< 0: none
-    void choiceChanged();   ///< `chosen`
+    void choiceChanged();   ///< see `chosen`
     void renamed(int place, const QString& name);
     void removeRequested(const std::set<int>& places);
     void exportRequested();
@@ -66,11 +66,11 @@ private:
     QDoubleSpinBox* scale_;
     QTreeWidget* list_;
     QLabel* basis_;
-    std::array<QPushButton*, 3> modes_;   ///< by core::MeasurementKind
+    std::array<QPushButton*, 3> modes_;   ///< indexed by core::MeasurementKind
     QPushButton* remove_;
     QPushButton* export_;
     MeasureState state_;
-    bool showing_ = false;   ///< true while the owner, not the user, changes the list
+    bool showing_ = false;   ///< true while the program, not the user, changes the list
 };
 
 }   // namespace angiopose::ui

@@ -7,13 +7,13 @@
 
 namespace angiopose::ui {
 
-/// One thing that the window has told.
+/// One entry of the message log.
 struct LoggedMessage {
     QDateTime time;
     QString text;
 };
 
-/// What the window has told lately; one that is told again and again stands once.
+/// Recent messages; a repeated message is listed once.
 class MessageLog {
 public:
     static constexpr std::size_t kept = 500;

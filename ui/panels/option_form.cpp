@@ -21,13 +21,13 @@ QString fromView(std::string_view text)
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-/// "largest_squared" is a key of the case file; people read "largest squared".
+/// Returns a readable text for a key of the case file: "largest_squared" becomes "largest squared".
 QString choiceText(std::string_view key)
 {
     return termText(fromView(key).replace(QLatin1Char('_'), QLatin1Char(' ')));
 }
 
-/// A step that feels right for the size of the range: 1, 0.1, …, never below the last shown digit.
+/// Step size that suits the range: 1, 0.1, …, never below the last displayed digit.
 double stepOf(const core::NumberOption& number)
 {
     return std::max(std::pow(10.0, -number.decimals), std::min(1.0, std::pow(10.0, 1 - number.decimals)));
@@ -122,7 +122,7 @@ QWidget* OptionForm::makeNumber(const core::OptionField& field, const core::Numb
 void OptionForm::write(const core::OptionField& field, const core::OptionValue& value)
 {
     field.write(options_, value);
-    emit edited(options_, [&field] { return termText(field.label); });   // the table of options stays
+    emit edited(options_, [&field] { return termText(field.label); });   // `field` refers to the static option table
 }
 
 }   // namespace angiopose::ui

@@ -12,13 +12,13 @@ class QFormLayout;
 
 namespace angiopose::ui {
 
-/// Fields for the options of the chosen method, made from core::optionFields().
+/// Editors for the options of the selected method, built from core::optionFields().
 class OptionForm : public QWidget {
     Q_OBJECT
 public:
     explicit OptionForm(QWidget* parent = nullptr);
 
-    void showOptions(const core::RegistrationOptions& options);   ///< silent; rebuilds when the method changed
+    void showOptions(const core::RegistrationOptions& options);   ///< emits no signal; rebuilds if the method changed
 
 signals:
     void edited(const core::RegistrationOptions& options, const ui::Words& fieldLabel);
@@ -34,7 +34,7 @@ private:
     core::RegistrationOptions options_;
     QFormLayout* form_;
     std::string shownMethod_;
-    std::vector<std::function<void()>> refreshers_;   ///< one per editor: shows the option's value
+    std::vector<std::function<void()>> refreshers_;   ///< one per editor: displays the option's value
 };
 
 }   // namespace angiopose::ui

@@ -8,14 +8,14 @@ namespace angiopose::ui {
 
 class ElidedLabel;
 
-/// Whom the case is of, in a line.
+/// Patient identity of the case, in one line.
 struct PatientLine {
-    QString doubt;   ///< what is wrong with it, before everything else; empty: nothing
+    QString doubt;   ///< identity problem, shown first; empty: none
     QString name;
-    QString details;   ///< number, birth date, sex and the inputs that say so
+    QString details;   ///< ID, birth date, sex and the inputs they come from
 };
 
-/// The line over the case that says whose inputs it holds; hidden while they say nothing.
+/// Bar above the case with the patient of the inputs; hidden if the inputs do not identify a patient.
 class PatientBar : public QWidget {
     Q_OBJECT
 public:

@@ -12,24 +12,24 @@ namespace angiopose::ui {
 
 class GlyphButton;
 
-/// How fast a run may be played, times as fast as it was taken.
+/// Playback speeds, relative to the acquisition frame rate.
 inline constexpr std::array playSpeeds{0.25, 0.5, 1.0, 2.0, 4.0};
 
-/// How long a frame of the run was taken, and who says so.
+/// Frame time of the run and its source.
 struct FrameTime {
     double ms = 0.0;
-    bool isAssumed = false;   ///< the header does not tell
+    bool isAssumed = false;   ///< not given by the header
 };
 
-/// Play and pause, speed, and whether the run starts over or turns back at its end. Shows what it is told, reports what
-/// the user wants.
+/// Play/pause, speed, and whether playback loops or reverses at the end. Displays the values it is given and emits
+/// signals for user actions.
 class PlayBar : public QWidget {
     Q_OBJECT
 public:
     explicit PlayBar(QWidget* parent = nullptr);
 
     void showFrameTime(const FrameTime& time);
-    void showSpeed(double speed);   ///< of `playSpeeds`, the nearest else
+    void showSpeed(double speed);   ///< snaps to the nearest of `playSpeeds`
     void showOrder(core::CineOrder order);
     void showPlaying(bool playing);
 

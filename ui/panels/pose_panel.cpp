@@ -91,7 +91,7 @@ void PosePanel::showLocks(const PoseLocks& locks)
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         rows_[i].lock->setChecked(locks[i]);
         rows_[i].field->setReadOnly(locks[i]);
-        if (locks[i]) {   // what was marked in it cannot be typed over any more
+        if (locks[i]) {   // cancels a selection in the locked field
             rows_[i].field->deselect();
         }
     }
@@ -123,7 +123,7 @@ void PosePanel::showDepthDoubt(std::optional<double> depthSigmaMm)
     mark();
 }
 
-/// "along ray ±4": what is doubtful says how much.
+/// Returns the axis label, with the uncertainty if it is large: "along ray ±4".
 QString PosePanel::wordsOf(PoseAxis axis) const
 {
     return axis == PoseAxis::AlongRay && depthSigmaMm_
@@ -131,7 +131,7 @@ QString PosePanel::wordsOf(PoseAxis axis) const
                : labelOf(axis);
 }
 
-/// What needs a look is amber: locked, or hardly told by the image.
+/// Marks axes that are locked or poorly constrained by the image in amber.
 void PosePanel::mark()
 {
     for (const PoseAxis axis : poseAxes) {
@@ -154,7 +154,7 @@ void PosePanel::toggleLock(PoseAxis axis)
     PoseLocks wanted = locks_;
     wanted[static_cast<std::size_t>(axis)] = !wanted[static_cast<std::size_t>(axis)];
     emit locksEdited(wanted);
-    showLocks(locks_);   // as they are now: the edit may have been refused
+    showLocks(locks_);   // restores the current locks: the edit may have been rejected
 }
 
 }   // namespace angiopose::ui

@@ -8,19 +8,19 @@
 
 namespace angiopose::ui {
 
-/// The pose relative to the start pose, in mm and degrees, with a lock per degree of freedom.
-/// Shows what it is told, reports what the user wants; decides nothing.
+/// Pose relative to the initial pose, in mm and degrees, with a lock per degree of freedom. Displays the values it is
+/// given and emits signals for user actions; makes no decisions.
 class PosePanel : public Section {
     Q_OBJECT
 public:
     explicit PosePanel(QWidget* parent = nullptr);
 
-    void showOffset(const std::optional<core::PoseOffset>& offset);   ///< nothing: there is no pose to edit yet
+    void showOffset(const std::optional<core::PoseOffset>& offset);   ///< empty: no pose to edit yet
     void showLocks(const PoseLocks& locks);
-    void showPickedPivot(bool isPicked);   ///< else the numbers are about the centroid
+    void showPickedPivot(bool isPicked);   ///< otherwise the rotation center is the centroid
     void showNudgeMode(bool on);
-    void setActiveAxis(std::optional<PoseAxis> axis);   ///< the one in use, marked
-    void showDepthDoubt(std::optional<double> depthSigmaMm);   ///< what one view hardly tells, marked in amber
+    void setActiveAxis(std::optional<PoseAxis> axis);   ///< highlights the axis in use
+    void showDepthDoubt(std::optional<double> depthSigmaMm);   ///< depth uncertainty of a single view, marked in amber
 
 signals:
     void offsetEdited(const core::PoseOffset& offset);

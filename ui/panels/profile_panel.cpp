@@ -16,7 +16,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double straightFromMm = 200.0;   // no vessel is told from a straight one by so wide a bend
+constexpr double straightFromMm = 200.0;   // larger radii of curvature count as straight
 
 QString numberOrNone(std::optional<double> value, int decimals, const QString& pattern)
 {

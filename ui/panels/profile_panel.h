@@ -12,19 +12,19 @@ namespace angiopose::ui {
 
 class ProfilePlot;
 
-/// Measures along one branch: its numbers, what is not known, and its profile.
+/// Measurements along one branch: its values, their limitations, and its profile.
 class ProfilePanel : public Section {
     Q_OBJECT
 public:
     explicit ProfilePanel(QWidget* parent = nullptr);
 
     void showProfile(const core::VesselBranch& branch, const core::BranchProfile& profile);
-    void showNothing(const QString& why, bool hasBranches);   ///< `hasBranches`: a table of them can be written
+    void showNothing(const QString& why, bool hasBranches);   ///< `hasBranches`: a table can be exported
     ProfilePlot& plot() { return *plot_; }
 
 signals:
-    void tableRequested();   ///< of all branches
-    void profileRequested();   ///< of the branch that is shown
+    void tableRequested();   ///< table of all branches
+    void profileRequested();   ///< profile of the shown branch
 
 private:
     QWidget* makeNumbers();
@@ -38,7 +38,7 @@ private:
     QPushButton* profile_;
 };
 
-/// "63 % at 24.5 mm (1.30 of 3.50 mm, 8.5 mm long)".
+/// Formats a stenosis: "63 % at 24.5 mm (1.30 of 3.50 mm, 8.5 mm long)".
 QString narrowingWords(const core::Narrowing& narrowing);
 
 }   // namespace angiopose::ui

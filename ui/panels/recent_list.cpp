@@ -25,9 +25,9 @@ namespace {
 constexpr int tileSize = 44;
 constexpr int listWidth = 480;
 constexpr int rowHeight = 54;
-constexpr std::size_t seenRows = 5;   // more are scrolled to, or searched
+constexpr std::size_t seenRows = 5;   // visible rows; more are reached by scrolling or search
 
-/// The middle of the picture as a square, sharp at any scale; the program's sign on a tile where there is none.
+/// Returns the central square of the thumbnail, sharp at any scale, or a tile with the program icon.
 QIcon tileOf(const QImage& picture, double ratio)
 {
     const int side = static_cast<int>(std::lround(tileSize * ratio));
@@ -48,7 +48,7 @@ QIcon tileOf(const QImage& picture, double ratio)
     return tile;
 }
 
-/// Its name may be longer than the list is wide.
+/// Elides a case name that is wider than the list.
 class RecentButton : public QPushButton {
 public:
     explicit RecentButton(const QString& name) : QPushButton(name), name_(name) { setAccessibleName(name); }
@@ -129,7 +129,7 @@ QString RecentList::labelOf(const QString& path, RecentCase::State state)
     return name;
 }
 
-/// A button with the picture of the case beside its name, a pin and a cross.
+/// Creates a row: a button with thumbnail and name of the case, a pin and a remove button.
 QWidget* RecentList::makeRow(const RecentCase& recent)
 {
     const bool isGone = recent.state == RecentCase::State::Missing;
@@ -191,7 +191,7 @@ void RecentList::showCases(const std::vector<RecentCase>& cases, bool hasPicture
     showMatches();
 }
 
-/// Cases with all words in their path.
+/// Shows the cases whose path contains all search words.
 void RecentList::showMatches()
 {
     const QStringList words = search_->text().split(u' ', Qt::SkipEmptyParts);
@@ -205,7 +205,7 @@ void RecentList::showMatches()
     }
     nothing_->setVisible(seen == 0 && !cases_.empty());
     area_->setVisible(seen > 0);
-    // Who searches sees the field stay where it is, however few are found.
+    // The search field keeps its position regardless of the number of matches.
     const std::size_t kept = std::clamp<std::size_t>(search_->isHidden() ? seen : cases_.size(), 1, seenRows);
     const int keptHeight = static_cast<int>(kept) * (rowHeight + rowLayout_->spacing());
     area_->setFixedHeight(keptHeight);

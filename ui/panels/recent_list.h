@@ -18,24 +18,24 @@ struct RecentCase {
     enum class State { Present, Missing, InputsMissing };
 
     QString path;
-    QImage picture;   ///< null: none was made
+    QImage picture;   ///< thumbnail; null: none was saved
     State state = State::Present;
     bool isPinned = false;
 };
 
-/// Cases of late: pictures, a search where there are many, pins, and what is gone.
+/// Recent cases with thumbnails, pins, missing cases marked, and a search field for long lists.
 class RecentList : public QWidget {
     Q_OBJECT
 public:
     explicit RecentList(QWidget* parent = nullptr);
 
     void showCases(const std::vector<RecentCase>& cases, bool hasPictures);
-    /// The name of a case with what is missing.
+    /// Returns the case name, with a note if files are missing.
     static QString labelOf(const QString& path, RecentCase::State state);
 
 signals:
     void openRequested(const QString& path);
-    void removeRequested(const QString& path);   ///< from the list
+    void removeRequested(const QString& path);   ///< removes it from the list only
     void pinToggled(const QString& path, bool pinned);
     void picturesToggled(bool wanted);
     void clearRequested();

@@ -79,7 +79,7 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
     speak(this, [this] { sayWords(); });
 }
 
-/// Everything that depends on more than the language.
+/// Updates texts that depend on more than the language.
 void RegistrationPanel::sayWords()
 {
     int index = 0;
@@ -91,7 +91,7 @@ void RegistrationPanel::sayWords()
     updateButtons();
 }
 
-/// The choice, and a button that tells about what is chosen.
+/// Creates the method selection with a button that explains the selected method.
 QHBoxLayout* RegistrationPanel::methodRow()
 {
     auto* about = new QToolButton;

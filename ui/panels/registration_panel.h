@@ -13,16 +13,17 @@ namespace angiopose::ui {
 
 class OptionForm;
 
-/// Method, options, Register and Stop. Shows what it is told, reports what the user wants; decides nothing.
+/// Method, options, Register and Stop. Displays the values it is given and emits signals for user actions; makes no
+/// decisions.
 class RegistrationPanel : public Section {
     Q_OBJECT
 public:
     explicit RegistrationPanel(QWidget* parent = nullptr);
 
-    void showOptions(const core::RegistrationOptions& options);   ///< silent
-    void showAuxiliary(int branchCount);   ///< 0: the nodes
-    void showViewCount(int count);   ///< of views that can be registered together; one: no choice
-    void showReady(const QString& whyNot);   ///< empty: Register can be pressed
+    void showOptions(const core::RegistrationOptions& options);   ///< emits no signal
+    void showAuxiliary(int branchCount);   ///< 0: the auxiliary problem uses the nodes
+    void showViewCount(int count);   ///< views available for joint registration; 1 hides the choice
+    void showReady(const QString& whyNot);   ///< empty: Register is enabled
     void setRunning(bool running);
     QPushButton* registerButton() const { return register_; }
 

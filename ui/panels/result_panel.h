@@ -14,35 +14,35 @@ namespace angiopose::ui {
 class ConvergencePlot;
 class HistogramPlot;
 
-/// How a pose came about.
+/// Origin of a pose.
 enum class PoseSource {
     Start,
     Edited,
     Run,
-    EarlierRun,   ///< a run found it, but what it was fitted to may have changed since
+    EarlierRun,   ///< registered, but the inputs may have changed since
     Followed
 };
 
-/// What the result panel shows of one judged pose.
+/// Assessment of one pose as shown in the result panel.
 struct JudgedPose {
-    core::RegistrationResult result;   ///< of the run, or a judgement of the pose as it is
+    core::RegistrationResult result;   ///< of the registration, or an assessment of the current pose
     PoseSource source = PoseSource::Start;
-    std::vector<double> residualsMm;   ///< every used tree point
+    std::vector<double> residualsMm;   ///< residuals of all used tree points
     double scaleMaximumMm = 0.0;
-    double millimetersPerPixel = 0.0;   ///< at the vessels
-    double judgedShare = 1.0;   ///< of the tree, that the distances are over
-    double wholeMedianMm = 0.0;   ///< over all of it
-    core::Messages basis;   ///< of the distances, where that is not the whole tree; excluded and auxiliary branches
+    double millimetersPerPixel = 0.0;   ///< scale at the vessels
+    double judgedShare = 1.0;   ///< share of the tree that the residuals cover
+    double wholeMedianMm = 0.0;   ///< median over the whole tree
+    core::Messages basis;   ///< branches the residuals cover if not the whole tree: excluded, auxiliary
 };
 
-/// How far a pose is to be trusted, in one line: on the image, above the numbers and in the status.
+/// One-line statement of the confidence in a pose: on the image, above the numbers and in the status.
 struct FitVerdict {
     VerdictTone tone = VerdictTone::Doubtful;
     QString words;
 };
 FitVerdict verdictOf(const JudgedPose& judged);
 
-/// Three numbers, what they mean in words, and the two plots. Shows what it is told.
+/// Three key figures, their interpretation in sentences, and the two plots. Displays the values it is given.
 class ResultPanel : public QWidget {
     Q_OBJECT
 public:
@@ -50,12 +50,12 @@ public:
 
     void showJudgement(const JudgedPose& judged, const core::VesselTree& tree);
     void showNothing(const QString& why);
-    void setDimmed(bool dimmed);   ///< while another pose is looked at
-    void startRun();   ///< empties the convergence plot
+    void setDimmed(bool dimmed);   ///< while another pose is previewed
+    void startRun();   ///< clears the convergence plot
     void showProgress(const core::IterationReport& report);
     void showHistory(const std::vector<core::IterationReport>& history);
     SolutionStrip& solutions() { return *solutions_; }
-    void showMotion(const std::vector<FrameMotion>& motion);   ///< hidden while there is none
+    void showMotion(const std::vector<FrameMotion>& motion);   ///< hidden if empty
     MotionPlot& motion() { return *motion_; }
 
 private:
@@ -77,7 +77,7 @@ private:
     HistogramPlot* histogram_;
     ConvergencePlot* convergence_;
     MotionPlot* motion_;
-    QTimer* rest_;   ///< the pose has not been moved for a while
+    QTimer* rest_;   ///< fires after the pose has not moved for a while
 };
 
 }   // namespace angiopose::ui

@@ -17,9 +17,9 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double agreeingMm = 0.5;   ///< branches with a median below this agree
+constexpr double agreeingMm = 0.5;   ///< branches with a lower median count as in agreement
 
-/// The words of this file.
+/// Translation context of this file.
 struct ResultWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::ui::ResultSentences)
 };
@@ -29,7 +29,7 @@ QString resultNumber(double value)
     return numberText(value, value < 9.95 ? 1 : 0);
 }
 
-/// Where the geometry is right; results of earlier versions know no other.
+/// Standard deviations assuming an exact geometry; results of earlier versions contain no others.
 core::PoseSigmas byImage(const core::PoseUncertainty& uncertainty)
 {
     const bool isKnown = uncertainty.imageCovariance.diagonal().maxCoeff() > 0.0;
@@ -64,13 +64,13 @@ QString agreement(const std::vector<core::BranchResidual>& branches, double mmPe
         .arg(numberText(agreeingMm, 1));
 }
 
-/// "97", at most 99: nobody counted farther.
+/// "97", limited to 99: the calibration does not reach further.
 QString percentText(double probability)
 {
     return numberText(std::clamp(100.0 * probability, 1.0, 99.0), 0);
 }
 
-/// Of a run that knows it; results of earlier versions may contradict themselves.
+/// States the calibrated probability if the result has one; skips contradictory results of earlier versions.
 QString likelihood(const core::RegistrationResult& result)
 {
     constexpr double trusted = 0.8;
@@ -78,17 +78,18 @@ QString likelihood(const core::RegistrationResult& result)
     return result.probabilityWithin2Mm && agrees
                ? ResultWords::tr("Within 2 mm of the vessels with a probability of %1 %.")
                      .arg(percentText(*result.probabilityWithin2Mm))
-                     .replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"))   // on one line
+                     .replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"))   // avoids a line break
                : QString();
 }
 
-/// The geometry makes depth clearly less certain than the image does.
+/// True if geometry errors make depth clearly less certain than the image does.
 bool dependsOnGeometry(const core::PoseUncertainty& uncertainty)
 {
     return uncertainty.depthMm > 1.5 * byImage(uncertainty).depthMm && uncertainty.depthMm > 1.0;
 }
 
-/// What the image cannot make good: where the tree is in space depends on the geometry, the overlay does not.
+/// States the 3-D uncertainty including the geometry, which the image cannot correct; the overlay does not depend on
+/// it.
 QString geometryWords(const core::PoseUncertainty& uncertainty)
 {
     return dependsOnGeometry(uncertainty)
@@ -97,7 +98,7 @@ QString geometryWords(const core::PoseUncertainty& uncertainty)
                : QString();
 }
 
-/// Nothing when the solver's own warnings, or the words about the geometry, speak of depth already.
+/// Empty if the solver's warnings or the geometry sentence already mention depth.
 QString depthWords(const core::RegistrationResult& result)
 {
     const core::PoseUncertainty& uncertainty = result.uncertainty;
@@ -116,7 +117,8 @@ QString depthWords(const core::RegistrationResult& result)
                : ResultWords::tr("Depth ±%1 mm: one view cannot tell it.").arg(resultNumber(*depthMm));
 }
 
-/// Of branches that the run itself does not call empty, that no bend explains and that lie on the way of a wire.
+/// Names the branches that disagree and are neither reported as unopacified, nor explained by deformation, nor near a
+/// guidewire.
 QString disagreement(const core::RegistrationResult& result, const core::VesselTree& tree, double mmPerPx)
 {
     const core::DisagreeingBranches found = core::disagreeingBranches(result, mmPerPx);

@@ -9,19 +9,20 @@
 
 namespace angiopose::ui {
 
-/// What the judgement of a pose means, in a clinician's words.
+/// Interpretation of a pose assessment in clinical terms.
 struct ResultSentences {
     QStringList certain;   ///< shown in green
-    QStringList doubtful;   ///< shown in amber: what one view cannot tell, which branch disagrees and why that may be
+    QStringList doubtful;   ///< shown in amber: limits of a single view, disagreeing branches and possible reasons
 };
 
 ResultSentences sentencesOf(const core::RegistrationResult& result, const core::VesselTree& tree,
                             double millimetersPerPixel);
 
-/// 1-σ along the ray where the image tells it much less than the rest; nothing where it is as certain.
+/// Returns the 1-σ depth uncertainty if the image constrains depth much less than the other parameters; otherwise
+/// empty.
 std::optional<double> doubtfulDepthMm(const core::PoseUncertainty& uncertainty);
 
-/// "LAD", or "Branch 3" where the tree has no names.
+/// Returns the branch name, e.g. "LAD", or "Branch 3" if the branch is unnamed.
 QString displayName(const core::VesselBranch& branch);
 
 }   // namespace angiopose::ui

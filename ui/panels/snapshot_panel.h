@@ -13,8 +13,7 @@ class QTreeWidgetItem;
 
 namespace angiopose::ui {
 
-/// Which snapshots the key for A and B goes between, and which one is on screen now. Nothing for `a` means the pose as
-/// it is.
+/// Snapshots that the A/B key toggles between, and the one on screen. Empty `a` means the current pose.
 struct SnapshotMarks {
     std::optional<int> a;
     std::optional<int> b;
@@ -23,26 +22,26 @@ struct SnapshotMarks {
     bool operator==(const SnapshotMarks&) const = default;
 };
 
-/// The list of kept poses, and below it, folded, what the runs left. Shows what it is told, reports what the user
-/// wants.
+/// List of snapshots and, folded below it, the registration results. Displays the values it is given and emits signals
+/// for user actions.
 class SnapshotPanel : public Section {
     Q_OBJECT
 public:
     explicit SnapshotPanel(QWidget* parent = nullptr);
 
-    void showSnapshots(const std::vector<core::PoseSnapshot>& snapshots);   ///< silent, keeps the selection
+    void showSnapshots(const std::vector<core::PoseSnapshot>& snapshots);   ///< emits no signal, keeps the selection
     void showMarks(const SnapshotMarks& marks);
-    void editName(int snapshotId);   ///< opens the editor in its row
+    void editName(int snapshotId);   ///< opens the name editor in its row
     QTreeWidget* list() const { return list_; }
 
 signals:
     void keepRequested();
     void compareRequested();
-    void wasPicked(int snapshotId);   ///< to be looked at
+    void wasPicked(int snapshotId);   ///< snapshot to display
     void restoreRequested(int snapshotId);
     void renamed(int snapshotId, const QString& name);
     void removeRequested(const std::set<int>& snapshotIds);
-    void markRequested(int snapshotId, bool isA);   ///< as A, or else as B
+    void markRequested(int snapshotId, bool isA);   ///< mark as A, otherwise as B
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -65,7 +64,7 @@ private:
     QPushButton* compare_;
     SnapshotMarks marks_;
     bool areRunsUnfolded_ = false;
-    bool showing_ = false;   ///< true while the owner, not the user, changes the list
+    bool showing_ = false;   ///< true while the program, not the user, changes the list
 };
 
 }   // namespace angiopose::ui

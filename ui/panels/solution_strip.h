@@ -9,27 +9,27 @@ class QListWidget;
 
 namespace angiopose::ui {
 
-/// One pose that explains the image: what to say of it in a line, and more.
+/// One candidate pose that explains the image: one-line summary and details.
 struct SolutionLine {
     QString words;
     QString toolTip;
 };
 
-/// The solutions of the last run as small pictures, the best first. Hidden where there is only one. Shows what it is
-/// told, reports what the user wants.
+/// Solutions of the last registration as thumbnails, best first. Hidden if there is only one. Displays the values it is
+/// given and emits signals for user actions.
 class SolutionStrip : public Section {
     Q_OBJECT
 public:
     explicit SolutionStrip(QWidget* parent = nullptr);
 
-    void showSolutions(const std::vector<SolutionLine>& solutions);   ///< silent; pictures follow
+    void showSolutions(const std::vector<SolutionLine>& solutions);   ///< emits no signal; thumbnails follow
     void showPicture(int index, const core::ColorImage& picture);
-    void showCurrent(int index);   ///< silent
-    int pictureWidthPx() const;   ///< in screen px
+    void showCurrent(int index);   ///< emits no signal
+    int pictureWidthPx() const;   ///< in device px
     QListWidget* list() const { return list_; }
 
 signals:
-    void wasPicked(int index);   ///< to be looked at; 0 is the pose itself
+    void wasPicked(int index);   ///< solution to display; 0 is the pose itself
     void takeRequested(int index);
 
 private:

@@ -58,7 +58,7 @@ void StepBar::resizeEvent(QResizeEvent* event)
 
 void StepBar::fitHints()
 {
-    // Hints give way from the right before a name would be cut.
+    // Hides hints from the right before a name would be clipped.
     int needed = 16 + 4 * (stepCount - 1);
     for (const StepButton* button : buttons_) {
         needed += button->widthWith(HintRoom::Shown);

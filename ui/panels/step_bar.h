@@ -8,24 +8,24 @@ class QHBoxLayout;
 
 namespace angiopose::ui {
 
-/// The way through a case, in order.
+/// Workflow steps of a case, in order.
 enum class Step { Vessels, Angiogram, Geometry, StartPose, Register, Review, Export };
 inline constexpr int stepCount = 7;
 
 enum class StepMark { Open, Done, Look };
 
-/// What one step says: its mark, and a few words that are true right now.
+/// State of one step: its mark and a short hint about the current situation.
 struct StepState {
     StepMark mark = StepMark::Open;
     QString hint;
-    QString whyNotReady;   ///< shown as tool tip
+    QString whyNotReady;   ///< shown as tooltip
 
     bool operator==(const StepState&) const = default;
 };
 
 class StepButton;
 
-/// The steps in a row, each with a tick or an exclamation mark; freely clickable.
+/// Workflow steps in a row, each with a check mark or an exclamation mark; all are clickable.
 class StepBar : public QWidget {
     Q_OBJECT
 public:

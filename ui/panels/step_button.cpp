@@ -74,7 +74,7 @@ void StepButton::setHintRoom(HintRoom room)
 
 int StepButton::widthWith(HintRoom room) const
 {
-    // Room for the name as it is while current, so that nothing moves when that changes.
+    // Reserves the width of the bold name of the current step, so that the layout stays stable.
     const QFontMetrics nameMetrics(nameFont(font(), QFont::DemiBold));
     int width = 2 * sideMargin + nameMetrics.horizontalAdvance(text());
     if (state_.mark != StepMark::Open) {

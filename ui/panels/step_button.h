@@ -9,7 +9,7 @@ namespace angiopose::ui {
 
 enum class HintRoom { Shown, Dropped };
 
-/// One step: mark, name, hint; underlined in the accent colour while current.
+/// One step: mark, name, hint; underlined in the accent color while current.
 class StepButton : public QAbstractButton {
     Q_OBJECT
 public:

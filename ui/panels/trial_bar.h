@@ -5,7 +5,7 @@
 
 namespace angiopose::ui {
 
-/// Says that a blind trial is on, and how to end it. Hidden otherwise.
+/// Shows that a blind trial is running and how to end it. Hidden otherwise.
 class TrialBar : public QWidget {
     Q_OBJECT
 public:

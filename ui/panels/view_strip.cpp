@@ -17,10 +17,10 @@ namespace {
 
 constexpr int viewPictureSize = 52;
 constexpr int minPictureSize = 28;
-constexpr int viewItemPadding = 32;   // around and between picture and words
-constexpr int numberPadding = 22;   // … and a number alone
-constexpr int listRim = 4;   // what the list takes beside its items
-constexpr int fewestWordsPx = 40;   // less beside a picture is not worth reading
+constexpr int viewItemPadding = 32;   // around and between thumbnail and text
+constexpr int numberPadding = 22;   // … and for a number only
+constexpr int listRim = 4;   // space of the list around its items
+constexpr int fewestWordsPx = 40;   // narrower text is not readable
 
 QPixmap emptyPicture(double ratio)
 {
@@ -79,7 +79,7 @@ void ViewStrip::setUpList()
     });
 }
 
-/// One over the other: the width is for the pictures.
+/// Stacks the toggles vertically to leave the width to the thumbnails.
 QLayout* ViewStrip::placedSwitches()
 {
     sideBySide_->setIcon(QIcon(QStringLiteral(":/icons/side_by_side.svg")));
@@ -112,7 +112,7 @@ bool ViewStrip::eventFilter(QObject* watched, QEvent* event)
     if (watched != list_ || !isKey || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Delete) {
         return QWidget::eventFilter(watched, event);
     }
-    event->accept();   // in the strip this key is about views, not branches
+    event->accept();   // in the strip, this key acts on views, not branches
     if (event->type() == QEvent::KeyPress) {
         emit removeRequested(list_->currentRow());
     }
@@ -172,7 +172,7 @@ int ViewStrip::wordsWidthPx(int index) const
     return viewPictureSize + viewItemPadding + widest;
 }
 
-/// Words on the switches where every picture has room for some of its own then, else signs.
+/// Shows text on the toggles if every thumbnail still has room for text, otherwise icons.
 void ViewStrip::fit()
 {
     const int count = std::min(list_->count(), static_cast<int>(views_.size()));
@@ -205,7 +205,7 @@ void ViewStrip::fitSwitches(bool hasWords)
     }
 }
 
-/// No width: a number instead of words.
+/// A width of 0 shows a number instead of text.
 void ViewStrip::fitItem(int index, int widthPx)
 {
     const ViewLine& view = views_[static_cast<std::size_t>(index)];
@@ -226,10 +226,10 @@ void ViewStrip::showPicture(int index, const core::ColorImage& picture)
     }
     const uchar* bytes = picture.rgb.data();
     const QImage image(bytes, picture.width, picture.height, qsizetype{3} * picture.width, QImage::Format_RGB888);
-    QPixmap pixmap = QPixmap::fromImage(image.copy());   // the picture goes away
+    QPixmap pixmap = QPixmap::fromImage(image.copy());   // deep copy: the source image is temporary
     pixmap.setDevicePixelRatio(devicePixelRatioF());
     QIcon icon(pixmap);
-    icon.addPixmap(pixmap, QIcon::Selected);   // no tint over the picture
+    icon.addPixmap(pixmap, QIcon::Selected);   // no selection tint over the thumbnail
     item->setIcon(icon);
 }
 

@@ -12,25 +12,25 @@ class QToolButton;
 
 namespace angiopose::ui {
 
-/// One view in the strip.
+/// Texts of one view in the strip.
 struct ViewLine {
-    QString words;   ///< angles; below them how the view agrees
+    QString words;   ///< angles; agreement of the view below them
     QString toolTip;
 };
 
-/// The views of the case as small pictures, the shown one marked; hidden while there is only one. Where there is no
-/// room for words beside the pictures, numbers stand there and the tips say the words.
+/// Thumbnails of the case's views with the shown one marked; hidden if there is only one view. If text does not fit
+/// beside the thumbnails, numbers replace it and the tooltips show it.
 class ViewStrip : public QWidget {
     Q_OBJECT
 public:
     explicit ViewStrip(QWidget* parent = nullptr);
 
-    void showViews(const std::vector<ViewLine>& views, int shown);   ///< keeps pictures while their number stays
+    void showViews(const std::vector<ViewLine>& views, int shown);   ///< keeps thumbnails if the count is unchanged
     void showPicture(int index, const core::ColorImage& picture);
     int pictureWidthPx() const;   ///< in device pixels
     int count() const;
-    void showSideBySide(bool on);   ///< that the views stand side by side,
-    void showCrosshair(bool on);   ///< and that a cross-hair links them then
+    void showSideBySide(bool on);   ///< state of the side-by-side toggle
+    void showCrosshair(bool on);   ///< state of the linked cross-hair toggle
 
 signals:
     void viewPicked(int index);
@@ -50,7 +50,7 @@ private:
     void fit();
     void fitSwitches(bool hasWords);
     void fitItem(int index, int widthPx);
-    int wordsWidthPx(int index) const;   ///< of a picture with its words
+    int wordsWidthPx(int index) const;   ///< width of a thumbnail with its text
 
     std::vector<ViewLine> views_;
     QListWidget* list_;

@@ -49,7 +49,7 @@ WelcomePage::WelcomePage(QWidget* parent)
 
     auto* list = new QHBoxLayout;
     list->addStretch(1);
-    list->addWidget(recent_, 1000);   // as wide as it may be
+    list->addWidget(recent_, 1000);   // takes all available width up to its maximum
     list->addStretch(1);
     auto* layout = new QVBoxLayout(page_);
     layout->setSpacing(12);
@@ -62,7 +62,7 @@ WelcomePage::WelcomePage(QWidget* parent)
     layout->addSpacing(16);
     layout->addLayout(list);
     layout->addStretch(3);
-    auto* area = new QScrollArea;   // at 200 % a screen may be too small for all of it
+    auto* area = new QScrollArea;   // a screen at 200 % may be too small for the page
     area->setWidget(page_);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
@@ -74,7 +74,7 @@ WelcomePage::WelcomePage(QWidget* parent)
     whole->addWidget(area);
 }
 
-/// Buttons that do not stand side by side stand below each other.
+/// Stacks the buttons vertically if they do not fit side by side.
 void WelcomePage::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);

@@ -7,7 +7,7 @@
 
 namespace angiopose::ui {
 
-/// What the middle shows while no case is open: what can be dropped, the sample case, recent cases.
+/// Start page while no case is open: supported file types, the sample case and recent cases.
 class WelcomePage : public QWidget {
     Q_OBJECT
 public:

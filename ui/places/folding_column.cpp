@@ -46,7 +46,7 @@ ColumnRail::ColumnRail(ColumnSide side, const Words& behind, QWidget* parent) : 
     withName(this, [behind] { return tr("Unfold the column: %1").arg(behind()); });
     withTip(this, [side, behind] { return tipWithKey(tr("Unfold: %1").arg(behind()), commandOf(side)); });
     setCursor(Qt::PointingHandCursor);
-    setFocusPolicy(Qt::TabFocus);   // a click leaves no mark
+    setFocusPolicy(Qt::TabFocus);   // no focus rectangle after a click
     setAttribute(Qt::WA_Hover);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
 }
@@ -61,7 +61,7 @@ int ColumnRail::wordsRoomPx(int height)
     return height - wordsFromTop - 8;
 }
 
-/// The words run as on the back of a book, towards the image.
+/// Draws the text rotated clockwise along the rail.
 void ColumnRail::paintEvent(QPaintEvent*)
 {
     const Palette& tones = activePalette();
@@ -94,7 +94,7 @@ FoldButton::FoldButton(ColumnSide side, const Words& folds, QWidget* parent) : Q
                           side == ColumnSide::Left ? Command::FoldLeft : Command::FoldRight);
     });
     setCursor(Qt::PointingHandCursor);
-    setFocusPolicy(Qt::TabFocus);   // a click leaves no mark
+    setFocusPolicy(Qt::TabFocus);   // no focus rectangle after a click
     setAttribute(Qt::WA_Hover);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
 }
@@ -158,7 +158,7 @@ void FoldingColumn::setFolded(bool folded)
     placeRail();
     emit foldedChanged(folded);
     showContent();
-    if (hadFocus) {   // the keys stay at what was folded, or unfolded
+    if (hadFocus) {   // moves the focus to the rail, or back to the button
         QWidget* next = folded ? rail_ : button_;
         next->setFocus(Qt::OtherFocusReason);
     }
@@ -188,7 +188,7 @@ bool FoldingColumn::isRail() const
     return isFolded_ && !isHeldOpen_;
 }
 
-/// Before the content comes and after it went: it is laid out once, for the width that it keeps.
+/// Called before the content is shown and after it is hidden; the content is laid out only once, at its final width.
 void FoldingColumn::placeRail()
 {
     const bool isRail = this->isRail();
@@ -201,7 +201,7 @@ void FoldingColumn::placeRail()
     setMaximumWidth(isRail ? railWidth : QWIDGETSIZE_MAX);
     if (button_) {
         button_->setVisible(!isRail);
-        button_->parentWidget()->setEnabled(!isRail);   // a rail has one width
+        button_->parentWidget()->setEnabled(!isRail);   // a rail cannot be resized
     }
 }
 
@@ -217,14 +217,14 @@ ColumnLayout columnsFor(Work work, int windowWidth)
 {
     ColumnLayout columns;
     switch (work) {
-        case Work::Tracing:   // slices and 3-D view
+        case Work::Tracing:   // slices and 3-D view are enlarged
             columns.leftWidth = shareOf(windowWidth, 0.34, 300, 760);
             columns.cornerShare = 0.68;
             columns.isRightFolded = true;
             break;
         case Work::Registering:
             break;
-        case Work::Reviewing:   // image and result
+        case Work::Reviewing:   // image and result are enlarged
             columns.rightWidth = shareOf(windowWidth, 0.28, 320, 480);
             columns.isLeftFolded = true;
             break;

@@ -13,7 +13,7 @@ namespace angiopose::ui {
 
 enum class ColumnSide { Left, Right };
 
-/// What is left of a folded column: a narrow button that names, along its height, what is behind it.
+/// Rail of a folded column: a narrow button with vertical text that names the hidden content.
 class ColumnRail : public QAbstractButton {
     Q_OBJECT
 public:
@@ -21,7 +21,7 @@ public:
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {sizeHint().width(), 80}; }
-    static int wordsRoomPx(int height);   ///< along a rail of this height
+    static int wordsRoomPx(int height);   ///< length available for the text on a rail of this height
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -30,10 +30,10 @@ private:
     ColumnSide side_;
 };
 
-/// A chevron that points to `side`, its middle at `at`, in the painter's pen.
+/// Paints a chevron that points to `side`, centered at `at`, with the painter's pen.
 void paintChevron(QPainter& painter, const QPointF& at, ColumnSide side);
 
-/// The visible handle on a column's border: a chevron towards the side where the column goes when it folds.
+/// Visible handle on a column's border: a chevron towards the side to which the column folds.
 class FoldButton : public QAbstractButton {
     Q_OBJECT
 public:
@@ -48,21 +48,21 @@ private:
     ColumnSide side_;
 };
 
-/// A column of the window that folds to a rail and remembers how wide it was. What is in it stays alive meanwhile.
+/// Column of the window that folds to a rail and remembers its width. The content stays alive while folded.
 class FoldingColumn : public QWidget {
     Q_OBJECT
 public:
-    /// Owns the content. `behind` names what is in it.
+    /// Takes ownership of the content. `behind` is its display name.
     FoldingColumn(ColumnSide side, QWidget& content, const Words& behind, QWidget* parent = nullptr);
 
     bool isFolded() const { return isFolded_; }
     void setFolded(bool folded);
-    void holdOpen(bool hold);   ///< as long as this holds the content is shown, folded or not
+    void holdOpen(bool hold);   ///< shows the content while true, even if folded
 
-    int openWidth() const { return openWidth_; }   ///< that it has, or had before it was folded
+    int openWidth() const { return openWidth_; }   ///< current width, or the width before folding
     void setOpenWidth(int width) { openWidth_ = width; }
 
-    /// A button in the middle of the column's border that folds it.
+    /// Places the fold button in the middle of the column's border.
     void placeButton(QSplitterHandle& border);
 
 signals:
@@ -86,9 +86,9 @@ private:
     bool isHeldOpen_ = false;
 };
 
-inline constexpr int columnBorderWidth = 9;   ///< with the button that folds the column
+inline constexpr int columnBorderWidth = 9;   ///< includes the fold button
 
-/// Widths and folding of the columns beside the image, and how much of the left one's height the 3-D view has.
+/// Widths and folding of the columns beside the image, and the share of the left column's height used by the 3-D view.
 struct ColumnLayout {
     int leftWidth = 300;
     int rightWidth = 320;
@@ -99,22 +99,22 @@ struct ColumnLayout {
     bool operator==(const ColumnLayout&) const = default;
 };
 
-/// What the window is used for in a step: a scan is traced, vessels are registered, or a result is looked at.
+/// Activity of a step that determines the layout: tracing a scan, registering vessels, or reviewing a result.
 enum class Work { Tracing, Registering, Reviewing };
 
-/// Which columns a work needs, in a window of this width.
+/// Default columns for an activity in a window of this width.
 ColumnLayout columnsFor(Work work, int windowWidth);
 
-/// How the window stands in one work.
+/// Window layout of one activity.
 struct WorkLayout {
     ColumnLayout columns;
     bool areSlicesLarge = false;
-    int cornerPlane = 0;   ///< 0: 3-D, then `core::bodyPlanes`
+    int cornerPlane = 0;   ///< 0: 3-D, then indices into `core::bodyPlanes`
 
     bool operator==(const WorkLayout&) const = default;
 };
 
-/// As stored, and from there; none from bytes that are no layout.
+/// Serializes and restores a layout; returns none for invalid bytes.
 QByteArray bytesOf(const WorkLayout& layout);
 std::optional<WorkLayout> workLayoutOf(const QByteArray& bytes);
 

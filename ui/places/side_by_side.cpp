@@ -46,7 +46,7 @@ void PaneTitle::showWords(const QString& title, const QString& note, const QStri
     }
 }
 
-/// Where there is little room it is for the name.
+/// Hides the note in a narrow pane to leave room for the name.
 void PaneTitle::showNote()
 {
     constexpr int narrowPx = 220;
@@ -171,7 +171,7 @@ void SideBySide::setPaneCount(std::size_t count)
     place();
 }
 
-/// In rows, as many columns as keep the panes about as high as they are wide.
+/// Arranges the panes in a grid whose number of columns keeps them about square.
 void SideBySide::place()
 {
     const std::size_t columns = count_ > panesInOneColumn ? 2 : 1;

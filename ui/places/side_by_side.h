@@ -12,16 +12,16 @@ namespace angiopose::ui {
 
 class ElidedLabel;
 
-/// What stands over an image among several: which view of the case it is, and how its pose goes with the others'. A
-/// click chooses the view.
+/// Title above one of several images: the name of the view and how its pose relates to the others. A click selects the
+/// view.
 class PaneTitle : public QWidget {
     Q_OBJECT
 public:
     explicit PaneTitle(QWidget* parent = nullptr);
 
-    /// `note` stands on the right, `tip` says it in whole sentences.
+    /// Shows `note` at the right; `tip` explains it in full sentences.
     void showWords(const QString& title, const QString& note, const QString& tip);
-    void setShown(bool shown);   ///< it is the shown view's: not to be chosen, its name stronger
+    void setShown(bool shown);   ///< title of the current view: not clickable, bold name
     QString title() const;
     QString note() const;
 
@@ -45,8 +45,8 @@ private:
 class AngiogramView;
 class PaneTitle;
 
-/// A further view of the case: its name, its image with the vessels, its frames. To be looked at; to work on it is to
-/// choose it.
+/// Additional view of the case for viewing only: title, image with the vessels, frame slider. Select the view to work
+/// on it.
 class ViewPane : public QWidget {
     Q_OBJECT
 public:
@@ -54,11 +54,11 @@ public:
 
     AngiogramView& image() { return *image_; }
     PaneTitle& title() { return *title_; }
-    void showFrame(int frame, int count);   ///< counted from 0; a count below 2 needs no bar
+    void showFrame(int frame, int count);   ///< counted from 0; no slider if count < 2
 
 signals:
-    void chosen();   ///< by a click on the name, or a double click in the image
-    void frameRequested(int frame);   ///< not beyond the run
+    void chosen();   ///< click on the title, or double click in the image
+    void frameRequested(int frame);   ///< within the range of the run
     void menuRequested(const QPoint& globalPosition);
 
 private:
@@ -73,22 +73,22 @@ class AngiogramView;
 class PaneTitle;
 class ViewPane;
 
-/// The shown image, and panes for further views: one beside it, more in a grid on its right.
+/// The current image and panes for additional views: one beside it, or several in a grid at its right.
 class SideBySide : public QWidget {
     Q_OBJECT
 public:
-    explicit SideBySide(AngiogramView& shown, QWidget* parent = nullptr);   ///< owns it
+    explicit SideBySide(AngiogramView& shown, QWidget* parent = nullptr);   ///< takes ownership
 
-    /// 0: the shown image alone, without its name.
+    /// 0: only the current image, without title.
     void setPaneCount(std::size_t count);
     std::size_t paneCount() const { return count_; }
     ViewPane& pane(std::size_t index) { return *panes_[index]; }
-    PaneTitle& title() { return *title_; }   ///< of the shown image
+    PaneTitle& title() { return *title_; }   ///< title of the current image
     AngiogramView& shown() { return *shown_; }
-    std::vector<AngiogramView*> images();   ///< the shown one first, then those of the panes
+    std::vector<AngiogramView*> images();   ///< the current image first, then those of the panes
 
 signals:
-    void paneMade(ui::ViewPane* pane);   ///< once for each: what goes is kept for later
+    void paneMade(ui::ViewPane* pane);   ///< once per pane: hidden panes are reused
 
 private:
     void place();
@@ -98,7 +98,7 @@ private:
     QWidget* others_;
     QGridLayout* grid_;
     QSplitter* halves_;
-    std::vector<ViewPane*> panes_;   ///< as many as there ever were
+    std::vector<ViewPane*> panes_;   ///< includes hidden panes kept for reuse
     std::size_t count_ = 0;
 };
 

@@ -109,7 +109,7 @@ void ViewFrame::leave()
     if (window()->isVisible()) {
         show();
     } else {
-        QTimer::singleShot(0, window_, show);   // while the layout is restored: after the main window
+        QTimer::singleShot(0, window_, show);   // during layout restore: after the main window is shown
     }
 }
 
@@ -120,9 +120,9 @@ void ViewFrame::comeBack()
     setCurrentWidget(home_);
     view_->show();
     window_->hide();
-    window_->deleteLater();   // this may be the answer to its close event
+    window_->deleteLater();   // deferred: may run inside its close event
     window_ = nullptr;
-    window()->activateWindow();   // not every desktop hands the keys on
+    window()->activateWindow();   // some desktops do not pass on the focus
 }
 
 void ViewFrame::setFullScreen(bool on)

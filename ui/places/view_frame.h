@@ -8,15 +8,15 @@
 
 namespace angiopose::ui {
 
-/// A window of its own for a view that left the main window; on another screen where there is one. The main window's
-/// keys act in it too. Closing it only asks for the view to go back.
+/// Window of a popped-out view, on another screen if there is one. The main window's shortcuts work in it too. Closing
+/// it only requests that the view return.
 class ViewWindow : public QWidget {
     Q_OBJECT
 public:
     ViewWindow(QWidget* mainWindow, const Words& title);
 
     void hold(QWidget& view);
-    void goToAnotherScreen();   ///< stays where it is when there is only one
+    void goToAnotherScreen();   ///< no effect with a single screen
 
 signals:
     void closeRequested();
@@ -27,19 +27,19 @@ protected:
 
 class ViewWindow;
 
-/// The place in the main window of a view that can leave it for a window of its own, and comes back when that is
-/// closed. While the view is away the place says so, with a way to get it back.
+/// Place of a view in the main window. The view can pop out to its own window and returns when that is closed;
+/// meanwhile a placeholder offers to bring it back.
 class ViewFrame : public QStackedWidget {
     Q_OBJECT
 public:
-    /// Owns the view. `title` names it in its own window.
+    /// Takes ownership of the view. `title` is the title of its own window.
     ViewFrame(QWidget& view, const Words& title, QWidget* parent = nullptr);
 
     bool isOut() const { return isOut_; }
     void setOut(bool out);
-    void setFullScreen(bool on);   ///< of the view's own window; nothing happens while it is in its place
+    void setFullScreen(bool on);   ///< full screen of the popped-out window; no effect while docked
 
-    QByteArray windowPlace() const;   ///< where its window is or was last; empty when it had none
+    QByteArray windowPlace() const;   ///< last geometry of its window; empty if never popped out
     void setWindowPlace(const QByteArray& place) { place_ = place; }
 
 signals:

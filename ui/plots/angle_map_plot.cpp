@@ -15,7 +15,7 @@ namespace {
 
 constexpr int angleLabelHeight = 20;
 constexpr int angleLabelWidth = 58;
-constexpr double hiddenCost = 1.0;   // of foreshortening and overlap together: the end of the ramp
+constexpr double hiddenCost = 1.0;   // foreshortening plus overlap at the end of the color ramp
 constexpr double primaryTickDeg = 30.0;
 constexpr double secondaryTickDeg = 20.0;
 
@@ -26,7 +26,7 @@ QImage imageOf(const core::AngleMap& map)
     QImage image(columns, rows, QImage::Format_RGB32);
     for (int y = 0; y < rows; ++y) {
         for (int x = 0; x < columns; ++x) {
-            const auto row = static_cast<std::size_t>(rows - 1 - y);   // cranial above
+            const auto row = static_cast<std::size_t>(rows - 1 - y);   // cranial at the top
             const double cost = map.at(static_cast<std::size_t>(x), row).cost();
             image.setPixelColor(x, y, toQColor(residualColor(std::min(1.0, cost / hiddenCost))));
         }
@@ -40,7 +40,7 @@ QString tickText(double deg, const char* negative, const char* positive)
     return deg == 0.0 ? number : QLatin1String(deg < 0.0 ? negative : positive) + QLatin1Char(' ') + number;
 }
 
-/// On the map's own colours, in every theme.
+/// Contrasts with the map's colors in every theme.
 QColor markTone()
 {
     return toQColor(palette(ThemeMode::Dark).textStrong);
@@ -143,7 +143,7 @@ void AngleMapPlot::paintAxes(QPainter& painter) const
     });
     ticks(map_->secondaryDeg, secondaryTickDeg, [&](double deg) {
         const double place = placeOf({map_->primaryDeg.front(), deg}).y();
-        const double y = std::clamp(place, map.top() + 6.0, map.bottom() - 6.0);   // clear of the other axis
+        const double y = std::clamp(place, map.top() + 6.0, map.bottom() - 6.0);   // keeps clear of the other axis
         painter.drawText(QRectF(0, y - 10, angleLabelWidth - 8, 20), Qt::AlignRight | Qt::AlignVCenter,
                          tickText(deg, "CAU", "CRA"));
     });
@@ -156,7 +156,7 @@ void AngleMapPlot::paintMarks(QPainter& painter) const
     for (std::size_t i = 0; i < map_->best.size(); ++i) {
         const QPointF at = placeOf(map_->best[i].angles);
         const QString number = QString::number(i + 1);
-        const double below = at.y() < area().top() + 20 ? 18.0 : -6.0;   // within the map
+        const double below = at.y() < area().top() + 20 ? 18.0 : -6.0;   // keeps the label inside the map
         const double beside = at.x() > area().right() - 20 ? -16.0 : 6.0;
         painter.setPen(QPen(toQColor(tones.canvas), 3.0));
         painter.drawPoint(at);

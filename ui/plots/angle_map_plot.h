@@ -8,15 +8,15 @@
 
 namespace angiopose::ui {
 
-/// How a part of the vessels is seen from all angles of the gantry: RAO to LAO across, CAU to CRA upwards, in the
-/// colours of the residuals from well seen to hidden. A click, or the arrow keys, picks angles.
+/// Visibility of a vessel segment for all gantry angles: RAO to LAO horizontally, CAU to CRA upwards, in the residual
+/// colors from well visible to hidden. A click or the arrow keys select angles.
 class AngleMapPlot : public QWidget {
     Q_OBJECT
 public:
     explicit AngleMapPlot(QWidget* parent = nullptr);
 
     void showMap(const std::optional<core::AngleMap>& map);
-    void showNow(const std::optional<core::GantryAngles>& angles);   ///< where the gantry stands
+    void showNow(const std::optional<core::GantryAngles>& angles);   ///< current gantry angles
     void showPicked(const core::GantryAngles& angles);
     QSize sizeHint() const override { return {440, 230}; }
 
@@ -32,7 +32,7 @@ protected:
 private:
     QRectF area() const;
     QPointF placeOf(const core::GantryAngles& angles) const;
-    core::GantryAngles anglesAt(const QPointF& place) const;   ///< the nearest within the map
+    core::GantryAngles anglesAt(const QPointF& place) const;   ///< nearest angles inside the map
     void paintAxes(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
 

@@ -14,10 +14,10 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double captionHeight = 17.0;
-constexpr double sampleWidth = 18.0;   // of the line beside the caption
-constexpr double most = 4.0;   // decades: what lies farther below is as good as nothing
+constexpr double sampleWidth = 18.0;   // length of the line sample beside the caption
+constexpr double most = 4.0;   // maximum span in decades; lower values are negligible
 
-/// Along the bottom of the caption's row: the line as it is drawn, then what it means.
+/// Paints a sample of the line followed by its caption, above the lane.
 void paintCaption(QPainter& painter, const QRectF& area, const LogLane& lane)
 {
     const double middle = std::round(area.top() + captionHeight / 2.0) + 0.5;
@@ -30,7 +30,7 @@ void paintCaption(QPainter& painter, const QRectF& area, const LogLane& lane)
     painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, words);
 }
 
-/// A line and its number at 10, 1, 0.1 …
+/// Paints a grid line with its value at 10, 1, 0.1 …
 void paintDecades(QPainter& painter, const QRectF& area, const LogSpan& span, const QString& unit)
 {
     const Palette& tones = activePalette();
@@ -47,11 +47,11 @@ void paintDecades(QPainter& painter, const QRectF& area, const LogSpan& span, co
 }
 
 constexpr double axisHeight = 15.0;
-constexpr double laneGap = 5.0;   // between the lanes
-constexpr int emptyConvergenceHeight = 34;   // until there was a run, others have the room
+constexpr double laneGap = 5.0;   // gap between the lanes
+constexpr int emptyConvergenceHeight = 34;   // height before the first registration
 constexpr int fullConvergenceHeight = 148;
 
-/// The steps at both ends.
+/// Labels the first and the last step.
 void paintAxis(QPainter& painter, const QRectF& room, int first, int last)
 {
     painter.setPen(toQColor(activePalette().hint));

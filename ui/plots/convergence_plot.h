@@ -13,16 +13,16 @@ class QPainter;
 
 namespace angiopose::ui {
 
-/// One curve of a plot over the run: its caption with a sample of its line above, decades behind it.
+/// One curve of the convergence plot: a caption with a line sample above it, decade lines behind it.
 struct LogLane {
     QString caption;
     QString unit;
     QPen pen;
-    std::span<const int> positions;   ///< ascending, across
-    std::span<const double> values;   ///< 0 lies on the floor: a logarithm has none
+    std::span<const int> positions;   ///< x positions, ascending
+    std::span<const double> values;   ///< 0 is drawn at the bottom: it has no logarithm
 };
 
-/// The decades a lane spans, as powers of ten; at least one, so that what does not change looks so.
+/// Range of a lane as powers of ten; at least one decade, which keeps constant values looking constant.
 struct LogSpan {
     double bottom = 0.0, top = 1.0;
 };
@@ -32,8 +32,8 @@ void paintLane(QPainter& painter, const QRectF& area, const LogLane& lane);
 
 class LingeringHeight;
 
-/// A run step by step, one lane above the other: the median distance of the tree to the traced vessels, and how far
-/// the step moved the tree. Both logarithmic, each on a scale of its own.
+/// Convergence of a registration in two lanes over its steps: the median distance of the tree to the traced vessels,
+/// and the movement of the tree per step. Both are logarithmic with separate scales.
 class ConvergencePlot : public QWidget {
     Q_OBJECT
 public:

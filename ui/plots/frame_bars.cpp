@@ -103,7 +103,7 @@ void FrameBars::paintCell(QPainter& painter, int frame) const
 {
     const Palette& tones = activePalette();
     const QRectF cell = cellOf(frame);
-    painter.setOpacity(loop_.contains(frame) ? 1.0 : 0.45);   // the rest does not play
+    painter.setOpacity(loop_.contains(frame) ? 1.0 : 0.45);   // dims frames outside the playback range
     painter.fillRect(cell, toQColor(tones.field));
     const double filled = std::clamp(curve_.opacification[static_cast<std::size_t>(frame)], 0.0, 1.0) * cell.height();
     painter.fillRect(QRectF(cell.left(), cell.bottom() - filled, cell.width(), filled),
@@ -126,7 +126,7 @@ void FrameBars::paintCell(QPainter& painter, int frame) const
     }
 }
 
-/// What plays, as a line between two grips.
+/// Paints the playback range as a line between two grips.
 void FrameBars::paintLoop(QPainter& painter) const
 {
     const Palette& tones = activePalette();
@@ -143,7 +143,7 @@ void FrameBars::paintLoop(QPainter& painter) const
     painter.setBrush(Qt::NoBrush);
 }
 
-/// A spike in the lane above each R wave.
+/// Paints a spike above each R wave in the lane above the bars.
 void FrameBars::paintBeats(QPainter& painter) const
 {
     painter.setPen(QPen(toQColor(activePalette().textStrong), 1.2));
@@ -206,7 +206,7 @@ std::optional<FrameBars::LoopEnd> FrameBars::loopEndAt(const QPointF& place) con
 void FrameBars::dragLoop(int frame)
 {
     core::FrameRange range = loop_;
-    if (range.count() == 1) {   // both grips in one place: whichever way they are pulled
+    if (range.count() == 1) {   // coinciding grips: the drag direction decides
         dragged_ = frame < range.first ? LoopEnd::First : LoopEnd::Last;
     }
     if (*dragged_ == LoopEnd::First) {
@@ -287,7 +287,7 @@ void FrameBars::mouseDoubleClickEvent(QMouseEvent* event)
     }
 }
 
-/// Marks by keys: from the current frame, or on from a range that ends there.
+/// Marks mask frames by keyboard: starts at the current frame, or extends a range that ends there.
 void FrameBars::extendMask(int step)
 {
     const int last = static_cast<int>(curve_.opacification.size()) - 1;

@@ -10,19 +10,19 @@
 
 namespace angiopose::ui {
 
-/// What is known of a run's frames.
+/// Properties of the frames of a run.
 struct FrameCurve {
     std::vector<double> opacification;   ///< 0…1, one per frame
     int suggested = 0;
-    double frameTimeMs = 0.0;   ///< 0: unknown
+    double frameTimeMs = 0.0;   ///< 0 if unknown
     std::vector<int> rWaves = {};   ///< frames at the R waves of the ECG
 };
 
-/// "Frame 5, 0.33 s", with what is special about it.
+/// Describes a frame, e.g. "Frame 5, 0.33 s", with its special properties.
 QString describeFrame(const FrameCurve& curve, const std::vector<int>& masks, int frame);
 
-/// The frames of a run as bars of opacification; a click or ← → shows another frame. Shift marks the mask frames: by
-/// drag, or with ← → from the frame on. The lane above the bars shows what part of the run plays; its ends are dragged.
+/// Frames of a run as opacification bars; a click or ← → selects a frame. Shift marks mask frames: by dragging, or with
+/// ← → from the current frame. The lane above the bars shows the playback range, whose ends can be dragged.
 class FrameBars : public QWidget {
     Q_OBJECT
 public:
@@ -37,8 +37,8 @@ public:
 signals:
     void frameRequested(int frame);
     void maskRangeMarked(int first, int last);
-    void loopMarked(const angiopose::core::FrameRange& range);   ///< while it is dragged
-    void plotRequested();   ///< double click: the curve, larger
+    void loopMarked(const angiopose::core::FrameRange& range);   ///< emitted during the drag
+    void plotRequested();   ///< double click: opens the large plot
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -66,7 +66,7 @@ private:
     FrameCurve curve_;
     std::vector<int> masks_;
     bool masksInUse_ = false;
-    std::optional<std::pair<int, int>> marking_;   ///< from, to
+    std::optional<std::pair<int, int>> marking_;   ///< first and last frame
     core::FrameRange loop_;
     std::optional<LoopEnd> dragged_;
     int current_ = 0;

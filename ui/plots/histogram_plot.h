@@ -8,7 +8,8 @@ namespace angiopose::ui {
 
 class LingeringHeight;
 
-/// Residuals of all points as bars in the colours of the overlay's ramp; the last bar holds all that lies above.
+/// Histogram of the residuals of all points in the colors of the overlay's ramp; the last bar counts all values above
+/// the scale.
 class HistogramPlot : public QWidget {
     Q_OBJECT
 public:
@@ -26,7 +27,7 @@ private:
     double scaleMaximumMm_ = 0.0;
 };
 
-/// Counts in `binCount` equal bins up to `maximum`, and one more for what lies above.
+/// Counts values in `binCount` equal bins up to `maximum`, plus one bin for larger values.
 std::vector<int> binned(const std::vector<double>& values, double maximum, int binCount);
 
 }   // namespace angiopose::ui

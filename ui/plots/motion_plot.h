@@ -6,7 +6,7 @@
 
 namespace angiopose::ui {
 
-/// How far the vessels are in one frame from where they were found.
+/// Displacement of the vessels in one frame from the registered position.
 struct FrameMotion {
     int frame = 0;
     double inPlaneMm = 0.0;
@@ -15,8 +15,8 @@ struct FrameMotion {
     bool isTrustworthy = false;
 };
 
-/// Motion over the frames of a run: the shift across the image as a line, frames that could not be explained as open
-/// dots. A click or ← → shows a frame.
+/// Motion over the frames of a run: the in-plane shift as a line, frames that could not be tracked as open dots. A
+/// click or ← → selects a frame.
 class MotionPlot : public QWidget {
     Q_OBJECT
 public:

@@ -20,7 +20,7 @@ constexpr double rightMargin = 26.0;
 constexpr double topMargin = 26.0;
 constexpr double bottomMargin = 34.0;
 
-/// Round steps, so that about eight labels stand below the curve.
+/// Returns a round label interval that gives about eight labels below the curve.
 int labelStep(int frameCount)
 {
     int step = 1;
@@ -101,7 +101,7 @@ void OpacificationPlot::paintAxes(QPainter& painter) const
         const QString text = curve_.frameTimeMs > 0.0
                                  ? tr("%1 · %2 s").arg(frame + 1).arg(numberText(0.001 * curve_.frameTimeMs * frame, 2))
                                  : QString::number(frame + 1);
-        const double half = std::min(50.0, width() - 2.0 - x);   // the last one ends with the plot
+        const double half = std::min(50.0, width() - 2.0 - x);   // keeps the last label inside the plot
         painter.drawText(QRectF(x + half - 100.0, part.bottom() + 6.0, 100.0, 18.0),
                          half < 50.0 ? Qt::AlignRight : Qt::AlignHCenter, text);
     }

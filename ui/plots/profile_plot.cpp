@@ -17,7 +17,7 @@ namespace angiopose::ui {
 namespace {
 
 constexpr int profileLabelHeight = 18;
-constexpr double leastHighestBend = 0.02;   // per mm: a straight vessel looks straight
+constexpr double leastHighestBend = 0.02;   // minimum curvature range, 1/mm: keeps a straight vessel looking straight
 
 double diameterIn(const core::ProfileSample& sample)
 {
@@ -38,7 +38,7 @@ double highestOf(const core::BranchProfile& profile, double (*value)(const core:
 {
     double highest = least;
     for (const core::ProfileSample& sample : profile.samples) {
-        highest = std::fmax(highest, value(sample));   // of a number and none the number
+        highest = std::fmax(highest, value(sample));   // ignores NaN
     }
     return highest;
 }

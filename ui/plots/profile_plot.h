@@ -8,18 +8,19 @@
 
 namespace angiopose::ui {
 
-/// A branch from its beginning to its end: the diameter as a line over its dashed reference, the narrowest place as a
-/// dot, the curvature as a thin line on a scale of its own. The mouse or ← → points at a place, a click asks for it.
+/// Profile of a branch from start to end: the diameter as a line over the dashed reference diameter, the narrowest
+/// point as a dot, the curvature as a thin line on its own scale. The mouse or ← → points at a position, a click
+/// selects it.
 class ProfilePlot : public QWidget {
     Q_OBJECT
 public:
     explicit ProfilePlot(QWidget* parent = nullptr);
 
-    void showProfile(const core::BranchProfile& profile);   ///< without samples: nothing
+    void showProfile(const core::BranchProfile& profile);   ///< without samples, the plot is empty
     QSize sizeHint() const override { return {240, 130}; }
 
 signals:
-    void pointed(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< nothing: no more
+    void pointed(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< empty: no longer pointing
     void placeRequested(const Eigen::Vector3d& pointInPatient);
 
 protected:
@@ -40,7 +41,7 @@ private:
     QString wordsAt(std::size_t index) const;
 
     core::BranchProfile profile_;
-    double highestMm_ = 0.0;   ///< 0: no diameters
+    double highestMm_ = 0.0;   ///< 0: no diameters known
     double highestBend_ = 0.0;
     std::optional<std::size_t> pointedAt_;
 };

@@ -7,14 +7,15 @@
 namespace angiopose::ui {
 namespace {
 
-/// The parts of a line that can be seen. A view that is zoomed in has lines many thousands of px long.
+/// Returns the visible parts of a line. In a zoomed view lines can be many thousands of px long.
 std::vector<StrokeLine> visibleParts(const StrokeLine& line, const BeamLook& look)
 {
     const Eigen::Vector2d margin = Eigen::Vector2d::Constant(16.0 * look.pixelScale);
     return clipped(line, -margin, look.sizePx + margin);
 }
 
-/// Dashes from `line`'s begin on: they stay where they are when the view moves.
+/// Returns the visible dashes, with the pattern anchored at the start of `line`, so they stay in place when the view
+/// moves.
 std::vector<StrokeLine> visibleDashes(const StrokeLine& line, const DashPattern& pattern, const BeamLook& look)
 {
     std::vector<StrokeLine> dashes;

@@ -9,7 +9,7 @@
 
 namespace angiopose::ui {
 
-/// The X-ray source and its detector in patient space.
+/// X-ray source and detector in patient space.
 struct Beam {
     core::ProjectionCamera camera;
     double sourceToDetectorMm = 0.0;
@@ -18,7 +18,7 @@ struct Beam {
     bool hasDetector() const { return sourceToDetectorMm > 0.0 && !core::findProblem(camera); }
     Eigen::Vector3d source() const { return patientFromCamera.translation; }
 
-    /// From (u, v, 0) in image px to the place on the detector, patient mm.
+    /// Maps (u, v, 0) in image px to the point on the detector, patient mm.
     Eigen::Matrix4d patientFromImagePlane() const;
 
     /// Corners of the image on the detector, in the order of the image border.
@@ -27,11 +27,11 @@ struct Beam {
 
 struct BeamLook {
     Palette tones;
-    Eigen::Vector2d sizePx = Eigen::Vector2d::Zero();   ///< of the picture
+    Eigen::Vector2d sizePx = Eigen::Vector2d::Zero();   ///< size of the view
     double pixelScale = 1.0;
 };
 
-/// Source dot, dashed beam edges, border of the detector; of lines only what passes through the picture.
+/// Adds the source dot, dashed beam edges and the detector border, clipped to the view.
 void addBeamStrokes(StrokeMesh& mesh, const Beam& beam, const ScreenFromPatient& toScreen, const BeamLook& look);
 
 }   // namespace angiopose::ui

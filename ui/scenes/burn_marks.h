@@ -7,8 +7,8 @@
 
 namespace angiopose::ui {
 
-/// Draws marks with their labels onto a picture that shows `part` of the image. Labels stay inside the picture and keep
-/// clear of each other, of the corners' texts, and of `avoided`: points of vessels in px of the image.
+/// Draws marks with their labels onto an exported image that shows `part` of the angiogram. Labels stay inside the
+/// image and avoid each other, the corner texts, and `avoided`: vessel points in angiogram px.
 void burnMarks(core::ColorImage& picture, const std::vector<ImageMark>& marks, const ViewRect& part,
                const BurnSizes& sizes, const std::vector<Eigen::Vector2d>& avoided = {});
 

@@ -7,7 +7,7 @@
 
 namespace angiopose::ui {
 
-/// Pixels somebody else owns, 0xFFRRGGBB, row by row without gaps, the top row first.
+/// Non-owning view of pixels, 0xFFRRGGBB, row by row without padding, top row first.
 struct Canvas {
     std::uint32_t* pixels = nullptr;
     int width = 0;

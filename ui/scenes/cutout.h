@@ -10,17 +10,18 @@
 
 namespace angiopose::ui {
 
-/// A part of the picture where the overlay steps aside, so that the angiogram can be compared with it.
+/// Region without overlay, for comparison with the plain angiogram.
 struct Cutout {
-    enum class Shape { None, RightOf, Disc };   ///< a swipe, a lens
+    enum class Shape { None, RightOf, Disc };   ///< RightOf: swipe, Disc: lens
     Shape shape = Shape::None;
-    Eigen::Vector2d at = Eigen::Vector2d::Zero();   ///< image px: the swipe's edge, the lens's centre
-    double radiusPx = 0.0;   ///< of the lens, image px
+    Eigen::Vector2d at = Eigen::Vector2d::Zero();   ///< image px: edge of the swipe or center of the lens
+    double radiusPx = 0.0;   ///< radius of the lens, image px
 
     bool operator==(const Cutout&) const = default;
 };
 
-/// Puts the bare pixels back inside the cutout and draws its edge, in these rows; `rect` is what the canvas shows.
+/// Restores the plain pixels inside the cutout and draws its edge, in these rows; `rect` is the image part shown by the
+/// canvas.
 void applyCutout(const Cutout& cutout, const ViewRect& rect, const std::vector<std::uint32_t>& bare, Canvas canvas,
                  const Rows& rows);
 

@@ -12,7 +12,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// The whole picture, in OpenGL's own coordinates.
+/// Rectangle over the whole viewport, in normalized device coordinates.
 vtkSmartPointer<vtkPolyData> wholePicture()
 {
     vtkNew<vtkPoints> points;

@@ -8,7 +8,7 @@
 
 namespace angiopose::ui {
 
-/// A grey picture as a texture; sent to OpenGL when it changes.
+/// Gray image as a texture; uploaded to OpenGL when it changes.
 class GrayTexture {
 public:
     GrayTexture();
@@ -22,7 +22,7 @@ private:
     std::uint64_t shownRevision_ = 0;
 };
 
-/// The angiogram all over the picture, with the radiograph's tint and the cutout's edge.
+/// Draws the angiogram over the whole viewport, with the DRR tint and the edge of the cutout.
 class FrameLayer : public ShaderActor {
 public:
     FrameLayer();

@@ -17,7 +17,7 @@ namespace {
 
 using Gray = core::Image2d<std::uint8_t>;
 
-/// Every 2 × 2 pixels become one; an odd last row or column counts twice.
+/// Averages each 2 × 2 block into one pixel; an odd last row or column counts twice.
 Gray halved(const Gray& gray)
 {
     Gray half((gray.width + 1) / 2, (gray.height + 1) / 2);
@@ -33,14 +33,14 @@ Gray halved(const Gray& gray)
     return half;
 }
 
-/// How often to halve so that one pixel of the screen takes in at most two of the texture: else it would flicker.
+/// Returns the number of halvings after which a screen pixel covers at most two texture pixels; more would flicker.
 int halvingsFor(double devicePxPerImagePx)
 {
     constexpr int most = 6;
     return std::clamp(static_cast<int>(std::floor(-std::log2(devicePxPerImagePx))), 0, most);
 }
 
-/// Never a power of two, for which OpenGL would make another program.
+/// Avoids powers of two, for which OpenGL would compile another program.
 int textureSize(int sizePx)
 {
     return std::has_single_bit(static_cast<unsigned>(sizePx)) ? sizePx + 1 : sizePx;
@@ -74,7 +74,7 @@ FrameQuad::FrameQuad()
     actor_->PickableOff();
     actor_->VisibilityOff();
     texture_->RepeatOff();
-    texture_->EdgeClampOn();   // else the opposite border shines through at the edge
+    texture_->EdgeClampOn();   // otherwise the opposite border bleeds in at the edge
     texture_->SetColorModeToDirectScalars();
     texture_->InterpolateOn();
     texture_->SetInputData(picture_);

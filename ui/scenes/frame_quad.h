@@ -11,9 +11,9 @@
 
 namespace angiopose::ui {
 
-/// The frame as a textured rectangle from −0.5 to size − 0.5: pixel centres lie on integers. Whatever the frame and the
-/// zoom, OpenGL is asked for the same kind of texture: in software, every other kind means a program that takes longer
-/// to make than a picture may take to draw.
+/// Frame as a textured rectangle from −0.5 to size − 0.5: pixel centers lie on integers. Requests the same kind of
+/// texture for every frame and zoom: in software OpenGL, each further kind compiles a program, which takes longer than
+/// the time budget of a frame.
 class FrameQuad {
 public:
     FrameQuad();

@@ -48,24 +48,24 @@ void GlWindow::OpenGLInitContext()
 void GlWindow::takeOverState()
 {
     GetState()->Reset();
-    GetState()->vtkglDepthFunc(GL_LEQUAL);   // lines of one layer lie at one depth: the later one wins
+    GetState()->vtkglDepthFunc(GL_LEQUAL);   // lines of one layer share a depth: the later one wins
 }
 
 void GlWindow::readPicture(Canvas canvas)
 {
     ReadPixels(vtkRecti(0, 0, canvas.width, canvas.height), 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, canvas.pixels, 0);
-    for (int top = 0, bottom = canvas.height - 1; top < bottom; ++top, --bottom) {   // OpenGL begins with the lowest
+    for (int top = 0, bottom = canvas.height - 1; top < bottom; ++top, --bottom) {   // OpenGL starts at the bottom row
         std::swap_ranges(canvas.row(top), canvas.row(top) + canvas.width, canvas.row(bottom));
     }
     std::uint32_t* pixels = canvas.pixels;
     std::transform(pixels, pixels + canvas.pixelCount(), pixels, [](std::uint32_t pixel) {
-        return 0xFF000000U | pixel;   // as every canvas
+        return 0xFF000000U | pixel;   // canvas pixels are opaque
     });
 }
 
 void GlWindow::letGoOfOldBuffers()
 {
-    constexpr int scenesAtATime = 64;   // the most that Mesa knows
+    constexpr int scenesAtATime = 64;   // maximum of Mesa
     RenderFramebuffer->Bind();
     for (int i = 0; i < scenesAtATime; ++i) {
         glClear(GL_COLOR_BUFFER_BIT);

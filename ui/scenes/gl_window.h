@@ -6,23 +6,23 @@
 
 namespace angiopose::ui {
 
-/// Render window on a context that somebody else owns, GLX or EGL alike.
+/// Render window on an externally owned context, GLX or EGL.
 class GlWindow : public vtkGenericOpenGLRenderWindow {
 public:
     static GlWindow* New();
     vtkTypeMacro(GlWindow, vtkGenericOpenGLRenderWindow)
 
         void OpenGLInitContext() override;
-    void Frame() override {}   // would copy for a display that there is not
+    void Frame() override {}   // would swap buffers of a display that does not exist
 
-    /// Before every render: others have used the context since, VTK's record of its state is out of date.
+    /// Call before every render: others have used the context, which makes VTK's cached state invalid.
     void takeOverState();
 
-    /// What was rendered last, into a canvas of the window's size.
+    /// Copies the last rendered image to a canvas of the window's size.
     void readPicture(Canvas canvas);
 
-    /// After the last picture for a while. In software, OpenGL draws several scenes at a time and keeps the buffers of
-    /// each, of whatever size the window had, until the next one of its kind: a few empty ones take their places.
+    /// Call after the last image for a while. Software OpenGL draws several scenes at a time and keeps the buffers of
+    /// each, at any earlier window size, until the slot is reused; a few empty scenes release them.
     void letGoOfOldBuffers();
 
 protected:

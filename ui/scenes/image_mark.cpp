@@ -14,7 +14,7 @@ std::optional<Eigen::Vector2d> wayBetween(const Eigen::Vector2d& from, const Eig
     return length > 0.0 ? std::optional<Eigen::Vector2d>((to - from) / length) : std::nullopt;
 }
 
-/// A bar across the line from `inner` to its end.
+/// Adds a bar across the line from `inner` to its end.
 void addEndBar(std::vector<PixelLine>& lines, const Eigen::Vector2d& inner, const Eigen::Vector2d& end, double sizePx)
 {
     if (const auto way = wayBetween(inner, end)) {
@@ -23,7 +23,7 @@ void addEndBar(std::vector<PixelLine>& lines, const Eigen::Vector2d& inner, cons
     }
 }
 
-/// The way round from one leg to the other, the shorter one.
+/// Adds the shorter arc from one leg to the other.
 void addArc(std::vector<PixelLine>& lines, const PixelLine& legs, double sizePx)
 {
     const auto one = wayBetween(legs[1], legs[0]);
@@ -70,7 +70,7 @@ void addHead(std::vector<PixelLine>& lines, const Eigen::Vector2d& from, const E
     }
 }
 
-/// Circles or crosses at single points.
+/// Returns circles or crosses at single points.
 std::vector<PixelLine> signsOf(const ImageMark& mark, const PixelLine& places, double sizePx)
 {
     std::vector<PixelLine> lines;

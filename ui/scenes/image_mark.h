@@ -10,43 +10,43 @@
 namespace angiopose::ui {
 
 enum class MarkShape {
-    Length,   ///< along its points, with a bar across each end
+    Length,   ///< polyline with a bar across each end
     Angle,   ///< two legs and an arc at the second point
-    Outline,   ///< closed
-    Line,   ///< along its points
-    Point,   ///< a circle around each point
-    Cross,   ///< two strokes through each point
-    Arrow,   ///< to its last point
-    Words,   ///< the label alone, at the first point
+    Outline,   ///< closed polyline
+    Line,   ///< polyline
+    Point,   ///< circle around each point
+    Cross,   ///< cross at each point
+    Arrow,   ///< arrow to its last point
+    Words,   ///< only the label, at the first point
 };
 
-/// Measured and drawn by hand, or a place of the vessels.
+/// Plain for manual measurements and drawings, Place for locations on the vessels.
 enum class MarkTone { Plain, Place };
 
-/// Something drawn on an image with words beside it.
+/// Shape drawn on an image with a label beside it.
 struct ImageMark {
     MarkShape shape = MarkShape::Length;
-    std::vector<Eigen::Vector2d> pixels;   ///< of the image
+    std::vector<Eigen::Vector2d> pixels;   ///< points in image px
     std::string label;   ///< UTF-8; may be empty
-    bool isChosen = false;   ///< stands out
+    bool isChosen = false;   ///< highlighted
     MarkTone tone = MarkTone::Plain;
 };
 
 using PixelLine = std::vector<Eigen::Vector2d>;
 
-/// From pixels of the image to where they are drawn, v down.
+/// Maps image pixels to drawing positions, v down.
 using MarkPlace = std::function<Eigen::Vector2d(const Eigen::Vector2d& pixel)>;
 
-/// The lines that draw a mark; `sizePx` of the picture is the length of its small parts.
+/// Returns the lines that draw a mark; `sizePx` is the size of its small parts in the drawing.
 std::vector<PixelLine> linesOf(const ImageMark& mark, const MarkPlace& placeOf, double sizePx);
 
-/// Points along the lines of marks, for labels to keep clear of them.
+/// Returns points along the lines of marks that labels avoid.
 std::vector<Eigen::Vector2d> pointsAlong(const std::vector<PixelLine>& lines, double stepPx);
 
-/// What its label stands beside: the last point, of an angle the vertex, of an arrow its tail.
+/// Anchor of the label: the last point, for an angle the vertex, for an arrow its tail.
 Eigen::Vector2d labelAnchor(const ImageMark& mark, const MarkPlace& placeOf);
 
-/// Its colour, of the tones of what it lies on.
+/// Returns the color of a mark from the tones of its background.
 Color toneOf(const ImageMark& mark, const Palette& tones);
 
 }   // namespace angiopose::ui

@@ -7,23 +7,23 @@
 
 namespace angiopose::ui {
 
-/// A label that wants to stand beside a place; all in px of a picture, v down.
+/// Label to place beside an anchor; all lengths in image px, v down.
 struct WantedLabel {
-    Eigen::Vector2d at = Eigen::Vector2d::Zero();   ///< the place
-    Eigen::Vector2d size = Eigen::Vector2d::Zero();   ///< of the label; zero: there is none
-    double gapPx = 8.0;   ///< from the place
+    Eigen::Vector2d at = Eigen::Vector2d::Zero();   ///< anchor
+    Eigen::Vector2d size = Eigen::Vector2d::Zero();   ///< size of the label; zero: no label
+    double gapPx = 8.0;   ///< distance from the anchor
 };
 
-/// What labels keep clear of.
+/// Bounds and obstacles for labels.
 struct LabelGround {
-    double width = 0.0;   ///< of the picture; labels stay inside
+    double width = 0.0;   ///< image size; labels stay inside
     double height = 0.0;
     std::vector<ViewRect> taken;   ///< other texts
-    std::vector<Eigen::Vector2d> avoided;   ///< points of vessels
+    std::vector<Eigen::Vector2d> avoided;   ///< vessel points
 };
 
-/// Upper left corners, in the order of the labels: beside their places, below and right if that is free, else where
-/// they cover neither each other nor other texts, and the least of the vessels.
+/// Returns upper left corners in the order of the labels: beside the anchors, below right if free, otherwise where they
+/// cover no label or text and as few vessel points as possible.
 std::vector<Eigen::Vector2d> labelPlaces(const std::vector<WantedLabel>& labels, const LabelGround& ground);
 
 }   // namespace angiopose::ui

@@ -14,13 +14,13 @@
 
 namespace angiopose::ui {
 
-/// A point of a line in space, mm.
+/// Point of a line in space, mm.
 struct LinePoint {
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
-    Eigen::Vector3d direction = Eigen::Vector3d::Zero();   ///< of the vessel; its edges lie at right angles to it
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();   ///< direction of the vessel, perpendicular to its edges
     double radiusMm = 0.0;
     Color tone;
-    std::array<float, 3> wayPx{};   ///< image px from the line's begin along left edge, centre, right edge: for dashes
+    std::array<float, 3> wayPx{};   ///< way from the start along left edge, center, right edge, image px: for dashes
 };
 
 struct LineLook {
@@ -28,21 +28,21 @@ struct LineLook {
     double opacity = 1.0;
     bool isDashed = false;
     bool hasEndDots = false;
-    bool hasEdges = false;   ///< radii are known: it can be shown by its two edges
+    bool hasEdges = false;   ///< radii are known: both edges can be drawn
 };
 
-/// Lines in space as VTK's poly data. Every point also carries its neighbours, so that a shader can join the pieces
-/// wherever a camera puts them: the data do not change with the pose or the zoom.
+/// Lines in space as VTK poly data. Every point also stores its neighbors, which lets a shader join the segments for
+/// any camera: the data do not depend on pose or zoom.
 class LineData {
 public:
     LineData();
     void clear();
     void add(const std::vector<LinePoint>& line, const LineLook& look);
-    void commit();   ///< after the last line: what was added is shown
+    void commit();   ///< call after the last line to publish the data
     vtkPolyData* polyData() { return polyData_; }
     bool isEmpty() const { return points_->GetNumberOfPoints() == 0; }
 
-    /// The arrays that a shader reads as attributes of the same names.
+    /// Names of the arrays that the shader reads as attributes.
     static const std::array<const char*, 9>& attributes();
 
 private:

@@ -12,7 +12,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double tiltRad = 33.0 * std::numbers::pi / 180.0;   // between line of sight and beam
+constexpr double tiltRad = 33.0 * std::numbers::pi / 180.0;   // angle between line of sight and beam
 constexpr double marginShare = 0.08;
 
 Eigen::AlignedBox3d boxOf(const Beam& beam, const core::VesselTree& tree)
@@ -32,7 +32,7 @@ Eigen::AlignedBox3d boxOf(const Beam& beam, const core::VesselTree& tree)
     return box;
 }
 
-/// What must be in view.
+/// Returns the points that must be in view.
 std::vector<Eigen::Vector3d> landmarks(const Beam& beam, const core::VesselTree& tree, ViewExtent extent)
 {
     std::vector<Eigen::Vector3d> points;
@@ -47,15 +47,15 @@ std::vector<Eigen::Vector3d> landmarks(const Beam& beam, const core::VesselTree&
     return points;
 }
 
-/// Where one looks, and what is up on the screen; both of length 1.
+/// Viewing direction and up vector, both of unit length.
 struct Look {
     Eigen::Vector3d sight, up;
 };
 
-/// The patient from the front, head up (LPS): as vessels are known while no image says otherwise.
+/// Patient from the front, head up (LPS): default view without an image.
 const Look fromTheFront{Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
 
-/// From the detector's upper edge, the source above.
+/// View from the detector's upper edge, source at the top.
 Look acrossBeam(const Beam& beam)
 {
     const Eigen::Vector3d along = beam.patientFromCamera.rotation.col(2);

@@ -11,7 +11,7 @@ namespace angiopose::ui {
 
 struct Beam;
 
-/// From patient mm to device px (from the bottom left) of a picture taken by a parallel camera.
+/// Maps patient mm to device px (from the bottom left) of a parallel-projection view.
 struct ScreenFromPatient {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();   ///< rows: right, up, towards the viewer
     Eigen::Vector3d focalPoint = Eigen::Vector3d::Zero();
@@ -27,18 +27,18 @@ struct ScreenFromPatient {
 
 ScreenFromPatient screenFromPatient(vtkCamera& camera, int width, int height);
 
-/// What a view takes in: beam and tree, or the tree alone.
+/// Extent of a view: beam and tree, or only the tree.
 enum class ViewExtent { Everything, Vessels };
 
-/// Points a parallel camera at beam and tree: from behind the detector, so that left and right are those of the
-/// angiogram; source at the top, the extent inside a picture of this width/height.
+/// Points a parallel camera at beam and tree from behind the detector, so left and right match the angiogram; source at
+/// the top, the extent fitted to a view of this aspect ratio (width/height).
 void frameBeam(vtkCamera& camera, const Beam& beam, const core::VesselTree& tree, double aspect,
                ViewExtent extent = ViewExtent::Everything);
 
-/// Moves the camera in its own plane so that what is seen follows the mouse.
+/// Moves the camera in its own plane so that the scene follows the mouse.
 void pan(vtkCamera& camera, int heightPx, double rightPx, double upPx);
 
-/// Bounds as VTK wants them: x min, x max, y min, …
+/// Scene bounds in VTK order: x min, x max, y min, …
 std::array<double, 6> sceneBounds(const Beam& beam, const core::VesselTree& tree);
 
 }   // namespace angiopose::ui

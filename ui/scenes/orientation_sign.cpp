@@ -9,7 +9,7 @@ namespace {
 // At pixel scale 1.
 constexpr double armPx = 19.0;
 constexpr double marginPx = 40.0;
-constexpr double letterRoomPx = 11.0;   // nearer letters would cover each other
+constexpr double letterRoomPx = 11.0;   // minimum distance between letters
 
 struct PatientAxis {
     char letter;

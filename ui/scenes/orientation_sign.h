@@ -9,16 +9,17 @@
 
 namespace angiopose::ui {
 
-/// Three arms from one point in the corner below right, to the patient's left, back and head as they are seen now.
+/// Three arms from a common point in the lower right corner, towards the patient's left, back and head in the current
+/// view.
 struct OrientationSign {
     ScreenFromPatient toScreen;
-    int widthPx = 0;   ///< of the picture, device px
+    int widthPx = 0;   ///< width of the view, device px
     double pixelScale = 1.0;   ///< device px per px
 
     Eigen::Vector2d center() const;   ///< device px from the bottom left
 };
 
-/// A letter of the sign (L, P, H) and where its centre goes, device px from the bottom left.
+/// Letter of the sign (L, P, H) and its center, device px from the bottom left.
 struct OrientationLetter {
     char letter = ' ';
     Eigen::Vector2d at;
@@ -27,7 +28,8 @@ struct OrientationLetter {
 
 void addOrientationSign(StrokeMesh& mesh, const OrientationSign& sign, const Palette& tones);
 
-/// At the ends of the arms; none where an arm points along the sight, or a letter would cover another.
+/// Returns the letters at the ends of the arms; omits a letter if its arm points along the line of sight or it would
+/// cover another letter.
 std::vector<OrientationLetter> lettersOf(const OrientationSign& sign);
 
 }   // namespace angiopose::ui

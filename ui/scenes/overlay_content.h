@@ -20,55 +20,55 @@
 
 namespace angiopose::ui {
 
-/// How branches are shown, the same in every view.
+/// Display state of the branches, shared by all views.
 struct BranchMarks {
     std::optional<int> hovered;
     std::set<int> selected;
     std::set<int> auxiliary;
     std::set<int> excluded;
-    std::set<int> hidden;   ///< not in the scenes' trees; lists and slices show that
+    std::set<int> hidden;   ///< omitted from the scenes' trees; lists and slices show this
 
     bool operator==(const BranchMarks&) const = default;
 };
 
 enum class OverlayMode { Centerline, Outline, Tube, Hidden };
 
-/// NearBright shows which vessels lie nearer to the source.
+/// NearBright brightens vessels near the source.
 enum class DepthCue { None, NearBright };
 
-/// Nearest and farthest point of a projected tree.
+/// Depths of the nearest and farthest point of a projected tree.
 struct DepthRange {
     double nearMm = 0.0;
     double farMm = 0.0;
 };
 
-/// What lies on the angiogram and how it looks: all that a renderer is told.
+/// Angiogram, overlay and their appearance: the complete input of a renderer.
 struct OverlayContent {
     GrayFrame frame;
     Interpolation interpolation = Interpolation::Smooth;
     RadiographTint radiograph;
     Cutout cutout;
-    ViewRect viewRect{-0.5, 511.5, -0.5, 511.5};   ///< what of the image fills the picture
+    ViewRect viewRect{-0.5, 511.5, -0.5, 511.5};   ///< part of the image that fills the view
 
     core::VesselTree tree;
     core::ProjectionCamera camera;
     core::RigidTransform cameraFromPatient;
-    ProjectedTree projected;   ///< the tree as camera and pose put it on the image
-    DepthRange depthRange;   ///< of `projected`
+    ProjectedTree projected;   ///< tree projected with camera and pose
+    DepthRange depthRange;   ///< depth range of `projected`
 
     BranchMarks marks;
     OverlayMode mode = OverlayMode::Centerline;
-    bool isVeiled = false;   ///< neither tree nor traced curves
+    bool isVeiled = false;   ///< hides tree and traced curves
     DepthCue depthCue = DepthCue::None;
     double opacity = 1.0;
     double lineWidthPx = 2.0;   ///< device px
     core::Centerline2d traced;
     bool isTracedShown = false;
     std::map<int, std::vector<double>> residualPx;
-    double scaleMaximumPx = 0.0;   ///< 0: branches in their own colours
+    double scaleMaximumPx = 0.0;   ///< 0: branches in their own colors
 
-    std::uint64_t revision = nextRevision();   ///< changes with all but frame, cutout, interpolation and view rectangle
-    std::uint64_t linesRevision = nextRevision();   ///< changes with points, marks and tones, not with the pose
+    std::uint64_t revision = nextRevision();   ///< changes with all but frame, cutout, interpolation and view rect
+    std::uint64_t linesRevision = nextRevision();   ///< changes with points, marks and colors, not with the pose
 };
 
 }   // namespace angiopose::ui

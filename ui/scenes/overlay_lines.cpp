@@ -12,7 +12,8 @@ namespace {
 
 using LineWays = std::vector<std::array<float, 3>>;
 
-/// How far each tree point is along its left edge, centre and right edge, image px; from the begin of each run.
+/// Returns the distance of each tree point along its left edge, center and right edge, image px, from the start of each
+/// run of visible points.
 LineWays waysOf(const ProjectedTree& tree, int branchId, std::size_t pointCount)
 {
     LineWays ways(pointCount, {0.0F, 0.0F, 0.0F});

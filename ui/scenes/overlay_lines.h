@@ -5,13 +5,13 @@
 
 namespace angiopose::ui {
 
-/// The tree's branches in patient space, mm, those drawn last at the end.
+/// Adds the tree's branches in patient space, mm, topmost last.
 void fillTreeLines(LineData& lines, const OverlayContent& content);
 
-/// Those that glow, in their own tones.
+/// Adds the glowing branches in their own colors.
 void fillGlowLines(LineData& lines, const OverlayContent& content);
 
-/// The traced curves in the camera's frame, mm, on the plane at depth 1000: they project onto themselves.
+/// Adds the traced curves in the camera's frame, mm, on the plane at depth 1000: they project onto themselves.
 void fillTracedLines(LineData& lines, const core::Centerline2d& traced, const core::ProjectionCamera& camera);
 
 }   // namespace angiopose::ui

@@ -9,19 +9,18 @@
 
 namespace angiopose::ui {
 
-/// Draws the angiogram with what lies on it by the processor: no OpenGL, no Qt, so the same pixels come out in a window
-/// without a graphics card, in the exported PNG and in the tests. Keeps the resampled angiogram while only the tree
-/// moves.
+/// Draws the angiogram and its overlay on the CPU, without OpenGL or Qt; the same pixels result in a window without a
+/// graphics card, in the exported PNG and in the tests. Caches the resampled angiogram while only the tree moves.
 class OverlayPainter {
 public:
-    /// Fills the canvas with what the scene's view rectangle shows.
+    /// Fills the canvas with the scene's view rectangle.
     void draw(const OverlayScene& scene, Canvas canvas) { drawRows(scene, canvas, 0, canvas.height); }
 
-    /// The same for a part of a taller picture: rows `firstRow` … of `rowCount`.
+    /// Draws a part of a taller image: rows `firstRow` … of `rowCount`.
     void drawRows(const OverlayScene& scene, Canvas canvas, int firstRow, int rowCount);
 
 private:
-    /// The angiogram as the canvas shows it, until another part, size or grey is asked for.
+    /// Cached angiogram at canvas resolution, valid until the visible part, size or gray mapping changes.
     struct Backdrop {
         std::vector<std::uint32_t> pixels;
         ViewRect rect;
@@ -29,7 +28,7 @@ private:
         Interpolation interpolation = Interpolation::Smooth;
         std::uint64_t frameRevision = 0;
     };
-    /// The overlay's triangles for one view and size.
+    /// Cached overlay triangles for one view and size.
     struct Strokes {
         StrokeMesh mesh;
         std::uint64_t revision = 0;

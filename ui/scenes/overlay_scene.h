@@ -9,8 +9,8 @@
 
 namespace angiopose::ui {
 
-/// The angiogram with the projected tree on it: what is shown, where it lies on the image, and what a place on the
-/// image belongs to. Setters only store and mark; renderers draw its content (OverlayPainter, VtkOverlay).
+/// Scene of the angiogram with the projected tree: content, visible part, and hit testing. Setters only store and mark
+/// as changed; renderers draw the content (OverlayPainter, VtkOverlay).
 class OverlayScene {
 public:
     OverlayScene();
@@ -27,23 +27,25 @@ public:
     void setPose(const core::RigidTransform& cameraFromPatient);
     void setMarks(const BranchMarks& marks);
     void setMode(OverlayMode mode);
-    void setVeiled(bool veiled);   ///< neither tree nor traced curves for a while
+    void setVeiled(bool veiled);   ///< temporarily hides tree and traced curves
     void setDepthCue(DepthCue cue);
     void setOpacity(double opacity);
-    /// Of the vessels, over the whole frame at any resolution, bright on 0; shown whatever the mode. Empty: none.
+    /// Sets the DRR of the vessels over the whole frame at any resolution, bright on 0; shown in every mode. Empty:
+    /// none.
     void setRadiograph(const core::ImageF& radiograph);
     void setCutout(const Cutout& cutout);
     void setLineWidthPx(double devicePixels);
-    void setTracedCenterline(const core::Centerline2d& traced);   ///< thin dotted curves, hidden unless shown
+    void setTracedCenterline(const core::Centerline2d& traced);   ///< thin dotted curves, hidden by default
     void showTracedCenterline(bool shown);
 
-    /// Colours the tree by distance to the traced vessels; `residualPx[branch id]` holds one value per tree point. Any
-    /// other value of its points is coloured alike, with its own unit for both.
+    /// Colors the tree by distance to the traced vessels; `residualPx[branch id]` holds one value per tree point. Other
+    /// point values are colored the same way if both arguments use their unit.
     void setResiduals(const std::map<int, std::vector<double>>& residualPx, double scaleMaximumPx);
-    void recolor();   ///< after another colour scheme was chosen
+    void recolor();   ///< call after the color scheme changed
     void clearResiduals();
 
-    /// Marks, depth cue, opacity, traced curves and inversion as in the other scene; what is shown, and as what, stays.
+    /// Copies marks, depth cueing, opacity, traced-curve visibility and inversion from the other scene; content and
+    /// mode stay.
     void takeLookOf(const OverlayScene& other);
 
     void setViewRect(const ViewRect& rect);
@@ -55,10 +57,10 @@ public:
     ViewRect viewRect() const;
     double lineWidthPx() const;
 
-    /// With the tree projected as camera and pose are now.
+    /// Returns the content with the tree projected for the current camera and pose.
     const OverlayContent& content() const;
 
-    /// What the picture hangs on besides its size: equal stamps of one scene, equal pictures.
+    /// State that determines the rendered image besides its size: equal stamps of one scene give equal images.
     struct Stamp {
         std::uint64_t overlay = 0;
         std::uint64_t frame = 0;
@@ -70,13 +72,13 @@ public:
     };
     Stamp stamp() const;
 
-    /// Branch whose projection passes within `tolerancePx` (image px) of an image point; the nearest one.
+    /// Returns the nearest branch whose projection passes within `tolerancePx` (image px) of an image point.
     std::optional<int> branchAt(const Eigen::Vector2d& imagePoint, double tolerancePx) const;
 
-    /// What a branch covers of the image as it is projected now; nothing when it is not in front of the source.
+    /// Returns the bounding box of a branch in its current projection; empty if it is not in front of the source.
     std::optional<ViewRect> extentOf(int branchId) const;
 
-    /// True when the projected tree, as shown, passes through this part of the image.
+    /// True if the visible projected tree passes through this part of the image.
     bool treePasses(const ViewRect& part) const;
 
 private:

@@ -3,7 +3,7 @@
 namespace angiopose::ui {
 namespace {
 
-// Where a point, its neighbours and the vessel's edges beside them lie, device px: (centre, way from there to the
+// Computes a point, its neighbors and the vessel's edges beside them, device px: (center, offset from there to the
 // edge).
 constexpr const char* lineVertexText = R"(//VTK::System::Dec
 //VTK::CustomUniforms::Dec
@@ -63,7 +63,7 @@ void main()
 }
 )";
 
-// One piece of a line becomes a quad as wide as the line with its fade, longer where it has an end or a round joint.
+// Expands a line segment to a quad as wide as the line with its fade, longer at ends and round joints.
 constexpr const char* lineGeometryText = R"(//VTK::System::Dec
 //VTK::CustomUniforms::Dec
 layout(lines) in;
@@ -219,7 +219,7 @@ void main()
 }
 )";
 
-// Which pixels the cutout keeps bare; as applyCutout in cutout.cpp.
+// Selects the pixels inside the cutout; matches applyCutout in cutout.cpp.
 constexpr const char* cutoutText = R"(
 bool isCutoutEdge = false;
 

@@ -11,9 +11,9 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double clipMarginPx = 64.0;
-constexpr double farPx = 4e4;   // dashes are laid out this far beyond the picture, so that neighbouring tiles agree
+constexpr double farPx = 4e4;   // extent of dashes beyond the view, which makes adjacent tiles agree
 
-/// One branch ready to be drawn: its centreline or its two edges, in device px.
+/// Branch prepared for drawing: its centerline or its two edges, in device px.
 struct BranchLines {
     const ProjectedBranch* source;
     BranchStyle style;
@@ -32,7 +32,7 @@ Box boxAround(const DeviceFromImage& device, double marginPx)
     return {-margin, Eigen::Vector2d(device.width, device.height) + margin};
 }
 
-/// The vessel's left (+1) or right (−1) edge, or its centreline (0).
+/// Returns the vessel's left (+1) or right (−1) edge, or its centerline (0).
 StrokeLine edgeOf(const std::vector<ProjectedPoint>& run, const DeviceFromImage& device, const PointTones& tones,
                   double side)
 {
@@ -151,7 +151,7 @@ void addCore(StrokeMesh& mesh, const BranchLines& branch, double widthPx)
     }
 }
 
-/// The vessels' insides, translucent, below all lines.
+/// Adds the translucent interior of the vessels, below all lines.
 void addTubes(StrokeMesh& mesh, const std::vector<BranchLines>& branches, const OverlayContent& content,
               const DeviceFromImage& device)
 {
@@ -197,7 +197,7 @@ void addOverlay(StrokeMesh& mesh, const OverlayContent& content, const DeviceFro
         if (content.mode == OverlayMode::Tube) {
             addTubes(mesh, branches, content, device);
         }
-        // All dark borders first: at a bifurcation no branch may cut into its neighbour.
+        // Dark borders of all branches first: at a bifurcation no branch may cut into its neighbor.
         for (const BranchLines& branch : branches) {
             addGlow(mesh, branch, widthOf(branch));
         }

@@ -5,7 +5,7 @@
 
 namespace angiopose::ui {
 
-/// From image pixels (v down) to device pixels of a picture (y up) that shows `rect`.
+/// Maps image pixels (v down) to device pixels (y up) of a view that shows `rect`.
 struct DeviceFromImage {
     ViewRect rect;
     int width = 1;
@@ -15,10 +15,10 @@ struct DeviceFromImage {
     double scale() const { return width / (rect.right - rect.left); }   ///< device px per image px
 };
 
-/// Lines of the whole overlay, lowest first.
+/// Returns the lines of the whole overlay, lowest first.
 StrokeMesh overlayStrokes(const OverlayContent& content, const DeviceFromImage& deviceFromImage);
 
-/// The same as shapes.
+/// Returns the same overlay as vector shapes.
 std::vector<StrokeShape> overlayShapes(const OverlayContent& content, const DeviceFromImage& deviceFromImage);
 
 }   // namespace angiopose::ui

@@ -5,7 +5,7 @@
 
 namespace angiopose::ui {
 
-/// What of the image a picture shows, and how large the picture is. Seen from the source, left and right are exchanged.
+/// Visible part of the image and size of the view. Left and right are exchanged when seen from the source.
 struct PicturePlace {
     ViewRect rect;
     int width = 1;   ///< device px
@@ -14,7 +14,7 @@ struct PicturePlace {
 
     double scale() const { return width / rect.width(); }   ///< device px per image px
 
-    /// The part as the picture's left and right edges show it.
+    /// Visible part ordered by the view's left and right edges.
     ViewRect seen() const { return isMirrored ? ViewRect{rect.right, rect.left, rect.top, rect.bottom} : rect; }
 };
 

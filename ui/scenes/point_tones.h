@@ -8,19 +8,19 @@
 
 namespace angiopose::ui {
 
-/// The tone of every point of one branch: its own, or by residual, or by depth.
+/// Color of every point of one branch: its own, by residual, or by depth.
 class PointTones {
 public:
     PointTones(const OverlayContent& content, int branchId, const Color& plain);
 
     Color operator()(const ProjectedPoint& point) const;
 
-    /// Without the depth cue, of the tree point `index`.
+    /// Color of the tree point `index` without depth cueing.
     Color flat(std::size_t index) const;
 
 private:
     Color plain_;
-    std::optional<DepthRange> depth_;   ///< instead of residuals
+    std::optional<DepthRange> depth_;   ///< used instead of residuals
     const std::vector<double>* residualPx_ = nullptr;
     double maximumPx_ = 0.0;
 };

@@ -7,7 +7,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double crossArm = 0.32;   // of the ring's radius
+constexpr double crossArm = 0.32;   // share of the ring's radius
 
 Eigen::Vector2d directionOf(double angleRad)
 {
@@ -70,7 +70,7 @@ void addCross(StrokeMesh& mesh, const PoseHandleLook& look)
     }
 }
 
-/// A line with heads at both ends: both ways can be dragged.
+/// Adds a line with heads at both ends, for dragging in both directions.
 void addDoubleArrow(StrokeMesh& mesh, const StrokeLine& shaft, double widthPx, double pixelScale)
 {
     addWithShade(mesh, shaft, widthPx);
@@ -88,7 +88,7 @@ void addDoubleArrow(StrokeMesh& mesh, const StrokeLine& shaft, double widthPx, d
     addHead(shaft.back(), shaft[shaft.size() - 2]);
 }
 
-/// The shaft of an outer handle, from the left or from below.
+/// Returns the shaft of an outer handle, starting at the left or the bottom.
 StrokeLine outerShaft(const PoseHandleLook& look, PoseHandle handle, const Color& tone)
 {
     constexpr double below = -0.5 * std::numbers::pi;
@@ -102,7 +102,7 @@ StrokeLine outerShaft(const PoseHandleLook& look, PoseHandle handle, const Color
     return arc(look.center, radius, middle - outerHandleHalfRad, 2.0 * outerHandleHalfRad, tone);
 }
 
-/// Where the knob of the active handle is: in the middle, moved by the drag as far as the shaft goes.
+/// Position of the knob of the active handle: at the center, moved by the drag within the shaft.
 Eigen::Vector2d knobOf(const PoseHandleLook& look, PoseHandle handle)
 {
     const double radius = look.radius + outerHandleGapPx * look.pixelScale;

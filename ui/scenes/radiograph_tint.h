@@ -10,19 +10,18 @@
 
 namespace angiopose::ui {
 
-inline constexpr double deepestTint = 0.75;   ///< the angiogram shows through the strongest vessel
+inline constexpr double deepestTint = 0.75;   ///< the angiogram stays visible through the densest vessel
 
-/// A radiograph of the vessels over the angiogram: a tint in the colour of what is chosen, deepest at the strongest
-/// vessel.
+/// DRR of the vessels over the angiogram, as a tint in the accent color, strongest at the densest vessel.
 class RadiographTint {
 public:
-    /// `radiograph` covers the whole frame at any resolution, vessels bright on 0; empty: nothing is shown.
+    /// `radiograph` covers the whole frame at any resolution, vessels bright on 0; empty: no tint.
     void setRadiograph(const core::ImageF& radiograph);
-    const core::ImageF& share() const { return share_; }   ///< of the tint, 0 … 1
-    std::uint64_t revision() const { return revision_; }   ///< changes with the radiograph
+    const core::ImageF& share() const { return share_; }   ///< strength of the tint, 0 … 1
+    std::uint64_t revision() const { return revision_; }   ///< changes with the DRR
     bool isEmpty() const { return share_.pixels.empty(); }
 
-    /// A frame's size and the part of it that a canvas shows.
+    /// Frame size and the part of it that a canvas shows.
     struct Place {
         int frameWidth = 0, frameHeight = 0;
         ViewRect part;

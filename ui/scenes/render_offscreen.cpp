@@ -15,9 +15,9 @@ namespace {
 
 constexpr int largestPicturePx = 16384;
 constexpr int bandHeight = 1024;
-constexpr double lineWidthShare = 0.0022;   // of the shorter side
+constexpr double lineWidthShare = 0.0022;   // share of the shorter side
 
-/// Puts the scene's view back as it was.
+/// Restores the scene's view on destruction.
 class ViewKeeper {
 public:
     explicit ViewKeeper(OverlayScene& scene) : scene_(scene), rect_(scene.viewRect()), lineWidthPx_(scene.lineWidthPx())
@@ -46,7 +46,7 @@ void copyRows(const std::vector<std::uint32_t>& rows, std::size_t pixelCount, st
     }
 }
 
-/// What the scene shows of its view rectangle, drawn band by band to keep memory small at any picture size.
+/// Draws the scene's view rectangle band by band, which limits memory use at any image size.
 core::ColorImage drawBands(const OverlayScene& scene, int width, int height)
 {
     core::ColorImage picture{width, height, {}};
@@ -76,7 +76,7 @@ void annotate(auto& picture, const CornerTexts& texts, double scaleMaximumPx, do
     }
 }
 
-/// The frame as it is stored, without lines on it.
+/// Returns the stored frame without overlay.
 core::ColorImage bareFrame(OverlayScene& scene)
 {
     const OverlayMode mode = scene.mode();

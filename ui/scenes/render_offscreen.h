@@ -9,22 +9,23 @@
 
 namespace angiopose::ui {
 
-/// Text burned into an exported overlay, one list per corner.
+/// Texts burned into an exported overlay, one list per corner.
 struct CornerTexts {
     std::vector<std::string> topLeft, topRight, bottomLeft, bottomRight;
-    char decimalSign = '.';   ///< of the numbers at the scale of colours
-    std::string scaleHeading = {};   ///< above that scale; empty: the unit alone
+    char decimalSign = '.';   ///< decimal separator of the color scale's values
+    std::string scaleHeading = {};   ///< heading of that scale; empty: only the unit
 };
 
-/// Renders the scene into a picture, without display or OpenGL; safe on any thread that owns the scene. `viewRect`
-/// fills the picture. `scaleMaximumPx` > 0 draws the residual scale. Fails only on impossible sizes.
+/// Renders the scene to an image without display or OpenGL; safe on any thread that owns the scene. `viewRect` fills
+/// the image. `scaleMaximumPx` > 0 draws the residual scale. Fails only for invalid sizes.
 core::Result<core::ColorImage> renderOffscreen(OverlayScene& scene, int width, int height, const ViewRect& viewRect,
                                                const CornerTexts& texts = {}, double scaleMaximumPx = 0.0,
                                                double scaleMaximumMm = 0.0);
 
 struct VectorPicture;
 
-/// The same as vectors, on the frame (with the radiograph, where the scene shows one) at its own resolution.
+/// Returns the same rendering as vector graphics on the frame (with the DRR, if the scene shows one) at its native
+/// resolution.
 core::Result<VectorPicture> drawVectors(OverlayScene& scene, int width, int height, const ViewRect& viewRect,
                                         const CornerTexts& texts = {}, double scaleMaximumPx = 0.0,
                                         double scaleMaximumMm = 0.0);

@@ -9,15 +9,15 @@
 namespace angiopose::ui {
 namespace {
 
-/// Which source pixels make one target pixel, and with what share. Along one axis.
+/// Source pixels and weights of each target pixel, along one axis.
 struct Taps {
     struct Target {
-        int first = 0;   ///< source pixel
-        int count = 0;   ///< 0: outside the picture
-        std::size_t weights = 0;   ///< where its shares begin
+        int first = 0;   ///< first source pixel
+        int count = 0;   ///< 0: outside the image
+        std::size_t weights = 0;   ///< index of its first weight
     };
     std::vector<Target> targets;
-    std::vector<float> weights;   ///< the shares of one target add up to 1
+    std::vector<float> weights;   ///< the weights of one target pixel sum to 1
 };
 
 void addTarget(Taps& taps, double center, double halfWidth, int sourceSize)
@@ -55,11 +55,11 @@ Taps tapsOf(double from, double to, int targetSize, int sourceSize, Interpolatio
     return taps;
 }
 
-/// One row of the picture at the height of a target row: the source rows blended, as wide as the source.
+/// Blends the source rows for one target row, at source width.
 void blendRows(const core::Image2d<std::uint8_t>& gray, const Taps& down, const Taps::Target& target,
                std::vector<float>& line)
 {
-    std::fill(line.begin(), line.end(), 0.5F);   // rounds
+    std::fill(line.begin(), line.end(), 0.5F);   // for rounding
     for (int k = 0; k < target.count; ++k) {
         const float share = down.weights[target.weights + static_cast<std::size_t>(k)];
         const std::uint8_t* source = gray.pixels.data() + gray.index(0, target.first + k);

@@ -8,11 +8,12 @@
 
 namespace angiopose::ui {
 
-/// Smooth blends between pixels; Nearest shows every pixel as it is.
+/// Smooth interpolates between pixels; Nearest shows individual pixels.
 enum class Interpolation { Smooth, Nearest };
 
-/// Fills the canvas with the part `rect` of a grey picture, `around` where the picture ends. Smooth is linear when it
-/// magnifies; when it shrinks, every source pixel counts (a tent as wide as a canvas pixel), so nothing flickers.
+/// Fills the canvas with the part `rect` of a gray image, and with `around` outside it. Smooth is linear when
+/// magnifying; when shrinking, every source pixel contributes (tent filter as wide as a canvas pixel), which avoids
+/// flicker.
 void resampleFrame(const core::Image2d<std::uint8_t>& gray, const ViewRect& rect, Interpolation interpolation,
                    const Color& around, Canvas canvas);
 

@@ -2,8 +2,8 @@
 
 namespace angiopose::ui {
 
-/// Digits behind the decimal sign of the numbers at the residual scale, its end and its half alike: as few as tell the
-/// half of a round end exactly, but one at least below 10.
+/// Returns the decimals of the residual scale's labels, used for both its end and its half: the fewest that show half
+/// of a round end exactly, but at least one below 10.
 int residualScaleDecimals(double maximum);
 
 }   // namespace angiopose::ui

@@ -5,7 +5,7 @@
 
 namespace angiopose::ui {
 
-/// A number that no state of anything shown had before: equal revisions, equal content, whoever holds it.
+/// Returns a number never used before: equal revisions mean equal content across all objects.
 inline std::uint64_t nextRevision()
 {
     static std::atomic<std::uint64_t> last{0};

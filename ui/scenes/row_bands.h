@@ -13,12 +13,12 @@ struct Rows {
     int to = 0;
 };
 
-/// Calls `draw` for all rows of a canvas, some at a time and on several threads. What is drawn in a row must not hang
-/// on the others, so that the picture is the same for any number of threads.
+/// Calls `draw` for all rows of a canvas, in bands and on several threads. Rows must be drawn independently, which
+/// makes the result the same for any number of threads.
 template <class Draw>
 void forBands(int height, const Draw& draw)
 {
-    constexpr int bandRows = 160;   // each looks at all triangles once
+    constexpr int bandRows = 160;   // each band traverses all triangles once
     constexpr int maxThreads = 4;
     const int bands = std::max(1, (height + bandRows - 1) / bandRows);
     const auto band = [&](std::size_t index) {

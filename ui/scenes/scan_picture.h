@@ -4,7 +4,7 @@
 
 namespace angiopose::ui {
 
-/// The scan as it was seen from somewhere: the lowest row first, colours multiplied by their opacity.
+/// Volume rendering of the scan from one viewpoint: bottom row first, premultiplied alpha.
 struct ScanPicture {
     core::ParallelSight sight;
     core::Image2d<core::Rgba> pixels;

@@ -27,7 +27,7 @@ ScanQuad::ScanQuad()
     mapper->SetInputData(rectangle_);
     actor_->SetMapper(mapper);
     actor_->GetProperty()->LightingOff();
-    actor_->ForceOpaqueOn();   // blended all the same; translucent things are sorted by a pass of their own
+    actor_->ForceOpaqueOn();   // still blended; VTK would sort translucent actors in a separate pass
     actor_->PickableOff();
     actor_->VisibilityOff();
     texture_->RepeatOff();

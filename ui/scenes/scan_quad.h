@@ -11,13 +11,13 @@
 
 namespace angiopose::ui {
 
-/// Such a picture as a pane in space, through the point that it was centred on, facing where it was seen from. While
-/// the view turns and the next picture is on its way the pane turns along.
+/// Shows a scan rendering as a plane in space through its center, facing its viewpoint. The plane turns with the view
+/// until the next rendering arrives.
 class ScanQuad {
 public:
     ScanQuad();
 
-    void show(const ScanPicture& picture);   ///< an empty one: nothing
+    void show(const ScanPicture& picture);   ///< an empty one hides the quad
     vtkActor* actor() { return actor_; }
 
 private:

@@ -9,13 +9,13 @@ namespace angiopose::ui {
 ShaderActor::ShaderActor(vtkPolyData* data, const ShaderTexts& shaders)
 {
     mapper_->SetInputData(data);
-    mapper_->SetVBOShiftScaleMethod(0);   // the shaders read neighbours in the same coordinates
+    mapper_->SetVBOShiftScaleMethod(0);   // the shaders read neighbors in the same coordinates
     mapper_->ScalarVisibilityOff();
     mapper_->StaticOn();
     actor_->SetMapper(mapper_);
-    actor_->ForceOpaqueOn();   // in the order of the actors, blended by the shaders' opacity
+    actor_->ForceOpaqueOn();   // drawn in actor order, blended by the shaders' opacity
     actor_->PickableOff();
-    actor_->UseBoundsOff();   // of the data in space: nothing to cull by on the image
+    actor_->UseBoundsOff();   // bounds in space are no use for culling on the image
     vtkShaderProperty* property = actor_->GetShaderProperty();
     property->SetVertexShaderCode(shaders.vertex.c_str());
     if (!shaders.geometry.empty()) {

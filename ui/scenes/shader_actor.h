@@ -14,7 +14,7 @@ class vtkUniforms;
 
 namespace angiopose::ui {
 
-/// A VTK actor that draws poly data by shaders of ours.
+/// VTK actor that draws poly data with custom shaders.
 class ShaderActor {
 public:
     ShaderActor(vtkPolyData* data, const ShaderTexts& shaders);
@@ -26,7 +26,7 @@ protected:
     vtkUniforms& geometryUniforms();
     vtkUniforms& fragmentUniforms();
 
-    /// Where the cutout is; every fragment shader asks for it.
+    /// Sets the cutout uniforms, which every fragment shader uses.
     void showPlace(const Cutout& cutout, const PicturePlace& place);
 
 private:

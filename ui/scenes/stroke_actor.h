@@ -8,7 +8,7 @@
 
 namespace angiopose::ui {
 
-/// Draws a stroke mesh over everything else of its renderer, pixel by pixel.
+/// Draws a stroke mesh in pixel coordinates on top of everything else of its renderer.
 class StrokeActor {
 public:
     StrokeActor();

@@ -17,24 +17,25 @@ using StrokeLine = std::vector<StrokePoint>;
 struct Pen {
     double widthPx = 2.0;
     double opacity = 1.0;
-    double fadePx = 1.0;   ///< width of the soft edge; more makes a glow
+    double fadePx = 1.0;   ///< width of the soft edge; large values make a glow
 };
 
-/// Something drawn, as it was asked for. A line of one point is a dot.
+/// Vector shape as requested by the caller. A line with one point is a dot.
 struct StrokeShape {
     enum class Kind { Line, Ribbon };
     Kind kind = Kind::Line;
-    StrokeLine line;   ///< of a ribbon one edge
-    StrokeLine other;   ///< of a ribbon the other edge
-    Pen pen;   ///< of a ribbon the opacity alone
+    StrokeLine line;   ///< for a ribbon, one edge
+    StrokeLine other;   ///< for a ribbon, the other edge
+    Pen pen;   ///< for a ribbon, only its opacity is used
 };
 
-/// Triangles of smooth-edged lines and dots, in device px, y up. Edges fade over one pixel: no multisampling needed.
+/// Triangles of smooth-edged lines and dots, in device px, y up. Edges fade over one pixel, which makes multisampling
+/// unnecessary.
 struct StrokeMesh {
     std::vector<float> points;   ///< x, y, 0 per vertex
     std::vector<std::uint8_t> colors;   ///< RGBA per vertex
     std::vector<std::int32_t> triangles;   ///< 3 vertices each
-    std::vector<StrokeShape>* shapes = nullptr;   ///< takes what is drawn in place of triangles, for vector pictures
+    std::vector<StrokeShape>* shapes = nullptr;   ///< if set, collects shapes instead of triangles, for vector export
 
     void clear();
     std::size_t vertexCount() const { return points.size() / 3; }
@@ -45,22 +46,22 @@ struct DashPattern {
     double gapPx = 0.0;
 };
 
-/// Adds a line with round joints and ends; a line without extent becomes a dot.
+/// Adds a line with round joints and ends; a line without length becomes a dot.
 void addLine(StrokeMesh& mesh, const StrokeLine& raw, const Pen& pen);
 
 /// Adds a filled dot.
 void addDot(StrokeMesh& mesh, const StrokePoint& center, double radiusPx, double opacity);
 
-/// Fills the area between two lines of the same length, point by point, with the first line's colours.
+/// Fills the area between two lines with the same number of points, in the first line's colors.
 void addRibbon(StrokeMesh& mesh, const StrokeLine& left, const StrokeLine& right, double opacity);
 
-/// The parts of the line inside `lower`…`upper`, cut at its border.
+/// Returns the parts of the line inside `lower`…`upper`, cut at its border.
 std::vector<StrokeLine> clipped(const StrokeLine& line, const Eigen::Vector2d& lower, const Eigen::Vector2d& upper);
 
-/// The drawn parts of a dashed line.
+/// Returns the dashes of a line.
 std::vector<StrokeLine> dashed(const StrokeLine& line, const DashPattern& pattern);
 
-/// The same line without points nearer than `minimumStepPx` to their predecessor; both ends stay.
+/// Removes points nearer than `minimumStepPx` to their predecessor; keeps both ends.
 StrokeLine thinned(const StrokeLine& line, double minimumStepPx);
 
 }   // namespace angiopose::ui

@@ -14,13 +14,13 @@
 namespace angiopose::ui {
 namespace {
 
-/// A font in its file, which may hold several.
+/// Font file and face index.
 struct FontFace {
     std::string file;   ///< empty: none
     int index = 0;
 };
 
-/// The best match; takes the pattern over.
+/// Returns the best match; takes ownership of the pattern.
 FontFace faceFor(FcPattern* wanted)
 {
     FcConfigSubstitute(nullptr, wanted, FcMatchPattern);
@@ -45,14 +45,14 @@ FcPattern* patternOf(const char* name)
     return FcNameParse(reinterpret_cast<const FcChar8*>(name));
 }
 
-/// For text in pictures: Inter where it is installed, else the system's sans serif.
+/// Font for text in images: Inter if installed, otherwise the system's sans serif.
 const FontFace& interfaceFont()
 {
     static const FontFace face = faceFor(patternOf("Inter,sans-serif:style=Regular:outline=true"));
     return face;
 }
 
-/// One that has the signs the interface font lacks, e.g. Chinese ones; none where nothing on the system has them.
+/// Returns a font with the characters the interface font lacks, e.g. Chinese; none if no installed font has them.
 FontFace fontWith(const std::vector<char32_t>& signs)
 {
     FcPattern* wanted = patternOf("sans-serif:style=Regular:outline=true:lang=zh-cn");
@@ -90,7 +90,7 @@ Face openFace(const Library& library, const FontFace& font, int sizePx)
     return Face(face);
 }
 
-/// Code points of UTF-8; a broken sequence ends the text.
+/// Decodes UTF-8 to code points; an invalid sequence ends the text.
 std::vector<char32_t> codePoints(const std::string& text)
 {
     std::vector<char32_t> points;
@@ -125,7 +125,7 @@ void addGlyph(core::Mask2d& mask, const FT_GlyphSlot glyph, int penX, int baseli
     }
 }
 
-/// The interface font, and one for the signs of the text that it lacks.
+/// Interface font, and a fallback font for characters it lacks.
 class Fonts {
 public:
     Fonts(const std::vector<std::string>& lines, int sizePx)
@@ -142,7 +142,7 @@ public:
     }
     explicit operator bool() const { return usual_ != nullptr; }
 
-    /// The glyph of a sign, drawn where `flags` say so; null where there is none.
+    /// Loads the glyph of a character, rendered if `flags` request it; null if there is none.
     FT_GlyphSlot glyph(char32_t sign, FT_Int32 flags) const
     {
         const Face& face = other_ && !has(usual_, sign) ? other_ : usual_;

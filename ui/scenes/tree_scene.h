@@ -18,14 +18,14 @@ class vtkRenderWindow;
 
 namespace angiopose::ui {
 
-/// A place on the tree that was pointed at.
+/// Picked position on the tree.
 struct TreePick {
     int branchId = 0;
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();
 };
 
-/// Tree, source, detector plane with the image, beam, and the scan behind the tree, in patient space. VTK without Qt;
-/// shows in one window, while it lives.
+/// Tree, source, detector plane with the image, beam, and the scan behind the tree, in patient space. Uses VTK without
+/// Qt; attached to a single window for its lifetime.
 class TreeScene {
 public:
     TreeScene();
@@ -33,30 +33,31 @@ public:
     TreeScene(const TreeScene&) = delete;
     TreeScene& operator=(const TreeScene&) = delete;
 
-    void setTree(const core::VesselTree& tree);   ///< keeps the view, unless the tree lies elsewhere
-    void setCamera(const core::ProjectionCamera& camera, double sourceToDetectorMm);   ///< 0: the detector stays hidden
+    void setTree(const core::VesselTree& tree);   ///< keeps the view unless the tree is elsewhere
+    void setCamera(const core::ProjectionCamera& camera, double sourceToDetectorMm);   ///< 0: hides the detector
     void setPose(const core::RigidTransform& cameraFromPatient);
     void setFrame(const core::ImageF& frame);
-    /// In place of the frame, covering it whole at any resolution; empty: the frame again.
+    /// Replaces the frame with an image of any resolution that covers it completely; empty restores the frame.
     void setDetectorPicture(const core::ImageF& picture);
-    /// Where the scan lies: what there is to see where no tree is; nothing: no scan is shown.
+    /// Sets the extent of the scan, which is framed if there is no tree; empty: no scan is shown.
     void setScanBox(const std::optional<Eigen::AlignedBox3d>& boxInPatient);
-    void setScanPicture(const ScanPicture& picture);   ///< of `sight()`; empty: none
-    /// How the scene is seen now, in a picture of `maxPx` pixels at most.
+    void setScanPicture(const ScanPicture& picture);   ///< rendered for `sight()`; empty: none
+    /// Returns the current view for an image of at most `maxPx` pixels.
     core::ParallelSight sight(int maxPx) const;
     void setMarks(const BranchMarks& marks);
     void setTones(const Palette& tones);
-    void setPixelScale(double devicePxPerPx);   ///< line widths and the orientation sign grow with it
-    void attachTo(vtkRenderWindow* window);   ///< once
+    void setPixelScale(double devicePxPerPx);   ///< scales line widths and the orientation sign
+    void attachTo(vtkRenderWindow* window);   ///< call once
 
-    /// Looks along the beam from the side, source above: everything in view; where it is so already, the vessels alone.
+    /// Looks along the beam from the side, source at the top, with everything in view; a second call shows only the
+    /// vessels.
     void nextView();
-    void frameAgain();   ///< what moved out of sight comes back, unless the user has turned or moved the view
-    void turnBy(double rightDeg, double downDeg);   ///< turns what is seen under the mouse
+    void frameAgain();   ///< brings content back into view unless the user has changed the view
+    void turnBy(double rightDeg, double downDeg);   ///< rotates the scene with the mouse
     void zoomBy(double factor);
     void panBy(double rightDevicePx, double upDevicePx);
 
-    bool isEmpty() const;   ///< neither vessels nor a scan: nothing is drawn
+    bool isEmpty() const;   ///< neither vessels nor scan: nothing is drawn
     std::optional<TreePick> pickAt(int xDevicePx, int yDevicePxFromBottom) const;
     Eigen::Vector2d deviceFromPatient(const Eigen::Vector3d& pointInPatient) const;   ///< px from the bottom left
     std::vector<OrientationLetter> orientationLetters() const;

@@ -31,7 +31,7 @@ double extentMm(const core::VesselTree& tree)
     return box.isEmpty() ? 1.0 : std::max(1e-3, box.diagonal().norm());
 }
 
-/// Lines with radius and tone per point, ready for the tube filter.
+/// Lines with radius and color per point, input of the tube filter.
 struct TubeLines {
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> cells;
@@ -56,7 +56,7 @@ struct TubeLines {
     }
 };
 
-/// Dashes of `dash` points with gaps of the same length.
+/// Adds dashes of `dash` points with gaps of the same length.
 void addDashes(TubeLines& lines, const std::vector<Eigen::Vector3d>& line, const std::vector<double>& radiusMm,
                const Color& color)
 {

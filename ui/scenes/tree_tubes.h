@@ -10,7 +10,7 @@
 
 namespace angiopose::ui {
 
-/// The tree as shaded tubes in patient space. Excluded branches are thin and dashed, selected ones thick.
+/// Tree as shaded tubes in patient space. Excluded branches are thin and dashed, selected ones thick.
 class TreeTubes {
 public:
     TreeTubes();

@@ -12,7 +12,7 @@
 
 namespace angiopose::ui {
 
-/// Pixels below the vectors, stretched over a part of the picture's width and all of its height.
+/// Raster background below the vectors, stretched over a part of the image's width and all of its height.
 struct VectorBackdrop {
     core::ColorImage image;
     double left = 0.0;
@@ -25,7 +25,7 @@ struct VectorFill {
     double opacity = 1.0;
 };
 
-/// A line of text with its start, or with TextAlign::Right its end, on the baseline.
+/// Line of text whose start (or end, with TextAlign::Right) lies on the baseline point.
 struct VectorText {
     std::string text;   ///< UTF-8
     Eigen::Vector2d at;
@@ -34,8 +34,8 @@ struct VectorText {
     Color tone = palette(ThemeMode::Dark).textStrong;
 };
 
-/// What an exported picture shows, as shapes instead of pixels, lowest first: backdrops, shapes, fills, texts. In px of
-/// the same picture in pixels; shapes with y up as everywhere, all else with y down.
+/// Exported image as vector shapes, lowest first: backdrops, shapes, fills, texts. In px of the corresponding raster
+/// image; shapes with y up, all else with y down.
 struct VectorPicture {
     int width = 0;
     int height = 0;
@@ -45,12 +45,12 @@ struct VectorPicture {
     std::vector<VectorText> texts;
 };
 
-/// The shapes' parts inside the picture and outside the cutout, which is given as in the image that `part` shows, with
-/// the cutout's rim.
+/// Returns the parts of the shapes inside the image and outside the cutout, plus the edge of the cutout; the cutout is
+/// given in coordinates of the angiogram that `part` shows.
 std::vector<StrokeShape> visibleShapes(const std::vector<StrokeShape>& shapes, const VectorPicture& picture,
                                        const Cutout& cutout, const ViewRect& part);
 
-/// Two pictures of one height with a gap between them.
+/// Joins two images of equal height side by side with a gap.
 VectorPicture besideEachOther(VectorPicture left, const VectorPicture& right, int gap);
 
 }   // namespace angiopose::ui

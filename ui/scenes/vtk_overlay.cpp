@@ -19,20 +19,21 @@
 namespace angiopose::ui {
 namespace {
 
-/// Points a VTK camera so that it sees what the X-ray source sees: a point in patient space (mm) falls on the pixel
-/// that `core::project` gives, and the part `rect` of the image fills the picture.
+/// Sets a VTK camera at the X-ray source: a point in patient space (mm) is drawn at the pixel given by `core::project`,
+/// and the part `rect` of the image fills the view.
 void setPinhole(vtkCamera& view, const core::ProjectionCamera& camera, const core::RigidTransform& cameraFromPatient,
                 const ViewRect& rect)
 {
     const Eigen::Matrix3d& rotation = cameraFromPatient.rotation;
     const Eigen::Vector3d source = -rotation.transpose() * cameraFromPatient.translation;
     const Eigen::Vector3d ahead = source + rotation.row(2).transpose();
-    const Eigen::Vector3d up = -rotation.row(1).transpose();   // v counts down
+    const Eigen::Vector3d up = -rotation.row(1).transpose();   // v points down
     view.SetPosition(source.x(), source.y(), source.z());
     view.SetFocalPoint(ahead.x(), ahead.y(), ahead.z());
     view.SetViewUp(up.x(), up.y(), up.z());
 
-    // Half of what is seen at depth 1, and its middle in halves beside the central ray; a mirrored image has fx > 0.
+    // Half extent at depth 1, and offset of its center from the central ray in half extents; a mirrored image has fx >
+    // 0.
     const double halfWidth = 0.5 * rect.width();
     const double halfHeight = 0.5 * rect.height();
     view.SetViewAngle(2.0 * std::atan(halfHeight / camera.fy) * 180.0 / std::numbers::pi);
@@ -42,7 +43,7 @@ void setPinhole(vtkCamera& view, const core::ProjectionCamera& camera, const cor
                          (camera.cy - 0.5 * (rect.top + rect.bottom)) / halfHeight);
 }
 
-/// For traced curves where no camera is known: any will do, they lie on the image.
+/// Camera for traced curves if none is known: any camera works because the curves lie on the image.
 core::ProjectionCamera usableCamera(const core::ProjectionCamera& camera)
 {
     return !core::findProblem(camera) ? camera : core::ProjectionCamera{1000.0, 1000.0, 0.0, 0.0, 1, 1};
@@ -65,7 +66,7 @@ struct VtkOverlay::Parts {
     std::size_t aboveVertices = 0;
     std::uint64_t linesRevision = 0;
     std::uint64_t revision = 0;
-    core::ProjectionCamera tracedFor;   ///< the camera that the traced curves were laid out for
+    core::ProjectionCamera tracedFor;   ///< camera used to place the traced curves
 
     std::array<LineLayer*, 6> layers() { return {&inside, &glow, &halo, &core, &tracedShade, &tracedDots}; }
     void updateLines(const OverlayContent& content);
@@ -90,7 +91,7 @@ void VtkOverlay::Parts::updateLines(const OverlayContent& content)
     revision = content.revision;
 }
 
-/// The traced curves go where the camera goes.
+/// Moves the traced curves with the camera.
 void VtkOverlay::Parts::placeTraced(const OverlayContent& content)
 {
     vtkNew<vtkMatrix4x4> patientFromCamera;

@@ -9,9 +9,9 @@ class vtkRenderWindow;
 
 namespace angiopose::ui {
 
-/// Draws the angiogram with what lies on it by VTK and OpenGL: the frame as a texture, the tree in space through a
-/// camera at the X-ray source. A new pose, zoom or brightness changes the camera and a few numbers; points and pixels
-/// are sent when they change. The picture is the painter's (tests/ui/scenes/renderers_agree_test.cpp).
+/// Draws the angiogram and its overlay with VTK and OpenGL: the frame as a texture, the tree in space through a camera
+/// at the X-ray source. A new pose, zoom or brightness changes only the camera and a few uniforms; points and pixels
+/// are uploaded when they change. Matches the painter's output (tests/ui/scenes/renderers_agree_test.cpp).
 class VtkOverlay {
 public:
     VtkOverlay();
@@ -19,12 +19,12 @@ public:
     VtkOverlay(const VtkOverlay&) = delete;
     VtkOverlay& operator=(const VtkOverlay&) = delete;
 
-    void attachTo(vtkRenderWindow* window);   ///< once; `window` outlives this
+    void attachTo(vtkRenderWindow* window);   ///< call once; `window` must outlive this object
 
-    /// What the next picture shows. `above`: strokes over everything, device px, y up.
+    /// Sets the content of the next image. `above`: strokes on top, device px, y up.
     void show(const OverlayScene& scene, bool isMirrored = false, const StrokeMesh& above = {});
 
-    /// What the shown picture hands to OpenGL.
+    /// Amount of work that the shown image causes in OpenGL.
     struct Work {
         std::size_t vertices = 0;
         std::size_t drawCalls = 0;

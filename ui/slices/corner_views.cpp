@@ -89,7 +89,7 @@ QToolButton* CornerViews::makeTab(const Words& text, std::optional<core::BodyPla
     auto* tab = new QToolButton;
     withText(tab, text);
     tab->setProperty("role", "tab");
-    tab->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);   // never a clipped name
+    tab->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);   // never clips the name
     tab->setCheckable(true);
     connect(tab, &QToolButton::clicked, this, [this, plane] { showPlane(plane); });
     return tab;

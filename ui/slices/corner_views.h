@@ -17,23 +17,23 @@ namespace angiopose::ui {
 class ScanBar;
 class TreeView;
 
-/// The place below the branches: the 3-D view, or one plane of the scan. The planes appear with a scan.
+/// Area below the branch list: the 3-D view or one plane of the scan. The planes appear with a scan.
 class CornerViews : public QWidget {
     Q_OBJECT
 public:
     CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent = nullptr);
 
     std::optional<core::BodyPlane> shownPlane() const;
-    void showPlane(std::optional<core::BodyPlane> plane);   ///< none: the 3-D view; waits for a scan
+    void showPlane(std::optional<core::BodyPlane> plane);   ///< empty: 3-D view; takes effect once there is a scan
     void showNext();
     SliceView& slice() { return *slice_; }
-    ScanBar& scanBar() { return *scanBar_; }   ///< with the 3-D view, where there is a scan
+    ScanBar& scanBar() { return *scanBar_; }   ///< shown above the 3-D view if there is a scan
 
 signals:
     void planeChanged(std::optional<core::BodyPlane> plane);
-    void roomRequested();   ///< all slices, large
-    void aloneRequested();   ///< the whole window for this place, or back
-    void windowRequested();   ///< a window of its own, or back
+    void roomRequested();   ///< enlarge all slices
+    void aloneRequested();   ///< toggle maximizing this area
+    void windowRequested();   ///< toggle the pop-out window
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -50,7 +50,7 @@ private:
     TreeView* treeView_;
     SliceView* slice_;
     ScanBar* scanBar_;
-    std::array<QToolButton*, 4> tabs_{};   ///< 3-D, then `core::bodyPlanes`
+    std::array<QToolButton*, 4> tabs_{};   ///< 3-D, then the order of `core::bodyPlanes`
     std::optional<core::BodyPlane> wanted_;
 };
 

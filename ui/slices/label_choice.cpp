@@ -19,9 +19,9 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int maxLabelRows = 10;   // seen at a time
+constexpr int maxLabelRows = 10;   // visible rows
 constexpr int minRows = 3;
-constexpr int filteredFrom = 9;   // labels; fewer are seen at once
+constexpr int filteredFrom = 9;   // number of labels from which the filter is shown
 constexpr int rowPadding = 8;
 constexpr int swatchPx = 10;
 constexpr int labelRole = Qt::UserRole;
@@ -165,7 +165,7 @@ void LabelChoice::showChosen(const std::set<int>& labels)
     showFirstTicked();
 }
 
-/// Of many labels a few are ticked: they are not to be searched for. A row that the user is at stays in sight.
+/// Scrolls to the first checked label of a long list, but keeps the current row visible.
 void LabelChoice::showFirstTicked()
 {
     const auto first = std::ranges::find_if(rows_, [this](const LabelRow& row) { return chosen_.contains(row.label); });
@@ -267,7 +267,7 @@ void LabelChoice::setTicks()
         list_->topLevelItem(static_cast<int>(i))
             ->setCheckState(LabelName, chosen_.contains(rows_[i].label) ? Qt::Checked : Qt::Unchecked);
     }
-    list_->viewport()->update();   // the blocked signals would have said so
+    list_->viewport()->update();   // repaint, since signals are blocked
     sayTexts();
 }
 

@@ -17,38 +17,38 @@ class QTreeWidgetItem;
 
 namespace angiopose::ui {
 
-/// One label of a label image, as the list shows it.
+/// One row of the label list.
 struct LabelRow {
     int label = 0;
-    QString name;   ///< empty where the file gives none
+    QString name;   ///< empty if the file gives none
     double volumeMl = 0.0;
-    Color color;   ///< as in the slices
+    Color color;   ///< same as in the slices
 
     bool operator==(const LabelRow&) const = default;
 };
 
 QString textOf(const LabelRow& row);   ///< "4  celiac_trunk", or "Label 4"
 
-/// Which labels of a label image are vessels: a list to tick, with a filter where it is long. Shows what it is told,
-/// reports what the user wants.
+/// Selects the vessel labels of a label image: a check list, with a filter if it is long. Displays the values it is
+/// given and emits signals for user actions.
 class LabelChoice : public QWidget {
     Q_OBJECT
 public:
     explicit LabelChoice(QWidget* parent = nullptr);
 
-    /// `suggested` are those that are vessels by their names; empty: no name says so.
+    /// `suggested` holds the labels whose names denote vessels; empty: none do.
     void showLabels(std::vector<LabelRow> rows, std::set<int> suggested);
-    void showReading();   ///< the labels are not known yet
-    void showProblem(const QString& reason);   ///< why they are not
-    void showNothing();   ///< what is traced has no labels: the list is hidden
-    void showChosen(const std::set<int>& labels);   ///< silent
+    void showReading();   ///< labels are still being read
+    void showProblem(const QString& reason);   ///< reason why reading failed
+    void showNothing();   ///< hides the list: the input has no labels
+    void showChosen(const std::set<int>& labels);   ///< emits no signal
     const std::set<int>& chosen() const { return chosen_; }
     void setRunning(bool running);
     void focusList();
 
 signals:
     void chosenEdited(const std::set<int>& labels);
-    void rowShown(int row);   ///< the user is at this row of the list
+    void rowShown(int row);   ///< the current row changed
 
 private:
     QLayout* headRow();
@@ -56,7 +56,7 @@ private:
     void fill();
     void filter(const QString& text);
     void takeTicks();
-    void choose(std::optional<bool> ticked);   ///< those that the filter lets through; nothing: the suggested ones
+    void choose(std::optional<bool> ticked);   ///< sets the filtered rows; empty: checks the suggested ones
     void setTicks();
     void showFirstTicked();
     void sayTexts();

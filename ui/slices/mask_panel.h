@@ -15,38 +15,38 @@ namespace angiopose::ui {
 
 class NumberField;
 
-/// How far through the slices scissors cut.
+/// Depth of a scissors cut: one slice, a range, or all slices.
 enum class CutDepth { Slice, Range, Whole };
 
-/// Settings of the brush and the scissors.
+/// Settings of brush and scissors.
 struct MaskSettings {
-    double opacity = 0.28;   ///< of the mask over the slices
-    double radiusMm = 2.0;   ///< of the brush
-    bool isBall = false;   ///< through the slices beside, too
-    bool isAboveThreshold = false;   ///< paints no darker voxels
+    double opacity = 0.28;   ///< opacity of the mask over the slices
+    double radiusMm = 2.0;   ///< brush radius
+    bool isBall = false;   ///< 3-D brush: also paints neighboring slices
+    bool isAboveThreshold = false;   ///< paints only voxels above the threshold
     CutDepth depth = CutDepth::Slice;
-    double rangeMm = 10.0;   ///< before and behind the slice
+    double rangeMm = 10.0;   ///< on each side of the slice
 
     bool operator==(const MaskSettings&) const = default;
 };
 
-/// What is to be said of the mask.
+/// Editing state of the mask.
 struct MaskState {
-    int openStrokes = 0;   ///< that the vessels do not know yet
-    bool isRunning = false;   ///< they are being traced
-    bool isEdited = false;   ///< the vessels come from a mask edited by hand
+    int openStrokes = 0;   ///< strokes not yet included in the traced vessels
+    bool isRunning = false;   ///< tracing is running
+    bool isEdited = false;   ///< the vessels come from a manually edited mask
 };
 
-/// The lumen mask over the slices: how strong it is shown, brush and scissors, and tracing what was edited. Shows what
-/// it is told, reports what the user wants.
+/// Lumen mask over the slices: its opacity, brush and scissors, and tracing of the edited mask. Displays the values it
+/// is given and emits signals for user actions.
 class MaskPanel : public QWidget {
     Q_OBJECT
 public:
     explicit MaskPanel(QWidget* parent = nullptr);
 
     void bind(QAction& paint, QAction& erase, QAction& cut, QAction& trace, QAction& save);
-    void showSettings(const MaskSettings& settings);   ///< silent
-    void showThreshold(bool isThere);   ///< without one nothing is above it
+    void showSettings(const MaskSettings& settings);   ///< emits no signal
+    void showThreshold(bool isThere);   ///< enables painting above the threshold
     void showState(const MaskState& state);
 
 signals:

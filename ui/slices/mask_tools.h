@@ -8,8 +8,8 @@
 
 namespace angiopose::ui {
 
-/// A round brush on the mask, shown as a circle of its size under the pointer. Ctrl turns painting into erasing and
-/// back; Shift+wheel, + and − change its size.
+/// Round brush on the mask, shown as a circle of its size under the pointer. Ctrl swaps painting and erasing;
+/// Shift+wheel, + and − change its size.
 class MaskBrushTool : public SliceTool {
     Q_OBJECT
 public:
@@ -41,15 +41,15 @@ private:
     void brushTo(const SlicePointer& pointer);
 
     core::MaskAim aim_;
-    core::MaskAim now_;   ///< of the stroke under way
+    core::MaskAim now_;   ///< aim of the current stroke
     double radiusMm_ = 2.0;
     bool isStroking_ = false;
     Eigen::Vector3d last_ = Eigen::Vector3d::Zero();
-    const SliceView* under_ = nullptr;   ///< the view that the pointer is in
+    const SliceView* under_ = nullptr;   ///< view under the pointer
     QPointF pointer_;
 };
 
-/// Scissors: a lasso in a slice. Shift keeps what lies inside instead.
+/// Scissors: a lasso in a slice that removes the mask inside. Shift keeps the inside instead.
 class MaskCutTool : public SliceTool {
     Q_OBJECT
 public:
@@ -64,10 +64,10 @@ public:
     void paint(QPainter& painter, SliceView& view) const override;
 
 signals:
-    void cut(const core::MaskCut& cut);   ///< its depth is not set
+    void cut(const core::MaskCut& cut);   ///< without its depth
 
 private:
-    const SliceView* view_ = nullptr;   ///< in which it is drawn
+    const SliceView* view_ = nullptr;   ///< view in which the lasso is drawn
     std::vector<Eigen::Vector3d> outline_;
 };
 

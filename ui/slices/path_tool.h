@@ -7,14 +7,14 @@
 
 namespace angiopose::ui {
 
-/// Two clicks in the slices, from and to, for the one vessel between them; meanwhile the way to the mouse is shown. The
-/// ends may lie in different slices and planes.
+/// Traces one vessel between two clicks in the slices and previews the path to the mouse. The end points may lie in
+/// different slices and planes.
 class PathTool : public SliceTool {
     Q_OBJECT
 public:
     explicit PathTool(SliceModel& model);
 
-    void showWay(std::vector<Eigen::Vector3d> pointsInPatient);   ///< to where the mouse was when it was wished for
+    void showWay(std::vector<Eigen::Vector3d> pointsInPatient);   ///< path to the mouse position of the request
 
     QString caption() const override;
     void end() override { drop(); }
@@ -25,9 +25,9 @@ public:
     void paint(QPainter& painter, SliceView& view) const override;
 
 signals:
-    void pathRequested(const Eigen::Vector3d& fromInPatient, const Eigen::Vector3d& toInPatient);   ///< to be shown
+    void pathRequested(const Eigen::Vector3d& fromInPatient, const Eigen::Vector3d& toInPatient);   ///< for the preview
     void chosen(const Eigen::Vector3d& fromInPatient, const Eigen::Vector3d& toInPatient);
-    void begun();   ///< the first click, or none any longer: ways of before mean nothing
+    void begun();   ///< first click set or removed: earlier paths are obsolete
 
 private:
     void drop();

@@ -17,7 +17,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int maxRows = 4;   // seen at once
+constexpr int maxRows = 4;   // visible rows
 
 QPushButton* switchButton(const Words& text, const Words& tip)
 {
@@ -35,7 +35,7 @@ QString pointText(const QString& kind, const Eigen::Vector3d& point)
         .arg(numberText(point.z(), 1));
 }
 
-constexpr double usualHu = 200.0;   // where nothing was found
+constexpr double usualHu = 200.0;   // default if no threshold was found
 
 }   // namespace
 
@@ -162,7 +162,7 @@ bool SeedList::eventFilter(QObject* watched, QEvent* event)
 {
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
     if (watched == points_ && isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
-        event->accept();   // not the branches' Delete
+        event->accept();   // not Delete branches
         if (event->type() == QEvent::KeyPress) {
             removeChosen();
         }
@@ -243,7 +243,7 @@ void ThresholdField::choose(std::optional<double> threshold)
     }
     chosen_ = threshold;
     showValues();
-    preview_->setChecked(preview_->isChecked() || threshold);   // who moves it wants to see what it does
+    preview_->setChecked(preview_->isChecked() || threshold);   // a manual threshold turns the preview on
     emit chosen(threshold);
     emit previewChanged();
 }

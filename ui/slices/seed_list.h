@@ -13,11 +13,11 @@ class QSlider;
 
 namespace angiopose::ui {
 
-/// What a click in a slice does.
+/// Effect of a click in a slice.
 enum class TracingPick { Nothing, Seed, Avoid };
 
-/// Seeds of the tracing and places that it is to avoid, in patient coordinates (mm), and what is done with them: the
-/// next clicks in a slice add some, Delete takes one away. Shows what it is told.
+/// Seed points and avoid points of the tracing, in patient coordinates (mm): clicks in a slice add points, Delete
+/// removes the selected one. Displays the values it is given.
 class SeedList : public QWidget {
     Q_OBJECT
 public:
@@ -25,9 +25,9 @@ public:
 
     explicit SeedList(QWidget* parent = nullptr);
 
-    void showPoints(const Points& seedsInPatient, const Points& avoidInPatient);   ///< silent
-    void showPick(TracingPick pick);   ///< silent
-    void setRunning(bool running);   ///< nothing is changed meanwhile
+    void showPoints(const Points& seedsInPatient, const Points& avoidInPatient);   ///< emits no signal
+    void showPick(TracingPick pick);   ///< emits no signal
+    void setRunning(bool running);   ///< disables editing while tracing runs
     bool isPicking() const;
 
 signals:
@@ -43,7 +43,7 @@ private:
     void fill();
     void choose(int row);
     void removeChosen();
-    Points& holderOf(int& row);   ///< `row` becomes the place within it
+    Points& holderOf(int& row);   ///< converts `row` to the index in the returned list
 
     Points seeds_;
     Points avoid_;
@@ -56,18 +56,19 @@ private:
 
 class NumberField;
 
-/// The value of a scan at which its vessels begin: found, or chosen by slider and number. Shows what it is told.
+/// Intensity threshold of the vessels in a scan: automatic, or set by slider and number. Displays the values it is
+/// given.
 class ThresholdField : public QWidget {
     Q_OBJECT
 public:
     explicit ThresholdField(QWidget* parent = nullptr);
 
-    /// Values that it can have, in Hounsfield units or in the scan's own.
+    /// Sets the range of the threshold, in Hounsfield units or the scan's own units.
     void showRange(std::pair<double, double> range, bool isHounsfield);
-    void showChosen(std::optional<double> threshold);   ///< nothing: automatic
-    void showFound(std::optional<double> threshold);   ///< what "automatic" comes to, when known
+    void showChosen(std::optional<double> threshold);   ///< empty: automatic
+    void showFound(std::optional<double> threshold);   ///< automatic threshold, if known
     bool isPreviewWanted() const;
-    std::optional<double> shown() const;   ///< chosen, or found
+    std::optional<double> shown() const;   ///< manual or automatic threshold
 
 signals:
     void chosen(std::optional<double> threshold);

@@ -23,7 +23,7 @@ constexpr int textPx = 11;
 constexpr double crosshairGapPx = 9.0;
 constexpr double markRadiusPx = 4.5;
 
-/// Images lie on black in every theme.
+/// Images have a black background in every theme.
 const Palette& sliceTones()
 {
     return palette(ThemeMode::Dark);
@@ -92,7 +92,7 @@ void paintMark(QPainter& painter, const QPointF& at, SliceMarkKind kind, const Q
     const Color tone = isFine                         ? sliceTones().fine
                        : kind == SliceMarkKind::Avoid ? sliceTones().attention
                                                       : sliceTones().accent;
-    QPainterPath sign;   // told apart by shape: seed +, avoid ×, landmark ring
+    QPainterPath sign;   // distinguished by shape: seed +, avoid ×, landmark ring
     const double r = markRadiusPx;
     if (kind == SliceMarkKind::Seed) {
         sign.moveTo(at - QPointF(r, 0));
@@ -114,14 +114,13 @@ void paintMark(QPainter& painter, const QPointF& at, SliceMarkKind kind, const Q
     painter.drawPath(sign);
     if (!label.isEmpty()) {
         const double width = QFontMetricsF(painter.font()).horizontalAdvance(label) + 2.0;
-        const bool isLeft = at.x() + r + 3 + width > painter.viewport().width();   // else it would be cut off
+        const bool isLeft = at.x() + r + 3 + width > painter.viewport().width();   // avoids clipping
         drawOutlined(painter, QRectF(at + QPointF(isLeft ? -r - 3 - width : r + 3, -8), QSizeF(width, 16)),
                      Qt::AlignLeft | Qt::AlignVCenter, label, toQColor(tone, opacity));
     }
 }
 
-/// In the middle of an edge; where a corner text reaches so far, to the right of it, or further in where that text
-/// takes the whole edge.
+/// Returns the middle of an edge; moves right if a corner text reaches it, or inwards if that text fills the edge.
 QRectF letterBox(const QRectF& area, double top, const QRectF& taken)
 {
     QRectF box(area.center().x() - 0.5 * letterWidthPx, top, letterWidthPx, letterHeightPx);

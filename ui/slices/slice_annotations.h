@@ -12,7 +12,7 @@ class QPainter;
 
 namespace angiopose::ui {
 
-/// What is drawn over the picture of a slice, and where patient points lie in the widget.
+/// Context for drawing over a slice, including the mapping from patient points to the widget.
 struct SliceOverlay {
     const SliceModel& model;
     const core::SliceGrid& grid;
@@ -21,23 +21,23 @@ struct SliceOverlay {
     QRectF area;
 };
 
-/// How far from the slice a centreline still shows; it fades on the way there.
+/// Distance from the slice up to which centerlines are drawn, fading out.
 double visibleDistanceMm(const core::SliceGrid& grid);
 
 void paintBranches(QPainter& painter, const SliceOverlay& overlay);
 void paintPoints(QPainter& painter, const SliceOverlay& overlay);
 void paintCrosshair(QPainter& painter, const SliceOverlay& overlay);
 
-/// What the corner texts cover.
+/// Areas covered by the corner texts.
 struct CornerRoom {
     QRectF top;
     QRectF bottom;
 };
 
-/// Lines of text from the top left and from the bottom left, readable on any picture.
+/// Draws lines of text from the top left and the bottom left, readable on any image.
 CornerRoom paintTexts(QPainter& painter, const QRectF& area, const QStringList& top, const QStringList& bottom);
 
-/// Letters of the patient's sides at the middle of the edges, clear of the corner texts.
+/// Draws the letters of the patient's sides at the middle of the edges, clear of the corner texts.
 void paintSides(QPainter& painter, const SliceOverlay& overlay, const CornerRoom& taken);
 
 }   // namespace angiopose::ui

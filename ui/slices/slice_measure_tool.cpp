@@ -17,7 +17,7 @@ using core::MeasurementKind;
 using core::SliceMeasurement;
 
 constexpr double measureReachPx = 8.0;
-constexpr std::size_t maxOutlinePoints = 1000;   // as many as a case keeps
+constexpr std::size_t maxOutlinePoints = 1000;   // limit of the case file
 
 double awayPx(const QPointF& a, const QPointF& b)
 {
@@ -37,7 +37,7 @@ MarkShape shapeOf(const SliceMeasurement& measurement)
 SliceMeasureTool::SliceMeasureTool(MeasurementKind kind, SliceModel& model) : SliceTool(model), kind_(kind)
 {
     next_.kind = kind;
-    connect(&model, &SliceModel::scanChanged, this, &SliceMeasureTool::drop);   // half of it lies in another scan
+    connect(&model, &SliceModel::scanChanged, this, &SliceMeasureTool::drop);   // points of another scan are invalid
 }
 
 QString SliceMeasureTool::caption() const
@@ -102,7 +102,7 @@ void SliceMeasureTool::finishDrag(const SlicePointer& pointer)
         const bool isThere = isStillThere(*held);
         const bool isInPlace = isThere && isInSlice(model().measured()[held->measurement].measurement,
                                                     pointer.view.plane(), pointer.view.grid());
-        if (!isInPlace) {   // undone or scrolled away under the mouse
+        if (!isInPlace) {   // removed by undo, or scrolled out of the slice
             drop();
             return;
         }
@@ -111,11 +111,11 @@ void SliceMeasureTool::finishDrag(const SlicePointer& pointer)
         addPoint(pointer);
         finish();
     } else {
-        click(pointer);   // a hand that shook between press and release
+        click(pointer);   // small movement between press and release
     }
 }
 
-/// The measurement is the one whose point was taken hold of.
+/// True if the dragged measurement still exists unchanged.
 bool SliceMeasureTool::isStillThere(const Held& held) const
 {
     const auto& there = model().measured();
@@ -202,7 +202,7 @@ bool SliceMeasureTool::takeBack()
     return hadPoints;
 }
 
-/// Too few points are left as they are: the next click goes on.
+/// Does nothing with too few points: the next click continues.
 void SliceMeasureTool::finish()
 {
     if (next_.pointsInPatient.size() < (kind_ == MeasurementKind::Length ? 2U : 3U)) {

@@ -8,15 +8,15 @@
 
 namespace angiopose::ui {
 
-/// Measures in a slice, with the hand that MeasureTool has in the image: clicks set points, a drag draws a length at
-/// once or moves a point of what is there; an area is closed by a click on its first point, a double click or Enter.
-/// Points belong to one slice: the first click in another one begins anew.
+/// Measures in a slice, with the same interaction as MeasureTool: clicks set points, a drag draws a length at once or
+/// moves an existing point; an area is closed by a click on its first point, a double click or Enter. All points belong
+/// to one slice: the first click in another slice starts over.
 class SliceMeasureTool : public SliceTool {
     Q_OBJECT
 public:
     SliceMeasureTool(core::MeasurementKind kind, SliceModel& model);
 
-    /// What to write beside points that are being set.
+    /// Sets the function that labels a measurement being drawn.
     void setWords(std::function<QString(const core::SliceMeasurement&)> words) { words_ = std::move(words); }
 
     QString caption() const override;
@@ -36,14 +36,14 @@ public:
 signals:
     void drawn(const core::SliceMeasurement& measurement);
     void pointMoved(int measurement, int point, const Eigen::Vector3d& pointInPatient);
-    void removeRequested();   ///< what is chosen, or the last
+    void removeRequested();   ///< the selected measurement, or the last one
 
 private:
     struct Held {
         std::size_t measurement = 0;
         std::size_t point = 0;
         Eigen::Vector3d at = Eigen::Vector3d::Zero();
-        core::SliceMeasurement whole;   ///< as it was when it was taken hold of
+        core::SliceMeasurement whole;   ///< state at the start of the drag
     };
     std::optional<Held> heldAt(const SlicePointer& pointer) const;
     bool isStillThere(const Held& held) const;
@@ -51,14 +51,14 @@ private:
     void addPoint(const SlicePointer& pointer);
     void finish();
     void drop();
-    core::SliceMeasurement seen() const;   ///< being set, with the point under the mouse; or being moved
+    core::SliceMeasurement seen() const;   ///< measurement being drawn (with the mouse position) or moved
 
     core::MeasurementKind kind_;
     std::function<QString(const core::SliceMeasurement&)> words_;
-    core::SliceMeasurement next_;   ///< its points so far
+    core::SliceMeasurement next_;   ///< points set so far
     std::optional<Eigen::Vector3d> mouse_;
     std::optional<Held> held_;
-    bool isDrawing_ = false;   ///< a length by a drag
+    bool isDrawing_ = false;   ///< drawing a length by dragging
 };
 
 }   // namespace angiopose::ui

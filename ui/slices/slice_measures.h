@@ -4,16 +4,16 @@
 
 namespace angiopose::ui {
 
-/// What was measured in the slices of this plane: in its own slice with the value, faint in its neighbours.
+/// Draws the measurements of this plane: with their value in their own slice, faint in neighboring slices.
 void paintMeasurements(QPainter& painter, const SliceOverlay& overlay);
 
-/// Where a ring goes through the slice: its pieces within the slice, and the line on which it cuts it.
+/// Draws the intersection of a ring with the slice: the parts inside the slice and the cutting line.
 void paintRing(QPainter& painter, const SliceOverlay& overlay, const std::vector<Eigen::Vector3d>& ring);
 
-/// Of a sentence whose parts are set off by dots, as many lines as fit the width.
+/// Wraps a sentence, whose parts are separated by dots, into lines that fit the width.
 QStringList captionLines(const QString& caption, int widthPx);
 
-/// Its own slice is shown.
+/// True if the grid shows the slice of the measurement.
 bool isInSlice(const core::SliceMeasurement& measurement, core::BodyPlane plane, const core::SliceGrid& grid);
 
 }   // namespace angiopose::ui

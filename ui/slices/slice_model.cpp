@@ -11,13 +11,13 @@ namespace angiopose::ui {
 namespace {
 
 constexpr std::size_t sampledVoxels = 40000;
-constexpr double airHu = -500.0;   // below this lies air, which only CT has
+constexpr double airHu = -500.0;   // lower values are air, which only CT has
 
-/// Values spread evenly over the scan, ascending.
+/// Returns values sampled evenly over the scan, ascending.
 std::vector<double> sampledValues(const core::Volume& volume)
 {
     const std::size_t count = volume.voxels.size();
-    const std::size_t step = std::max<std::size_t>(1, count / sampledVoxels) | 1U;   // odd: no column twice
+    const std::size_t step = std::max<std::size_t>(1, count / sampledVoxels) | 1U;   // odd: varies the column
     std::vector<double> values;
     for (std::size_t i = 0; i < count; i += step) {
         values.push_back(volume.value(i));
@@ -68,7 +68,7 @@ void SliceModel::setScan(std::shared_ptr<const core::Volume> volume, std::shared
         return;
     }
     const core::VolumeGeometry* before = geometry();
-    const core::VolumeGeometry kept = before ? *before : core::VolumeGeometry{};   // empty: never like a scan
+    const core::VolumeGeometry kept = before ? *before : core::VolumeGeometry{};   // empty: equals no scan
     const bool isNewVolume = volume != volume_;
     volume_ = std::move(volume);
     lumen_ = std::move(lumen);
@@ -83,7 +83,7 @@ void SliceModel::setScan(std::shared_ptr<const core::Volume> volume, std::shared
         crosshair_ = core::centerOf(*now);
     }
     if (isSamePlace && !isNewVolume) {
-        emit maskChanged();   // who looks closely keeps his place
+        emit maskChanged();   // keeps the current zoom and position
     } else {
         emit scanChanged();
     }

@@ -21,16 +21,16 @@ class SliceTool;
 
 enum class SliceMarkKind { Seed, Avoid, Landmark, Place };
 
-/// A point to show in the slices, or a ring around it.
+/// Point shown in the slices, optionally with a ring around it.
 struct SliceMark {
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();
     QString label;
-    std::vector<Eigen::Vector3d> ring{};   ///< points around it, closed; drawn where slices cut it
+    std::vector<Eigen::Vector3d> ring{};   ///< closed outline, drawn where slices cut it
 
     bool operator==(const SliceMark&) const = default;
 };
 
-/// Something measured, with its value.
+/// Measurement with its label.
 struct MeasuredSlice {
     core::SliceMeasurement measurement;
     QString label;
@@ -39,48 +39,48 @@ struct MeasuredSlice {
     bool operator==(const MeasuredSlice&) const = default;
 };
 
-/// The labels of a label image, to be told apart in the slices.
+/// Labels of a label image, shown in different colors in the slices.
 struct LabelLayer {
-    std::shared_ptr<const core::VoxelMask> rows;   ///< 1 + the place of a voxel's label below; the last for all beyond
+    std::shared_ptr<const core::VoxelMask> rows;   ///< 1 + index of the voxel's label below; the last covers the rest
     std::vector<MaskTint> tints;
-    QStringList names;   ///< as many as tints
+    QStringList names;   ///< one per tint
 
     bool operator==(const LabelLayer&) const = default;
 };
 
-/// What all slice views show in common: the scan, what was traced in it, and the cross-hair that links them.
+/// State shared by all slice views: the scan, the segmentation, and the linked cross-hair.
 class SliceModel : public QObject {
     Q_OBJECT
 public:
     using QObject::QObject;
 
-    /// Either may be null; without a scan the lumen is shown alone. A new scan puts the cross-hair in its middle and
-    /// chooses the window.
+    /// Either argument may be null; without a scan only the lumen is shown. A new scan centers the cross-hair and
+    /// selects the window.
     void setScan(std::shared_ptr<const core::Volume> volume, std::shared_ptr<const core::VoxelMask> lumen);
-    void setLabels(LabelLayer labels);   ///< shown instead of the lumen; without rows that is shown again
-    /// A mask that is being edited, shown instead of lumen and labels; null: these again.
+    void setLabels(LabelLayer labels);   ///< replaces the lumen; empty rows show the lumen again
+    /// Shows a mask under editing instead of lumen and labels; null shows these again.
     void setDraft(std::shared_ptr<const core::VoxelMask> draft);
-    void touchDraft(const core::TouchedBox& box);   ///< it changed there
-    void setMaskOpacity(double opacity);   ///< over a scan
+    void touchDraft(const core::TouchedBox& box);   ///< reports a change of the draft in this box
+    void setMaskOpacity(double opacity);   ///< when shown over a scan
     void setTree(std::shared_ptr<const core::VesselTree> tree);
     void setMarks(const BranchMarks& marks);
-    void setPoints(SliceMarkKind kind, std::vector<SliceMark> points);   ///< replaces those of this kind
+    void setPoints(SliceMarkKind kind, std::vector<SliceMark> points);   ///< replaces the points of this kind
     void setMeasured(std::vector<MeasuredSlice> measured);
-    void setTool(SliceTool* tool);   ///< what the left button does in all slices; null: the cross-hair
-    void setCrosshair(const Eigen::Vector3d& pointInPatient);   ///< kept within the scan
+    void setTool(SliceTool* tool);   ///< tool of the left button in all slices; null: cross-hair
+    void setCrosshair(const Eigen::Vector3d& pointInPatient);   ///< clamped to the scan
     void setWindow(const GrayWindow& window);
-    void setPreviewFrom(std::optional<double> threshold);   ///< tints what is not below it
+    void setPreviewFrom(std::optional<double> threshold);   ///< tints values at or above the threshold
 
     bool hasScan() const { return geometry() != nullptr; }
-    const core::VolumeGeometry* geometry() const;   ///< of the scan, or of the lumen; null without either
+    const core::VolumeGeometry* geometry() const;   ///< of the scan or the lumen; null without either
     const std::shared_ptr<const core::Volume>& volume() const { return volume_; }
     const std::shared_ptr<const core::VoxelMask>& lumen() const { return lumen_; }
-    const core::VoxelMask* mask() const;   ///< to be tinted
-    /// The mask as it is kept, not one that is being edited (that changes in place): for work beside the window.
+    const core::VoxelMask* mask() const;   ///< mask to be tinted
+    /// Returns the stored mask for background work, not the draft, which changes in place.
     const std::shared_ptr<const core::VoxelMask>& sharedMask() const { return labels_.rows ? labels_.rows : lumen_; }
     std::vector<MaskTint> labelTints() const;   ///< empty: the mask is the lumen
     double maskOpacity() const { return maskOpacity_; }
-    QString labelNameAt(const Eigen::Vector3d& pointInPatient) const;   ///< empty where none is
+    QString labelNameAt(const Eigen::Vector3d& pointInPatient) const;   ///< empty outside any label
     const core::VesselTree* tree() const { return tree_.get(); }
     const BranchMarks& marks() const { return marks_; }
     const std::map<SliceMarkKind, std::vector<SliceMark>>& points() const { return points_; }
@@ -89,17 +89,17 @@ public:
     const Eigen::Vector3d& crosshair() const { return crosshair_; }
     const GrayWindow& window() const { return window_; }
     std::optional<double> previewFrom() const { return previewFrom_; }
-    bool isHounsfield() const { return isHounsfield_; }   ///< the values look like those of CT
+    bool isHounsfield() const { return isHounsfield_; }   ///< value range suggests CT
 
 signals:
     void scanChanged();
-    void maskChanged();   ///< labels or what is edited instead of the lumen, or back
-    void maskTouched(const core::TouchedBox& box);   ///< the same mask, changed there
+    void maskChanged();   ///< lumen, labels or draft exchanged
+    void maskTouched(const core::TouchedBox& box);   ///< same mask, changed in this box
     void crosshairChanged();
-    void lookChanged();   ///< window, preview
-    void overlayChanged();   ///< branches, points, measurements
+    void lookChanged();   ///< window or preview
+    void overlayChanged();   ///< branches, points or measurements
     void toolChanged();
-    void toolLookChanged();   ///< what the tool paints
+    void toolLookChanged();   ///< drawing of the tool
 
 private:
     std::shared_ptr<const core::Volume> volume_;
@@ -118,16 +118,16 @@ private:
     bool isHounsfield_ = false;
 };
 
-QString nameOf(core::BodyPlane plane);   ///< as a heading
+QString nameOf(core::BodyPlane plane);   ///< for headings
 
-/// A named window of CT.
+/// Named CT window.
 struct WindowPreset {
-    const char* name;   ///< to be translated in "ui::WindowPreset"
+    const char* name;   ///< translated in context "ui::WindowPreset"
     GrayWindow window;
 };
 const std::vector<WindowPreset>& windowPresets();
 
-/// The window that shows most of a scan's values.
+/// Returns the window that covers most of a scan's values.
 GrayWindow windowOfValues(const core::Volume& volume);
 
 }   // namespace angiopose::ui

@@ -11,15 +11,15 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int bandRows = 64;   // painted at a time, several at the same time
+constexpr int bandRows = 64;   // rows per band; bands run in parallel
 constexpr int maxThreads = 4;
 
-/// For each pixel of a line on the screen: between which two pixels of the slice it lies.
+/// For each pixel of a screen line, the two slice pixels around it.
 struct Station {
     int low = -1;   ///< −1: outside
     int high = -1;
     int nearest = -1;
-    float share = 0.0F;   ///< of the higher one
+    float share = 0.0F;   ///< weight of the higher one
 };
 
 std::vector<Station> stationsAlong(int screenPx, int slicePx, double first, double step)
@@ -40,7 +40,7 @@ std::vector<Station> stationsAlong(int screenPx, int slicePx, double first, doub
     return stations;
 }
 
-/// Grey levels of window and tints, one table for each tint: the picture is made of look-ups.
+/// Lookup tables from gray level to color, one pair per mask tint.
 class ToneTable {
 public:
     ToneTable(const SliceTints& tints) : lastTint_(tints.mask.size())
@@ -66,10 +66,10 @@ public:
 private:
     static QRgb rgb(const Color& color) { return qRgb(color.red, color.green, color.blue); }
     std::size_t lastTint_;
-    std::vector<std::array<QRgb, 256>> tones_;   ///< of each mask value without and with the preview
+    std::vector<std::array<QRgb, 256>> tones_;   ///< per mask value, without and with the preview
 };
 
-/// Two neighbouring rows of the slice mixed into one.
+/// Blends two adjacent rows of the slice into one.
 void mixRows(const SliceContent& content, const Station& row, std::vector<float>& mixed)
 {
     const auto width = static_cast<std::size_t>(content.grid.width);
@@ -80,7 +80,7 @@ void mixRows(const SliceContent& content, const Station& row, std::vector<float>
     }
 }
 
-/// Of the columns and of the rows of the screen.
+/// Returns the stations of the screen's columns and rows.
 std::pair<std::vector<Station>, std::vector<Station>> screenStations(const core::SliceGrid& grid,
                                                                      const ImageViewport& viewport,
                                                                      const QSize& deviceSize, double devicePxPerPx)

@@ -12,7 +12,7 @@
 
 namespace angiopose::ui {
 
-/// Which values of a scan are grey: below the lower end black, above the upper white. In the scan's values (HU).
+/// Gray window in the scan's values (HU): black below its lower end, white above its upper end.
 struct GrayWindow {
     double width = 600.0;
     double level = 200.0;
@@ -20,11 +20,11 @@ struct GrayWindow {
     bool operator==(const GrayWindow&) const = default;
 };
 
-/// What a slice holds; values and mask are empty where there is no scan or nothing was traced.
+/// Content of a slice; values are empty without a scan, the mask is empty if nothing was traced.
 struct SliceContent {
     core::SliceGrid grid;
     std::vector<float> values;
-    std::vector<std::uint8_t> mask;   ///< the lumen, or which label
+    std::vector<std::uint8_t> mask;   ///< lumen, or label index
 };
 
 struct MaskTint {
@@ -35,20 +35,20 @@ struct MaskTint {
 };
 
 struct SliceTints {
-    std::vector<MaskTint> mask;   ///< of mask value 1, 2, …; the last of all values from there on
+    std::vector<MaskTint> mask;   ///< for mask values 1, 2, …; the last applies to all higher values
     MaskTint preview;
-    std::optional<double> previewFrom;   ///< tints what is not below this value
+    std::optional<double> previewFrom;   ///< tints values at or above this one
 };
 
-/// Pixel size of a slice on the screen: both directions in the same unit, mm of the finer one.
+/// Pixel size of a slice on the screen, the same in both directions: mm of the finer one.
 double unitMmOf(const core::SliceGrid& grid);
 
-/// The slice as seen through a viewport whose image px are `unitMmOf(grid)` wide, interpolated; `size` in device px,
-/// `viewport` in device-independent ones. Black outside the scan.
+/// Renders the slice, interpolated, through a viewport whose image px are `unitMmOf(grid)` wide; `size` in device px,
+/// `viewport` in device-independent px. Black outside the scan.
 QImage slicePicture(const SliceContent& content, const GrayWindow& window, const SliceTints& tints,
                     const ImageViewport& viewport, const QSize& deviceSize, double devicePxPerPx);
 
-/// Paints some of its rows once more, the last one left out: the content changed there alone.
+/// Repaints the given rows (last one excluded) after the content changed there.
 void repaintSliceRows(QImage& picture, std::pair<int, int> deviceRows, const SliceContent& content,
                       const GrayWindow& window, const SliceTints& tints, const ImageViewport& viewport,
                       double devicePxPerPx);

@@ -11,9 +11,9 @@ namespace angiopose::ui {
 
 struct SlicePointer;
 
-/// One plane of the scan with mask, centrelines and cross-hair. Left sets the cross-hair, middle drag moves, right drag
-/// changes window and level, wheel and ↑ ↓ go through the slices, Ctrl+wheel zooms, Ctrl+arrows move the cross-hair,
-/// double click asks for more room. A mode of the slices (`SliceTool`) has the left button before that.
+/// One plane of the scan with mask, centerlines and cross-hair. Left sets the cross-hair, middle drag pans, right drag
+/// adjusts window/level, wheel and ↑ ↓ scroll the slices, Ctrl+wheel zooms, Ctrl+arrows move the cross-hair, double
+/// click requests enlarging. A slice mode (`SliceTool`) takes precedence for the left button.
 class SliceView : public QWidget {
     Q_OBJECT
 public:
@@ -26,8 +26,8 @@ public:
     double pxPerMm() const;   ///< widget px
     QPointF widgetFromPatient(const Eigen::Vector3d& pointInPatient) const;
     Eigen::Vector3d patientFromWidget(const QPointF& position) const;   ///< in the plane of the slice
-    const core::SliceGrid& grid();   ///< of the slice shown
-    bool wantsToolKey(const QKeyEvent& event) const;   ///< the mode takes it before any shortcut
+    const core::SliceGrid& grid();   ///< grid of the shown slice
+    bool wantsToolKey(const QKeyEvent& event) const;   ///< the tool takes the key before any shortcut
     QSize sizeHint() const override { return {320, 320}; }
     QSize minimumSizeHint() const override { return {80, 80}; }
 
@@ -52,12 +52,12 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    void cut();   ///< takes over another slice where the cross-hair left the shown one
+    void cut();   ///< resamples if the cross-hair left the shown slice
     void drawPicture();
     SliceTints tints() const;
-    void retint(const core::TouchedBox& box);   ///< where the mask changed in the slice shown
+    void retint(const core::TouchedBox& box);   ///< updates the shown slice where the mask changed
     void changeWindow(const QPointF& step);
-    bool goThroughSlices(const QKeyEvent& event);   ///< false: not its key
+    bool goThroughSlices(const QKeyEvent& event);   ///< false: not a scroll key
     bool moveCrosshair(int key);
     std::optional<int> branchAt(const QPointF& position) const;
     void hover(const std::optional<QPointF>& position);

@@ -12,7 +12,7 @@
 #include <limits>
 #include <utility>
 
-// Mouse and keys in a slice.
+// Mouse and keyboard input of a slice.
 
 namespace angiopose::ui {
 namespace {
@@ -83,7 +83,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event)
     update();
 }
 
-/// Right widens, down darkens: what is looked at keeps its place in the range.
+/// Right widens the window, down darkens; the viewed values keep their relative position in the window.
 void SliceView::changeWindow(const QPointF& step)
 {
     const GrayWindow& now = model_.window();
@@ -202,7 +202,7 @@ void SliceView::contextMenuEvent(QContextMenuEvent* event)
         const QPointF at = widgetFromPatient(model_.crosshair());
         emit menuRequested(model_.crosshair(), mapToGlobal(at.toPoint()));
     }
-    event->accept();   // the mouse asks by a right click that is no drag
+    event->accept();   // mouse: the menu opens on right release without a drag
 }
 
 void SliceView::leaveEvent(QEvent*)
@@ -228,7 +228,7 @@ std::optional<int> SliceView::branchAt(const QPointF& position) const
             const double beforeMm = content_.grid.distanceMm(point);
             const QPointF way = widgetFromPatient(point) - position;
             const double asidePx = std::hypot(way.x(), way.y());
-            const double farPx = std::hypot(asidePx, beforeMm * pxPerMm);   // one in the slice before one behind it
+            const double farPx = std::hypot(asidePx, beforeMm * pxPerMm);   // prefers points in the slice
             if (std::abs(beforeMm) <= reach && asidePx < slicePickTolerancePx && farPx < least) {
                 least = farPx;
                 nearest = branch.id;

@@ -3,7 +3,7 @@
 
 #include <QKeyEvent>
 
-// What a mode of the slices takes of mouse and keys.
+// Mouse and keyboard input passed to the slice tool.
 
 namespace angiopose::ui {
 
@@ -13,7 +13,7 @@ SlicePointer SliceView::pointerAt(const QPointF& position, Qt::KeyboardModifiers
     return {*this, position, patientFromWidget(position), modifiers};
 }
 
-/// True where the drag is the mode's.
+/// True if the tool handles the drag.
 bool SliceView::dragTool(const QMouseEvent& event, bool isStart)
 {
     SliceTool* tool = model_.tool();
@@ -29,7 +29,7 @@ bool SliceView::dragTool(const QMouseEvent& event, bool isStart)
     return isToolsDrag_;
 }
 
-/// Esc takes back, then ends the mode; other keys are the mode's where it wants them.
+/// Esc cancels, then ends the mode; other keys go to the tool if it accepts them.
 bool SliceView::wantsToolKey(const QKeyEvent& event) const
 {
     const SliceTool* tool = model_.tool();
@@ -48,12 +48,12 @@ bool SliceView::filterToolKey(QKeyEvent& event)
         return false;
     }
     if (event.type() == QEvent::ShortcutOverride) {
-        event.accept();   // the key comes back as KeyPress instead of a shortcut
+        event.accept();   // delivers the key as KeyPress instead of a shortcut
     } else if (isTools) {
         tool->keyPress(event);
     } else {
         isToolsDrag_ = false;
-        pressed_ = Qt::NoButton;   // what is left of a drag means nothing
+        pressed_ = Qt::NoButton;   // ignores the rest of the drag
         if (!tool->takeBack()) {
             model_.setTool(nullptr);
         }

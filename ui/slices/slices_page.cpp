@@ -13,9 +13,9 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int gapPx = 2;   // between the slices: tone, not lines
-constexpr int panelWidth = 300;   // room for names and volumes of labels
-constexpr int minSlicesWidth = 260;   // narrower, and the slices show nothing beside a panel
+constexpr int gapPx = 2;   // gap between the slices, without lines
+constexpr int panelWidth = 300;   // fits label names and volumes
+constexpr int minSlicesWidth = 260;   // minimum width of the slices beside a panel
 
 }   // namespace
 
@@ -51,7 +51,7 @@ SlicesPage::SlicesPage(SliceModel& model, QWidget* parent)
 void SlicesPage::setSidePanel(QWidget* panel)
 {
     panel_ = panel;
-    panelArea_ = new QScrollArea;   // on low screens it is taller than the page
+    panelArea_ = new QScrollArea;   // may be taller than the page on low screens
     panelArea_->setProperty("role", "column");
     panelArea_->setWidget(panel);
     panelArea_->setWidgetResizable(true);
@@ -66,7 +66,7 @@ void SlicesPage::resizeEvent(QResizeEvent* event)
     placePanel();
 }
 
-/// Words of another language ask for another width.
+/// Updates the width after a change of language.
 bool SlicesPage::event(QEvent* event)
 {
     const bool isDone = QWidget::event(event);
@@ -76,7 +76,7 @@ bool SlicesPage::event(QEvent* event)
     return isDone;
 }
 
-/// Beside the slices as wide as its words need, below them as wide as the page.
+/// Places the panel beside the slices at the width its text needs, or below them at full width.
 void SlicesPage::placePanel()
 {
     if (!panel_) {

@@ -13,8 +13,8 @@ namespace angiopose::ui {
 
 class WindowBar;
 
-/// The three planes of the scan in place of the angiogram, with window presets above and room for a panel beside them,
-/// or below where the page is narrow.
+/// Shows the three planes of the scan in place of the angiogram, with window presets above and a panel beside them, or
+/// below on a narrow page.
 class SlicesPage : public QWidget {
     Q_OBJECT
 public:
@@ -27,7 +27,7 @@ public:
 
 signals:
     void closeRequested();
-    void windowRequested();   ///< a window of its own, or back
+    void windowRequested();   ///< toggle the pop-out window
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

@@ -71,7 +71,7 @@ TracingPanel::TracingPanel(QWidget* parent)
     speak(this, [this] { updateButtons(); });
 }
 
-/// A warning that says what to do, with the buttons that do it.
+/// Creates a warning with its remedy and the buttons that apply it.
 QWidget* TracingPanel::lumenCard()
 {
     auto* card = new QWidget;

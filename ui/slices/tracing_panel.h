@@ -18,26 +18,26 @@ class MaskPanel;
 class NumberField;
 class ThresholdField;
 
-/// How the vessels of a scan are traced: threshold, seeds, places to avoid, limits. Shows what it is told, reports what
-/// the user wants.
+/// Options for tracing the vessels of a scan: threshold, seeds, avoid points, limits. Displays the values it is given
+/// and emits signals for user actions.
 class TracingPanel : public Section {
     Q_OBJECT
 public:
     explicit TracingPanel(QWidget* parent = nullptr);
 
-    void showOptions(const core::VesselTracingOptions& options);   ///< silent
-    /// Values that a threshold can have; nothing: what is traced has no values (labels, surface).
+    void showOptions(const core::VesselTracingOptions& options);   ///< emits no signal
+    /// Sets the range of the threshold; empty: the input has no intensities (labels, surface).
     void showRange(std::optional<std::pair<double, double>> range, bool isHounsfield = true);
     LabelChoice& labels() { return *labels_; }
     MaskPanel& mask() { return *mask_; }
-    void bindPath(QAction& action);   ///< one vessel by two clicks
-    void showFound(std::optional<double> threshold);   ///< what "automatic" comes to, when known
+    void bindPath(QAction& action);   ///< tracing between two clicks
+    void showFound(std::optional<double> threshold);   ///< automatic threshold, if known
     void showPick(TracingPick pick);
     void showOtherLumen(const QString& warning);   ///< empty: none
-    void showWhyNot(const QString& reason);   ///< empty: can be traced
+    void showWhyNot(const QString& reason);   ///< reason why tracing is disabled; empty: enabled
     void setRunning(bool running);
     bool isPreviewWanted() const;
-    std::optional<double> thresholdShown() const;   ///< chosen, or found
+    std::optional<double> thresholdShown() const;   ///< manual or automatic threshold
 
 signals:
     void optionsEdited(const core::VesselTracingOptions& options);
@@ -46,7 +46,7 @@ signals:
     void placeChosen(const Eigen::Vector3d& pointInPatient);
     void traceRequested();
     void stopRequested();
-    void otherLumenWanted();   ///< to be seen
+    void otherLumenWanted();   ///< show the possible false lumen
     void otherLumenSeedWanted();
 
 private:

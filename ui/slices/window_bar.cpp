@@ -74,7 +74,7 @@ void WindowBar::fillPresets()
                     return tr("W %1 L %2 HU").arg(numberText(window.width, 0)).arg(numberText(window.level, 0));
                 },
                 [this, window = preset.window] { model_.setWindow(window); });
-        const auto followScan = [this, button = button, action = action] {   // in HU, which other scans have none of
+        const auto followScan = [this, button = button, action = action] {   // presets are in HU, valid for CT only
             button->setVisible(model_.isHounsfield());
             action->setVisible(model_.isHounsfield());
         };
@@ -104,7 +104,7 @@ void WindowBar::resizeEvent(QResizeEvent* event)
     fold();
 }
 
-/// Words of another language ask for another width.
+/// Updates the width after a change of language.
 bool WindowBar::event(QEvent* event)
 {
     const bool isDone = QWidget::event(event);

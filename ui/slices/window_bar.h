@@ -10,18 +10,18 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// Window presets of the slices, one button each; where these have no room, in a menu.
+/// Window presets of the slices as buttons, or as a menu if there is no room.
 class WindowBar : public QWidget {
     Q_OBJECT
 public:
     explicit WindowBar(SliceModel& model, QWidget* parent = nullptr);
 
     bool isFolded() const { return presets_->isHidden(); }
-    QSize minimumSizeHint() const override;   ///< folded
+    QSize minimumSizeHint() const override;   ///< size of the menu form
 
 signals:
     void closeRequested();
-    void windowRequested();   ///< a window of its own, or back
+    void windowRequested();   ///< toggle the pop-out window
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -33,7 +33,7 @@ private:
 
     SliceModel& model_;
     QWidget* presets_;
-    QBoxLayout* row_;   ///< of the presets
+    QBoxLayout* row_;   ///< preset buttons
     QPushButton* folded_;
     QMenu* menu_;
     QPushButton* ownWindow_;

@@ -35,7 +35,8 @@ QPalette qtPalette(const Palette& tones)
 QFont interfaceFont(QFont font)
 {
     QStringList families;
-    // Inter has no Chinese; which of the fonts that have some is taken must not be left to chance (Japanese shapes).
+    // Inter has no Chinese glyphs; the fallback font is fixed because an arbitrary one might have Japanese glyph
+    // variants.
     for (const QString& wanted : {QStringLiteral("Inter"), QStringLiteral("Noto Sans CJK SC")}) {
         if (QFontDatabase::families().contains(wanted)) {
             families << wanted;

@@ -7,14 +7,14 @@
 
 namespace angiopose::ui {
 
-/// The theme in use; widgets that paint themselves ask here on every paint.
+/// Returns the current theme; custom-painted widgets call this on every paint.
 ThemeMode activeTheme();
 const Palette& activePalette();
 
-/// Dresses the whole application: style, style sheet, palette and font. Open windows follow at once.
+/// Applies style, style sheet, palette and font to the whole application, including open windows.
 void applyTheme(QApplication& application, ThemeMode mode);
 
-/// What the desktop prefers, judged by the palette the application started with; ask before `applyTheme`.
+/// Returns the desktop's preference, derived from the application's initial palette; call before `applyTheme`.
 ThemeMode systemTheme(const QApplication& application);
 
 QColor toQColor(const Color& color);

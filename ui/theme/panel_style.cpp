@@ -6,7 +6,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// `@name@` stands for a tone of the palette or a mixture of two.
+/// `@name@` is replaced by a palette color or a mixture of two.
 constexpr const char* panelStylePattern = R"(
 QLabel[role="heading"] { color: @text@; font-weight: 600; }
 QLabel[role="title"] { color: @textStrong@; font-weight: 600; }

@@ -6,7 +6,7 @@
 
 namespace angiopose::ui {
 
-/// Style sheet of the panels: tones by the `role` property of labels, buttons and fields.
+/// Returns the style sheet of the panels: colors by the `role` property of labels, buttons and fields.
 std::string panelStyleSheet(const Palette& tones);
 
 }   // namespace angiopose::ui

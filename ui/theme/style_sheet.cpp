@@ -6,7 +6,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// `@name@` stands for a tone. Lengths are device-independent px: Qt scales them with the screen.
+/// `@name@` is replaced by a palette color. Lengths are device-independent px: Qt scales them with the screen.
 constexpr const char* styleSheetPattern = R"(
 * { outline: none; }
 QWidget { color: @text@; }

@@ -23,8 +23,7 @@ constexpr Palette dark{.title = {0x0f, 0x11, 0x14},
                        .error = {0xf0, 0x6a, 0x5f},
                        .canvas = {0x00, 0x00, 0x00}};
 
-// Designed, not inverted: the panels are paper-grey, the image stays on black, the signal colours are deep enough
-// to read as text.
+// Designed separately, not inverted: paper-gray panels, black image background, signal colors dark enough for text.
 constexpr Palette light{.title = {0xdb, 0xdf, 0xe4},
                         .window = {0xe6, 0xe9, 0xed},
                         .panel = {0xf0, 0xf2, 0xf4},
@@ -40,7 +39,7 @@ constexpr Palette light{.title = {0xdb, 0xdf, 0xe4},
                         .error = {0xb4, 0x2a, 0x20},
                         .canvas = {0x00, 0x00, 0x00}};
 
-/// Colours of residuals from fitting to the end of the scale, and above.
+/// Residual colors: good fit, middle and end of the scale, and above.
 struct Ramp {
     Color fits, middle, end, above;
 };
@@ -49,7 +48,7 @@ constexpr Ramp blueAmber{dark.accent, {0x9d, 0xc2, 0xa6}, dark.attention, {0xe0,
 constexpr Ramp blueRed{{0x3f, 0x8c, 0xff}, {0xf2, 0xf2, 0xf2}, {0xff, 0x5a, 0x46}, {0xff, 0x3a, 0xd0}};
 constexpr Ramp brightness{{0x5c, 0x5c, 0x5c}, {0x98, 0x98, 0x98}, {0xd4, 0xd4, 0xd4}, {0xff, 0xff, 0xff}};
 
-// Neither the accent nor the attention tone; neighbours differ in brightness as well as in hue.
+// Excludes the accent and attention colors; neighbors differ in brightness as well as in hue.
 constexpr std::array<Color, 8> labelColors{{{0xe6, 0x6a, 0x5c},
                                             {0x5f, 0xc8, 0x8a},
                                             {0x9a, 0x7c, 0xe8},
@@ -123,7 +122,7 @@ Color residualColor(double fraction)
 Color labelColor(std::size_t place)
 {
     const Color& own = labelColors[place % labelColors.size()];
-    switch (place / labelColors.size() % 3) {   // lighter, then darker before the colours come again
+    switch (place / labelColors.size() % 3) {   // lighter and darker variants before colors repeat
         case 0:
             return own;
         case 1:

@@ -7,39 +7,38 @@
 
 namespace angiopose::ui {
 
-/// An sRGB colour, used by Qt and VTK alike.
+/// sRGB color for both Qt and VTK.
 struct Color {
     std::uint8_t red = 0, green = 0, blue = 0;
 
     bool operator==(const Color&) const = default;
     std::string hex() const;
-    std::array<double, 3> unit() const { return {red / 255.0, green / 255.0, blue / 255.0}; }   ///< as VTK wants it
+    std::array<double, 3> unit() const { return {red / 255.0, green / 255.0, blue / 255.0}; }   ///< 0…1, for VTK
 };
 
-/// Every tone of the window; the only place with a colour value, so that Qt and VTK agree and a theme is one table.
-/// Black around the image, neutral greys elsewhere, nothing pure white: the image is what is looked at.
+/// All colors of the window, defined only here, which keeps Qt and VTK consistent and makes a theme a single table.
+/// Black around the image, neutral grays elsewhere, no pure white: the image is the focus.
 struct Palette {
     Color title, window, panel, field, line;
     Color textStrong, text, label, hint;
-    Color accent;   ///< what can be acted on or is selected
-    Color attention;   ///< look here
+    Color accent;   ///< interactive or selected
+    Color attention;   ///< needs attention
     Color fine;
-    Color error;   ///< only what stops work
-    Color canvas;   ///< around images
+    Color error;   ///< blocking errors only
+    Color canvas;   ///< background of images
 };
 
 enum class ThemeMode { Dark, Light };
 
 const Palette& palette(ThemeMode mode);
 
-/// `a` where `shareOfB` is 0, `b` where it is 1, mixed in sRGB.
+/// Mixes in sRGB: `a` for `shareOfB` 0, `b` for 1.
 Color mixed(const Color& a, const Color& b, double shareOfB);
 
-/// How vessels and residuals are coloured. Every scheme can be read with any colour vision; the last by brightness
-/// alone.
+/// Color scheme of vessels and residuals. Every scheme is safe for color-blind users; the last uses brightness only.
 enum class ColorScheme { BlueAmber, BlueRed, Brightness };
 
-/// The scheme of the whole program; workers that draw pictures ask too.
+/// Color scheme of the whole program; also called by background renderers.
 ColorScheme colorScheme();
 void setColorScheme(ColorScheme scheme);
 
@@ -47,26 +46,26 @@ struct BranchColors {
     Color plain, auxiliary, selected;
 };
 
-/// Of a scan that is looked through: contrast-filled vessels as they are known from atlases, bone, all that is softer.
+/// Colors for volume rendering of a scan: contrast-enhanced vessels as in anatomical atlases, bone, and soft tissue.
 struct ScanColors {
     Color vessels, bone, soft;
 };
 ScanColors scanColors();
 
-/// `tones` are those of the ground the branches lie on.
+/// `tones` belong to the background of the branches.
 BranchColors branchColors(const Palette& tones);
 
-/// The scheme's residual ramp, `fraction` 0…1: by default from accent blue over green-grey to amber.
+/// Residual color for `fraction` 0…1 in the current scheme: by default from accent blue over green-gray to amber.
 Color residualColor(double fraction);
 
-/// For residuals that lie above the end of the scale.
+/// Color of residuals above the end of the scale.
 Color residualColorAboveScale();
 
-/// Tells the labels of a label image apart, by their places in the list; on black and on panels alike. Far places
-/// share colours.
+/// Color of a label by its position in the list, distinguishable on black and on panels. Colors repeat for distant
+/// positions.
 Color labelColor(std::size_t place);
 
-/// Style sheet of the whole application for a palette.
+/// Returns the style sheet of the whole application for a palette.
 std::string styleSheet(const Palette& palette);
 
 }   // namespace angiopose::ui

@@ -6,10 +6,9 @@
 
 namespace angiopose::ui {
 
-/// Takes the application's style sheet off while it lives, and puts it on again. Where windows are shown already it
-/// leaves them and the sheet alone.
-/// Under a sheet Qt dresses a widget with all its children anew at each change of parent; a window that is put together
-/// from parts, as every layout does, would be dressed a dozen times (measured: 40 % of the time to the first window).
+/// Removes the application's style sheet during its lifetime and then restores it. Does nothing if windows are already
+/// visible. With a style sheet, Qt restyles a widget and all its children at each change of parent; building a window
+/// from layouts would restyle it a dozen times (measured: 40 % of the time to the first window).
 class WithoutStyleSheet {
 public:
     WithoutStyleSheet();
@@ -18,7 +17,7 @@ public:
     WithoutStyleSheet& operator=(const WithoutStyleSheet&) = delete;
 
 private:
-    std::optional<QString> sheet_;   ///< what was taken off
+    std::optional<QString> sheet_;   ///< removed style sheet
 };
 
 }   // namespace angiopose::ui

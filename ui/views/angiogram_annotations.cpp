@@ -17,7 +17,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// The words of this file.
+/// Translation context of this file.
 struct AnnotationWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::ui::AngiogramAnnotations)
 };
@@ -63,7 +63,7 @@ double niceLength(double longestMm)
     return best;
 }
 
-/// A bar of a round number of millimetres at the vessel, above the bottom left block.
+/// Paints a ruler of a round number of millimeters at the vessel, above the bottom left text block.
 void paintRuler(QPainter& painter, const QSizeF& size, const QRectF& blockBelow, double pxPerMm)
 {
     const double longestPx = std::min(140.0, 0.3 * size.width());
@@ -92,13 +92,14 @@ void paintRuler(QPainter& painter, const QSizeF& size, const QRectF& blockBelow,
                      AnnotationWords::tr("%1 mm at vessel").arg(briefNumber(lengthMm, 6)), tone);
 }
 
-/// What the residual scale takes with its numbers.
+/// Returns the area of the residual scale including its labels.
 QRectF scaleRoom(const QRectF& bar)
 {
     return bar.adjusted(-58.0, -34.0, 6.0, 12.0);
 }
 
-/// Where the residual scale goes: at the right edge, in the middle, or as near to it as it covers no vessels.
+/// Returns the position of the residual scale: at the middle of the right edge, or the nearest position there that
+/// covers no vessels.
 QRectF scaleBar(const QSizeF& size, const Ground& ground, const std::vector<QRectF>& corners)
 {
     const double height = std::round(std::clamp(0.2 * size.height(), 80.0, 180.0));
@@ -148,7 +149,7 @@ QFont modeFont(const QPainter& painter)
     return sized(painter.font(), 11);
 }
 
-/// The bars at the top edge, in the middle; empty where there are none.
+/// Returns the bounding box of the bars at the top center; empty if there are none.
 QRectF barsOnTop(const QSizeF& size, const std::vector<QRectF>& bars)
 {
     QRectF all;
@@ -158,7 +159,7 @@ QRectF barsOnTop(const QSizeF& size, const std::vector<QRectF>& bars)
     return all;
 }
 
-/// Where the words of a mode go: at the top, in the middle, below the bars there; empty without a mode.
+/// Returns the box of the mode label: top center, below the bars; empty without a mode.
 QRectF modeBox(const QPainter& painter, const QSizeF& size, const ModeLabel& mode, const QRectF& bars)
 {
     if (mode.text.isEmpty()) {
@@ -183,7 +184,7 @@ void paintMode(QPainter& painter, const QSizeF& size, const ModeLabel& mode, con
                      QFontMetricsF(painter.font()).elidedText(mode.text, Qt::ElideRight, box.width() - 8.0), tone);
 }
 
-/// How far up the bottom letter, how far down the top one has to go to stay clear of the corner texts.
+/// Returns the height at which the top or bottom letter is clear of the corner texts, searched in steps.
 double clearHeight(double middle, double wanted, const std::vector<QRectF>& taken, double step)
 {
     const auto covers = [&](const QRectF& block) {
@@ -193,7 +194,8 @@ double clearHeight(double middle, double wanted, const std::vector<QRectF>& take
     return block == taken.end() ? wanted : clearHeight(middle, wanted + step, taken, step);
 }
 
-/// Where the letter of the right edge goes: in the middle, or above or below the residual scale, clear of the corners.
+/// Returns the height of the right-edge letter: in the middle, or above or below the residual scale, clear of the
+/// corner texts.
 double besideScale(const QSizeF& size, const QRectF& scale, const std::vector<QRectF>& taken)
 {
     if (scale.isEmpty()) {
@@ -205,7 +207,7 @@ double besideScale(const QSizeF& size, const QRectF& scale, const std::vector<QR
     return isFree && letter.top() >= 0.0 ? above : scale.bottom() + 26.0;
 }
 
-/// Letters in the middle of each edge: the side of the patient that lies there.
+/// Draws the letter of the patient's side at the middle of each edge.
 void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations, const QRectF& scale,
                 const std::vector<QRectF>& taken)
 {

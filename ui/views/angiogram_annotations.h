@@ -17,30 +17,30 @@ class QPainter;
 
 namespace angiopose::ui {
 
-/// What the mouse does at the moment, where that is not the usual.
+/// Label of the current mouse mode, if it is not the default.
 struct ModeLabel {
     QString text;   ///< empty: no mode
-    Color tone;   ///< of the border and the text
+    Color tone;   ///< color of border and text
 };
 
-/// Text, scale and ruler that lie over the angiogram.
+/// Texts, scale and ruler over the angiogram.
 struct AngiogramAnnotations {
     CornerTexts texts;
     QString frameText;
-    QString keyText;   ///< what a key would show
+    QString keyText;   ///< hint about available shortcuts
     core::DisplayRange range;
     double scaleMaximumPx = 0.0;   ///< 0: no residual scale
     double scaleMaximumMm = 0.0;
     double mmPerImagePx = 0.0;   ///< at the vessel; 0: no ruler
-    QString sideMark;   ///< that image or view are mirrored; empty: as from the detector
-    ImageSides sides;   ///< empty: nobody knows
+    QString sideMark;   ///< note that image or view is mirrored; empty: detector view
+    ImageSides sides;   ///< empty if unknown
     ModeLabel mode;
-    bool hidesScale = false;   ///< no residuals are seen
-    std::vector<QRectF> taken;   ///< by what lies on the image: texts keep clear of it
+    bool hidesScale = false;   ///< no residuals are visible
+    std::vector<QRectF> taken;   ///< areas covered by other items, avoided by texts
 };
 
-/// Paints them in a widget of this size. Texts beside the picture stay whole; over the picture they shrink and then
-/// fold to their first line before they cover vessels.
+/// Paints the annotations in a widget of this size. Texts outside the image area are shown in full; over the image they
+/// shrink and then collapse to their first line before they would cover vessels.
 void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations,
                       const ImageViewport& viewport, const OverlayScene& scene);
 

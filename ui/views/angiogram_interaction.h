@@ -10,15 +10,15 @@
 
 namespace angiopose::ui {
 
-/// What an angiogram view remembers between events.
+/// State of an angiogram view between events.
 struct AngiogramView::Interaction {
     ImageRole role = ImageRole::Working;
     ImageViewport viewport;
     AngiogramAnnotations annotations;
     bool hasFrame = false;
     std::pair<int, int> frame{0, 0};   ///< index and count
-    Cutout cutout;   ///< as it is drawn
-    QImage keptOut;   ///< over the frame, one pixel for each of its; null: nothing
+    Cutout cutout;   ///< as currently drawn
+    QImage keptOut;   ///< hatching over the frame, one pixel per frame pixel; null: none
     bool isOrientationKnown = false;
     std::pair<int, int> frameSize{0, 0};
     core::ProjectionCamera camera;
@@ -27,25 +27,25 @@ struct AngiogramView::Interaction {
     std::optional<Eigen::Vector3d> pickedPivot;
     double lineWidth = 2.4;
     ImageCrosshair crosshair;
-    std::vector<ImageMark> marks;   ///< measured
+    std::vector<ImageMark> marks;   ///< measurements
     std::vector<ImageMark> placedMarks;
     QString absence;
 
     QPointer<ImageTool> tool;
     MousePreset mouse;
     Qt::MouseButton pressed = Qt::NoButton;
-    DragAction dragAction = DragAction::None;   // of the drag under way, unless it is the tool's
+    DragAction dragAction = DragAction::None;   // of the current drag, if not handled by the tool
     bool isDragging = false;
-    bool isToolDragging = false;   // the drag under way is the tool's
-    bool isCancelled = false;   // the rest of a cancelled drag does nothing
+    bool isToolDragging = false;   // the tool handles the current drag
+    bool isCancelled = false;   // ignores the rest of a canceled drag
     QPointF pressedAt;
     Qt::KeyboardModifiers pressedWith;
     QPointF lastAt;
     std::optional<int> hovered;
-    double wheelSteps = 0.0;   // fine steps of touch pads and drags add up to whole frames
+    double wheelSteps = 0.0;   // accumulates fractions of a frame from touch pads and drags
 
     ToolPoint toolPoint(const QPointF& position, Qt::KeyboardModifiers modifiers) const;
-    double mmPerImagePx() const;   ///< at the pivot; 0 when unknown
+    double mmPerImagePx() const;   ///< at the pivot; 0 if unknown
 };
 
 }   // namespace angiopose::ui

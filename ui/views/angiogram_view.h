@@ -21,20 +21,20 @@ namespace angiopose::ui {
 class GlOverlay;
 class ImageTool;
 
-/// The shown image, which all tools are about, or one that stands beside it.
+/// Working: the current image, on which all tools act; Beside: an additional image.
 enum class ImageRole { Working, Beside };
 
-/// What the pointer in another image, or in this one, means here.
+/// Position of the pointer, in this or another image, mapped to this image.
 struct ImageCrosshair {
-    std::optional<core::ImageSegment> linePx;   ///< where what lies under it may be
-    std::optional<Eigen::Vector3d> pointInPatient;   ///< the place on the vessels under it
+    std::optional<core::ImageSegment> linePx;   ///< epipolar line of the pointer position
+    std::optional<Eigen::Vector3d> pointInPatient;   ///< vessel point under the pointer
 };
 
-/// The angiogram with the projected tree: window/level, pan and zoom by dragging as the mouse preset says, zoom also by
-/// Ctrl+wheel, frames by wheel, ↑ ↓, Home, End; a right click or the menu key asks for a menu. A tool may take the left
-/// button and keys; Esc takes its drag back, then puts it away. Shows what it is told, reports what the user wants;
-/// decides nothing. Angiogram with tree, and what lies over them, are drawn in two turns of the event loop; painting
-/// the window is but a copy of both.
+/// Angiogram with the projected tree: window/level, pan and zoom by dragging according to the mouse preset, zoom also
+/// by Ctrl+wheel, frames by wheel, ↑ ↓, Home, End; a right click or the menu key requests a context menu. A tool may
+/// take the left button and keys; Esc cancels its drag, then ends the tool. Displays the values it is given and emits
+/// signals for user actions; makes no decisions. The angiogram with tree and the annotations are drawn in two turns of
+/// the event loop; painting the widget only copies the result.
 class AngiogramView : public QWidget {
     Q_OBJECT
 public:
@@ -42,63 +42,63 @@ public:
     ~AngiogramView() override;
 
     OverlayScene& scene() { return scene_; }   ///< call redraw() after changing it
-    void redraw();   ///< asks for a new picture; update() copies the last one
-    void setPivot(const Eigen::Vector3d& pivotInPatient);   ///< centroid of the tree: where ring and cross sit, …
-    void setPickedPivot(const std::optional<Eigen::Vector3d>& pickedInPatient);   ///< … unless picked; marked then
+    void redraw();   ///< schedules a new rendering; update() copies the last one
+    void setPivot(const Eigen::Vector3d& pivotInPatient);   ///< centroid of the tree: position of ring and cross …
+    void setPickedPivot(const std::optional<Eigen::Vector3d>& pickedInPatient);   ///< … unless picked, which is marked
     void setPose(const core::RigidTransform& cameraFromPatient);
     void setCamera(const core::ProjectionCamera& camera);
-    void setFrame(const core::ImageF& frame);   ///< keeps zoom and window/level when the size stays
-    void setFramePosition(int index, int count);   ///< shown bottom left, counted from 0; a count below 2 hides it
+    void setFrame(const core::ImageF& frame);   ///< keeps zoom and window/level if the size is unchanged
+    void setFramePosition(int index, int count);   ///< shown bottom left, counted from 0; hidden if count < 2
     void setCornerTexts(const CornerTexts& texts);   ///< the view adds its own lines at the bottom left
     void setTool(ImageTool* tool);   ///< null: none
     ImageTool* tool() const;
-    void addBar(QWidget* bar);   ///< of a tool: at the bottom of the image, in the middle
-    bool filterToolKey(QKeyEvent& event);   ///< true when the key is the tool's, or an Esc that it ends by
-    void setKeptOut(const core::Mask2d& fieldMask);   ///< hatches where it is 0; empty: nothing
+    void addBar(QWidget* bar);   ///< toolbar of a tool, at the bottom center of the image
+    bool filterToolKey(QKeyEvent& event);   ///< true if the tool takes the key, or Esc ends it
+    void setKeptOut(const core::Mask2d& fieldMask);   ///< hatches pixels with value 0; empty: none
     void setMousePreset(const MousePreset& preset);
     void setResidualScale(double maximumPx, double maximumMm);   ///< 0 hides the scale
     void setLineWidth(double px);   ///< device-independent px
     void setCrosshair(const ImageCrosshair& crosshair);
     const ImageCrosshair& crosshair() const;
-    void setMarks(std::vector<ImageMark> marks);   ///< measured; drawn above everything but the tool's
+    void setMarks(std::vector<ImageMark> marks);   ///< measurements; drawn on top, below the tool
     const std::vector<ImageMark>& marks() const;
-    void setPlacedMarks(std::vector<ImageMark> marks);   ///< likewise: places of the vessels, arrows, words
+    void setPlacedMarks(std::vector<ImageMark> marks);   ///< vessel locations, arrows and texts, drawn like marks
     const std::vector<ImageMark>& placedMarks() const;
-    void setAbsence(const QString& words);   ///< said in place of an image
-    void takeLookOf(const AngiogramView& other);   ///< lines, marks, mirror, mouse: not what is shown, nor how bright
+    void setAbsence(const QString& words);   ///< text shown if there is no image
+    void takeLookOf(const AngiogramView& other);   ///< copies lines, marks, mirroring, mouse preset; not the content
     void setCutout(Cutout::Shape shape);   ///< follows the mouse
     Cutout::Shape cutout() const { return cutout_; }
-    void setOrientationKnown(bool known);   ///< letters at the edges tell where the patient's sides are
-    void setFromSource(bool fromSource);   ///< mirrors what is seen, and nothing else
+    void setOrientationKnown(bool known);   ///< shows letters of the patient's sides at the edges
+    void setFromSource(bool fromSource);   ///< mirrors the display only
     bool isFromSource() const;
     void fitToWindow();
-    void zoomTo(const ViewRect& part);   ///< image px; leaves room around it
-    void showPart(const ViewRect& part);   ///< image px; as large as the window allows
+    void zoomTo(const ViewRect& part);   ///< image px; adds a margin
+    void showPart(const ViewRect& part);   ///< image px; as large as possible
     void autoWindowLevel();
     void setWindowLevel(double window, double level);
     core::DisplayRange shownRange() const;
-    ViewRect visiblePart() const;   ///< of the image
+    ViewRect visiblePart() const;   ///< image px
     bool isFitted() const;
     double zoom() const;   ///< device-independent px per image px
     const core::ProjectionCamera& camera() const;
     const core::RigidTransform& cameraFromPatient() const;
-    const Eigen::Vector3d& pivotInPatient() const;   ///< picked, or the centroid
-    std::optional<QPointF> placeOf(const Eigen::Vector3d& pointInPatient) const;   ///< widget px, where it is seen
-    int renderCount() const { return renderCount_; }   ///< how often it drew itself
+    const Eigen::Vector3d& pivotInPatient() const;   ///< picked pivot, or the centroid
+    std::optional<QPointF> placeOf(const Eigen::Vector3d& pointInPatient) const;   ///< widget px; empty if not visible
+    int renderCount() const { return renderCount_; }   ///< number of renderings so far
     QSize sizeHint() const override { return {480, 360}; }
     QSize minimumSizeHint() const override { return {80, 80}; }
     Eigen::Vector2d imageFromWidget(const QPointF& position) const;
     QPointF widgetFromImage(const Eigen::Vector2d& imagePoint) const;
 
 signals:
-    void frameStepRequested(int step);   ///< ±1, ±10; INT_MIN first, INT_MAX last
-    void pointed(const std::optional<Eigen::Vector2d>& imagePx);   ///< the mouse is there, or left the image
+    void frameStepRequested(int step);   ///< ±1, ±10; INT_MIN: first, INT_MAX: last
+    void pointed(const std::optional<Eigen::Vector2d>& imagePx);   ///< mouse position; empty: it left the image
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void backgroundClicked();
-    void roomRequested();   ///< a double click that no tool took: large, or back
+    void roomRequested();   ///< double click not taken by a tool: toggle maximizing
     void menuRequested(const QPoint& globalPosition, std::optional<int> branchId);
-    void toolChanged();   ///< `tool`
+    void toolChanged();   ///< see `tool`
     void windowLevelChanged(double window, double level);
     void zoomChanged(double zoom);
 
@@ -145,7 +145,7 @@ private:
     void adjustWindowLevel(const QPointF& step);
     void scrollFrames(double frames);
     void zoomAt(const QPointF& position, double factor);
-    bool cancelDrag();   ///< true when there was one
+    bool cancelDrag();   ///< true if a drag was canceled
     bool escape();
     void click(const QPointF& position, Qt::KeyboardModifiers modifiers);
     std::optional<int> branchAt(const QPointF& position) const;
@@ -154,7 +154,7 @@ private:
     void showCursor();
 
     OverlayScene scene_;
-    /// What the picture was drawn from.
+    /// State from which the rendering was made.
     struct PictureState {
         OverlayScene::Stamp scene;
         bool isMirrored = false;
@@ -162,15 +162,15 @@ private:
         bool operator==(const PictureState&) const = default;
     };
     OverlayPainter painter_;
-    std::unique_ptr<GlOverlay> gl_;   ///< draws instead of the painter where it was chosen
+    std::unique_ptr<GlOverlay> gl_;   ///< replaces the painter if VTK rendering was chosen
     bool isRendererKnown_ = false;
     QImage picture_;   ///< angiogram with tree and handles, in device px
-    std::optional<PictureState> drawn_;   ///< not set: with a tool, whose strokes change at will
-    QImage whole_;   ///< with all that lies over it: what is painted; null: not drawn since it was out of sight
-    std::vector<QRectF> barsInWhole_;   ///< which it leaves room for
+    std::optional<PictureState> drawn_;   ///< empty with a tool, whose strokes change at any time
+    QImage whole_;   ///< with annotations, as painted; null: not drawn since hidden
+    std::vector<QRectF> barsInWhole_;   ///< bars that the annotations avoid
     QTimer turnTimer_;
     Turn nextTurn_ = Turn::Picture;
-    bool isRedrawDue_ = false;   ///< something changed since the last picture was begun
+    bool isRedrawDue_ = false;   ///< changed since the last rendering started
     int renderCount_ = 0;
     std::unique_ptr<Interaction> interaction_;
     Cutout::Shape cutout_ = Cutout::Shape::None;

@@ -1,4 +1,4 @@
-// What lies over the picture of AngiogramView.
+// Annotations drawn over the rendering of AngiogramView.
 #include "ui/actions/key_hint.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_interaction.h"
@@ -15,13 +15,13 @@
 namespace angiopose::ui {
 namespace {
 
-/// What the cutout keeps bare of a widget of this size, in widget px; empty without a cutout.
+/// Returns the cutout area in a widget of this size, in widget px; empty without a cutout.
 QPainterPath cutoutPath(const Cutout& cutout, const ImageViewport& viewport, const QSizeF& size)
 {
     QPainterPath path;
     const Eigen::Vector2d at = viewport.widgetFromImage(cutout.at);
     const double width = size.width();
-    constexpr double outside = 4.0;   // the edges of the widget are none of the swipe
+    constexpr double outside = 4.0;   // keeps widget edges from being drawn as the swipe edge
     const double height = size.height() + 2.0 * outside;
     if (cutout.shape == Cutout::Shape::Disc) {
         const double radius = cutout.radiusPx * viewport.zoom();
@@ -34,10 +34,10 @@ QPainterPath cutoutPath(const Cutout& cutout, const ImageViewport& viewport, con
     return path;
 }
 
-/// The swipe's line or the lens's ring, so that the eye sees where the overlay ends.
+/// Draws the line of the swipe or the ring of the lens, which shows where the overlay ends.
 void paintCutoutEdge(QPainter& painter, const QPainterPath& path)
 {
-    const Palette& tones = palette(ThemeMode::Dark);   // the angiogram lies on black in every theme
+    const Palette& tones = palette(ThemeMode::Dark);   // dark background in every theme
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(toQColor(tones.canvas, 0.6), 3.0));
@@ -46,7 +46,7 @@ void paintCutoutEdge(QPainter& painter, const QPainterPath& path)
     painter.drawPath(path);
 }
 
-/// Faint stripes where the mask is 0.
+/// Returns an image with faint stripes where the mask is 0.
 QImage hatched(const core::Mask2d& fieldMask)
 {
     constexpr int period = 8;
@@ -97,7 +97,7 @@ void AngiogramView::paintCrosshair(QPainter& painter) const
     }
 }
 
-/// Measured and placed ones together: their labels make room for each other and for the vessels.
+/// Returns measurements and placed marks together, because their labels must avoid each other and the vessels.
 std::vector<ImageMark> AngiogramView::seenMarks() const
 {
     if (!interaction_->hasFrame || (interaction_->tool && interaction_->tool->hidesOverlay())) {
@@ -108,7 +108,7 @@ std::vector<ImageMark> AngiogramView::seenMarks() const
     return all;
 }
 
-/// The labels: lines are part of the picture.
+/// Paints only the labels; the lines are part of the rendering.
 void AngiogramView::paintAllMarks(QPainter& painter) const
 {
     const std::vector<ImageMark> all = seenMarks();
@@ -145,10 +145,10 @@ void AngiogramView::paintAbsence(QPainter& painter) const
                                : interaction_->absence);
 }
 
-/// The keys of the review, where there are vessels to look at: they are about the working image.
+/// Returns the review shortcuts if vessels are shown; they apply to the working image.
 QString AngiogramView::keyText() const
 {
-    constexpr int narrowPx = 360;   // where the line would be cut
+    constexpr int narrowPx = 360;   // narrower views would clip the line
     if (interaction_->role == ImageRole::Working && width() >= narrowPx && showsVessels()) {
         return tr("flicker %1 · swipe %2 · hide H · outline %3")
             .arg(keyOf(Command::Flicker), keyOf(Command::Swipe), keyOf(Command::Outline));

@@ -1,4 +1,4 @@
-// The picture of AngiogramView: drawn in turns, painted as a copy.
+// Rendering of AngiogramView: drawn in two turns, painted as a copy.
 #include "ui/scenes/fill_strokes.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_interaction.h"
@@ -24,7 +24,7 @@ QSize AngiogramView::deviceSize() const
 void AngiogramView::redraw()
 {
     if (!isVisible()) {
-        whole_ = {};   // what it showed is not to be seen again
+        whole_ = {};   // outdated, must not be shown again
         return;
     }
     isRedrawDue_ = true;
@@ -33,7 +33,7 @@ void AngiogramView::redraw()
     }
 }
 
-/// Turns that have begun are ended first, or a mouse that never rests would see nothing.
+/// Completes started turns first; otherwise continuous mouse movement would block every update.
 void AngiogramView::takeTurn()
 {
     if (nextTurn_ == Turn::Picture) {
@@ -52,7 +52,7 @@ void AngiogramView::takeTurn()
     }
 }
 
-/// The angiogram with the tree; false when it is there already.
+/// Draws the angiogram with the tree; false if it is already up to date.
 bool AngiogramView::drawPicture()
 {
     const double ratio = devicePixelRatio();
@@ -64,13 +64,13 @@ bool AngiogramView::drawPicture()
     picture_.setDevicePixelRatio(ratio);
     const Canvas canvas{reinterpret_cast<std::uint32_t*>(picture_.bits()), device.width(), device.height()};
     scene_.setLineWidthPx(interaction_->lineWidth * ratio);
-    // At fractional scale factors the picture is a whole number of pixels, not exactly size × ratio.
+    // At fractional scale factors the rendering has a whole number of pixels, not exactly size × ratio.
     scene_.setViewRect(
         interaction_->viewport.imageRectOf({0.0, 0.0}, {device.width() / ratio, device.height() / ratio}));
     const std::optional<PictureState> wanted =
         interaction_->tool ? std::nullopt : std::optional(PictureState{scene_.stamp(), isFromSource()});
     if (wanted && wanted == drawn_ && !isNew) {
-        return false;   // only what lies over it changed
+        return false;   // only the annotations changed
     }
     drawn_ = wanted;
     render(canvas, interaction_->tool ? interaction_->tool->strokes(canvas.height) : StrokeMesh{});
@@ -105,7 +105,7 @@ void AngiogramView::strokeMarks()
     fillStrokes(strokes, canvas.height, canvas);
 }
 
-/// The picture with all that lies over it.
+/// Draws the rendering with all annotations.
 void AngiogramView::drawWhole()
 {
     ++renderCount_;
@@ -125,7 +125,7 @@ void AngiogramView::drawWhole()
     }
 }
 
-/// A copy of the last picture. Who takes a picture of the view itself (grab) does not wait for turns: it is drawn anew.
+/// Copies the last rendering. Grabbing the widget does not wait for turns but renders it immediately.
 void AngiogramView::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);

@@ -44,7 +44,7 @@ QRectF blockRect(const QSizeF& size, Corner corner, const QStringList& lines, co
     return {x, y, width, height};
 }
 
-/// Lines that would reach out of the image end in dots.
+/// Elides lines that would exceed the width.
 QStringList fitted(QStringList lines, const QFont& font, double widthPx)
 {
     const QFontMetricsF metrics(font);
@@ -54,7 +54,7 @@ QStringList fitted(QStringList lines, const QFont& font, double widthPx)
     return lines;
 }
 
-/// The block, moved towards the middle where the opposite corner has taken its place.
+/// Moves the block towards the middle if the opposite corner occupies its place.
 QRectF clearOf(const QRectF& taken, QRectF block, Corner corner)
 {
     constexpr double gap = 6.0;
@@ -72,7 +72,7 @@ struct Block {
     QRectF place;
 };
 
-/// The lines where there is room for them, else nothing.
+/// Returns the block if there is room for all lines, otherwise empty.
 std::optional<Block> placed(const QSizeF& size, Corner corner, const QStringList& lines, const QFont& font,
                             const Ground& ground, const QRectF& taken)
 {
@@ -96,8 +96,8 @@ void paint(QPainter& painter, const Block& block)
     }
 }
 
-/// The blocks in one size of letters; nothing where one of them has no room and `mayFold` does not let it become one
-/// line, then none.
+/// Lays out all blocks in one font size; empty if one does not fit, unless `mayFold` lets it collapse to one line and
+/// then to nothing.
 std::optional<std::vector<Block>> layOut(const QSizeF& size, const CornerLines& lines, const QFont& font,
                                          const Ground& ground, const QRectF& mode, bool mayFold)
 {

@@ -16,10 +16,10 @@ namespace angiopose::ui {
 
 enum class Corner { TopLeft, TopRight, BottomLeft, BottomRight };
 
-/// Knows what of the angiogram lies under a part of the widget.
+/// Reports what lies under a part of the widget: vessels, image, other items.
 class Ground {
 public:
-    /// `taken`: by what else lies on the image, in widget px.
+    /// `taken` holds the areas of other items on the image, in widget px.
     Ground(const ImageViewport& viewport, const OverlayScene& scene, const std::vector<QRectF>& taken)
         : viewport_(viewport), scene_(scene), taken_(taken)
     {
@@ -51,11 +51,11 @@ private:
     const std::vector<QRectF>& taken_;
 };
 
-using CornerLines = std::array<QStringList, 4>;   ///< by `Corner`
+using CornerLines = std::array<QStringList, 4>;   ///< indexed by `Corner`
 
-/// Draws a block of lines in each corner, all in one size of letters, and gives back the room they took; `mode` is what
-/// lies at the top already. Where one would lie on vessels, on the picture or on what else is there all get smaller;
-/// what has no room even so folds to one line, then stays away.
+/// Draws a block of lines in each corner, all in one font size, and returns the areas they occupy; `mode` is the area
+/// of the mode label at the top. If a block would cover vessels, the image or other items, all blocks shrink; a block
+/// that still does not fit collapses to one line, then is omitted.
 std::array<QRectF, 4> paintCorners(QPainter& painter, const QSizeF& size, const CornerLines& lines,
                                    const Ground& ground, const QRectF& mode = {});
 

@@ -9,10 +9,10 @@ class QPainter;
 
 namespace angiopose::ui {
 
-/// Four short strokes around the place that all views mean, the same in images and 3-D; legible on vessels and panels.
+/// Paints four short strokes around the linked position, the same in images and 3-D; legible on vessels and panels.
 void paintPlaceMark(QPainter& painter, const QPointF& at, const Palette& tones);
 
-/// The line on which the place under the pointer of another image lies; thin, so that vessels show through.
+/// Paints the epipolar line of the pointer position in another image; thin, to keep vessels visible.
 void paintEpipolarLine(QPainter& painter, const QLineF& line, const Palette& tones);
 
 }   // namespace angiopose::ui

@@ -4,25 +4,25 @@
 
 namespace angiopose::ui {
 
-/// Who draws OpenGL here, as the driver itself says; empty where there is no OpenGL 3.2.
+/// OpenGL driver as reported by itself; empty without OpenGL 3.2.
 struct GlDriver {
     QString vendor;
     QString renderer;
     QString version;
 
     bool isThere() const { return !renderer.isEmpty(); }
-    bool isAccelerated() const;   ///< by a graphics card, not by the processor
+    bool isAccelerated() const;   ///< by a graphics card, not by the CPU
 };
 
-/// Asked once, on the thread of the user interface.
+/// Queried once, on the UI thread.
 const GlDriver& glDriver();
 
-/// Who draws the angiogram's overlay. Auto is VTK where OpenGL is accelerated and the painter elsewhere: in software,
-/// OpenGL takes several times the painter's time for the same picture.
+/// Renderer of the angiogram's overlay. Auto selects VTK if OpenGL is accelerated, otherwise the painter: software
+/// OpenGL takes several times as long for the same image.
 enum class RendererChoice { Auto, Vtk, Painter };
-void chooseRenderer(RendererChoice choice);   ///< before the first picture
+void chooseRenderer(RendererChoice choice);   ///< call before the first rendering
 
-/// What the choice and the driver come to.
+/// Renderer that results from the choice and the driver.
 enum class Renderer { Vtk, Painter };
 Renderer chosenRenderer();
 

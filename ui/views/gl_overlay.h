@@ -7,8 +7,8 @@
 
 namespace angiopose::ui {
 
-/// An overlay scene drawn by VTK into pixels, in an OpenGL context of its own. Belongs to the thread of the user
-/// interface. A view that moves between windows keeps it: no window owns the context.
+/// Renders an overlay scene with VTK to pixels, in its own OpenGL context. Use on the UI thread only. No window owns
+/// the context, so a view that moves between windows keeps it.
 class GlOverlay {
 public:
     GlOverlay();
@@ -16,11 +16,11 @@ public:
     GlOverlay(const GlOverlay&) = delete;
     GlOverlay& operator=(const GlOverlay&) = delete;
 
-    bool isReady() const;   ///< false where there is no OpenGL 3.2
+    bool isReady() const;   ///< false without OpenGL 3.2
 
-    /// Fills the canvas with what the scene's view rectangle shows.
+    /// Fills the canvas with the scene's view rectangle.
     void draw(const OverlayScene& scene, bool isMirrored, const StrokeMesh& above, Canvas canvas);
-    VtkOverlay::Work work() const;   ///< of the last picture
+    VtkOverlay::Work work() const;   ///< of the last rendering
 
 private:
     struct Parts;

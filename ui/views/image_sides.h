@@ -7,13 +7,13 @@
 
 namespace angiopose::ui {
 
-/// The patient's side that each edge of the image shows: L, R, A, P, H (head), F (feet), or two of them, the stronger
-/// first, where the image lies askew.
+/// Patient side at each edge of the image: L, R, A, P, H (head), F (feet), or two letters in an oblique view, the
+/// dominant first.
 struct ImageSides {
     std::string left, right, top, bottom;
 };
 
-/// Patient coordinates are LPS; a mirrored image (negative focal length) has its letters swapped.
+/// Returns the sides for LPS patient coordinates; a mirrored image (negative focal length) has its letters swapped.
 ImageSides imageSides(const core::ProjectionCamera& camera, const core::RigidTransform& cameraFromPatient);
 
 }   // namespace angiopose::ui

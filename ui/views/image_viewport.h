@@ -4,18 +4,18 @@
 
 namespace angiopose::ui {
 
-/// Which part of an image a widget shows. Widget positions are device-independent px from the top left.
+/// Visible part of an image in a widget. Widget positions are device-independent px from the top left.
 class ImageViewport {
 public:
-    void setImageSize(int width, int height);   ///< a new size fits the image
-    void setWidgetSize(double width, double height);   ///< keeps a fitted image fitted
+    void setImageSize(int width, int height);   ///< fits the image if its size changed
+    void setWidgetSize(double width, double height);   ///< a fitted image stays fitted
     void fit();
-    void show(const ViewRect& rect);   ///< as large as the widget allows, in its middle
-    void zoomAt(const Eigen::Vector2d& position, double factor);   ///< what lies under `position` stays there
+    void show(const ViewRect& rect);   ///< centered, as large as the widget allows
+    void zoomAt(const Eigen::Vector2d& position, double factor);   ///< keeps the image point under `position` fixed
     void panBy(const Eigen::Vector2d& step);   ///< the image follows the mouse
-    void setMirrored(bool mirrored);   ///< left and right exchanged in the widget; what it shows stays
+    void setMirrored(bool mirrored);   ///< swaps left and right of the widget; the visible part stays
     bool isMirrored() const { return mirrored_; }
-    bool isFitted() const { return isFitted_; }   ///< stays so when the widget changes its size
+    bool isFitted() const { return isFitted_; }   ///< stays true when the widget is resized
 
     double zoom() const { return zoom_; }   ///< widget px per image px
     ViewRect rect() const;
@@ -27,12 +27,12 @@ private:
     int imageWidth_ = 512;
     int imageHeight_ = 512;
     Eigen::Vector2d widgetSize_{480.0, 360.0};
-    Eigen::Vector2d center_{255.5, 255.5};   // image point in the middle of the widget
+    Eigen::Vector2d center_{255.5, 255.5};   // image point at the center of the widget
     double zoom_ = 1.0;
     bool isFitted_ = true;
     bool mirrored_ = false;
 
-    /// A way in the widget as it goes in the image, not scaled.
+    /// Converts a widget displacement to image directions, without scaling.
     Eigen::Vector2d turned(const Eigen::Vector2d& way) const { return {mirrored_ ? -way.x() : way.x(), way.y()}; }
 };
 

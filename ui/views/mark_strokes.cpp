@@ -7,7 +7,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double beyondPicturePx = 64.0;   ///< more than any stroke is wide
+constexpr double beyondPicturePx = 64.0;   ///< wider than any stroke
 
 StrokeLine inOneTone(const PixelLine& line, const MarkPicture& picture, const Color& tone)
 {

@@ -5,10 +5,10 @@
 
 namespace angiopose::ui {
 
-/// An OpenGL 3.2 core context that draws into no window. Belongs to the thread of the user interface.
+/// OpenGL 3.2 core context without a window. Use on the UI thread only.
 class OffscreenContext {
 public:
-    bool create();   ///< false when this computer or display offers no such context
+    bool create();   ///< false if the computer or display offers no such context
     bool makeCurrent() { return context_.makeCurrent(&surface_); }
     bool isCurrent() const { return QOpenGLContext::currentContext() == &context_; }
     void doneCurrent() { context_.doneCurrent(); }

@@ -8,7 +8,7 @@ class QPainter;
 
 namespace angiopose::ui {
 
-/// Ring, dot and word where the picked pivot is, the same in every view; legible on vessels and on panels.
+/// Draws ring, dot and label at the picked pivot, the same in every view; legible on vessels and on panels.
 void paintPivotMark(QPainter& painter, const QPointF& at, const Palette& tones);
 
 }   // namespace angiopose::ui

@@ -9,15 +9,15 @@ class QToolButton;
 
 namespace angiopose::ui {
 
-/// Above the 3-D view: how the scan is seen in it, and how strongly.
+/// Bar above the 3-D view: rendering mode and opacity of the scan.
 class ScanBar : public QWidget {
     Q_OBJECT
 public:
     explicit ScanBar(QWidget* parent = nullptr);
 
     void fillMenu(const QList<QAction*>& actions);
-    void showState(const QString& words, bool isShown);   ///< the strength is there while the scan is shown
-    void showStrength(double strength);   ///< 0…1; silent
+    void showState(const QString& words, bool isShown);   ///< the strength slider is visible while the scan is shown
+    void showStrength(double strength);   ///< 0…1; emits no signal
 
 signals:
     void strengthChanged(double strength);

@@ -34,7 +34,7 @@ void drawWithRim(QPainter& painter, const QRectF& box, int flags, const QString&
                  const Color& rim)
 {
     painter.setPen(colorOf(rim, 0.6));
-    for (const double y : {-rimPx, 0.0, rimPx}) {   // a rim all round: readable on any picture, without a box
+    for (const double y : {-rimPx, 0.0, rimPx}) {   // rim on all sides: readable on any image, without a box
         for (const double x : {-rimPx, 0.0, rimPx}) {
             painter.drawText(box.translated(x, y), flags, text);
         }
@@ -57,8 +57,8 @@ QString keyOfWords(const QFont& font, const QSizeF& size, double ratio, int flag
         .arg(text);
 }
 
-/// The words on a ground of their own, with room for the rim. Kept: they stay while the vessels under them move, and
-/// ten times shaping and drawing them is dearer than all else that lies on the picture.
+/// Returns the text on a transparent image, with margins for the rim. Cached: texts stay the same while the vessels
+/// move, and laying out and drawing them ten times costs more than all other annotations.
 QImage wordsWithRim(const QFont& font, const QSizeF& size, double ratio, int flags, const QString& text,
                     const QColor& color, const Color& rim)
 {

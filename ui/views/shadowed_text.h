@@ -8,16 +8,17 @@
 
 namespace angiopose::ui {
 
-inline constexpr double annotationMarginPx = 12.0;   ///< between the edges of the picture and what is written on it
+inline constexpr double annotationMarginPx = 12.0;   ///< margin between the image edges and the texts on it
 
-/// The tones of what lies on the picture: the dark ones in every theme, as the angiogram lies on black.
+/// Colors of annotations on the image: those of the dark theme, because the angiogram background is always black.
 const Palette& annotationTones();
 
 QColor colorOf(const Color& color, double opacity = 1.0);
 
 QFont sized(QFont font, int px);
 
-/// Text that stays readable on bright and dark ground; `flags` as QPainter::drawText takes them. `rim`: around it.
+/// Draws text that is readable on bright and dark backgrounds; `flags` as in QPainter::drawText. `rim` is the color
+/// around it.
 void drawShadowedText(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color,
                       const Color& rim = annotationTones().canvas);
 

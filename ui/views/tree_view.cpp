@@ -106,7 +106,7 @@ void TreeView::showPlaces(std::vector<TreePlaceSign> places)
     }
 }
 
-/// As marks of an image, in the tones of the theme.
+/// Paints the places like image marks, in the colors of the theme.
 void TreeView::paintPlaces(QPainter& painter) const
 {
     const double ratio = devicePixelRatio();
@@ -145,14 +145,14 @@ void TreeView::prepareFrame()
     scene_.setPixelScale(devicePixelRatio());
 }
 
-/// Once it is drawn: framing is part of drawing.
+/// Called after drawing, because framing happens while drawing.
 void TreeView::reportSight()
 {
     constexpr int anyPx = 1'000'000'000;
     const core::ParallelSight sight = scene_.sight(anyPx);
     if (sight != seen_) {
         seen_ = sight;
-        QMetaObject::invokeMethod(this, &TreeView::sightChanged, Qt::QueuedConnection);   // not while painting
+        QMetaObject::invokeMethod(this, &TreeView::sightChanged, Qt::QueuedConnection);   // not during painting
     }
 }
 
@@ -290,7 +290,7 @@ void TreeView::keyPressEvent(QKeyEvent* event)
     requestRender();
 }
 
-/// By key: the mouse asks when it is released without having dragged.
+/// Keyboard only: the mouse opens the menu on release without a drag.
 void TreeView::contextMenuEvent(QContextMenuEvent* event)
 {
     event->accept();
@@ -309,7 +309,7 @@ void TreeView::wheelEvent(QWheelEvent* event)
 void TreeView::showEvent(QShowEvent* event)
 {
     VtkView::showEvent(event);
-    seen_ = {};   // nobody asked for pictures while it was hidden
+    seen_ = {};   // no rendering was requested while hidden
 }
 
 void TreeView::leaveEvent(QEvent*)

@@ -8,43 +8,42 @@
 
 namespace angiopose::ui {
 
-/// A named place of the vessels in 3-D: a point, or a ring around it.
+/// Labeled place on the vessels in 3-D: a point or a ring.
 struct TreePlaceSign {
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();
-    std::vector<Eigen::Vector3d> ringInPatient;   ///< empty: a point
+    std::vector<Eigen::Vector3d> ringInPatient;   ///< empty: shown as a point
     QString label;
 };
 
-/// The 3-D situation: tree, X-ray source, detector with the image, beam edges, orientation letters. Left drag turns,
-/// middle drag moves, right drag and wheel zoom, double click asks for room. Arrows turn, + and − zoom.
+/// 3-D view: tree, X-ray source, detector with the image, beam edges, orientation letters. Left drag rotates, middle
+/// drag pans, right drag and wheel zoom, double click requests enlarging. Arrow keys rotate, + and − zoom.
 class TreeView : public VtkView {
     Q_OBJECT
 public:
     explicit TreeView(QWidget* parent = nullptr);
     ~TreeView() override;
 
-    /// Draws every kind of thing once, for nobody to see: in software, OpenGL takes 50 ms to make the program of each.
-    /// Better before there is a window than while somebody works in it.
+    /// Renders every kind of object once off screen: software OpenGL takes 50 ms to compile each program, which is
+    /// better spent before the window appears.
     void warmUp();
 
     TreeScene& scene() { return scene_; }   ///< call requestRender() after changing it
     void setTheme(ThemeMode mode);
-    void nextView();   ///< everything, the vessels alone
-    void setCrosshair(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< the place that the slices show
-    void setPointed(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< what is pointed at in an image
+    void nextView();   ///< cycles between everything and only the vessels
+    void setCrosshair(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< position shown in the slices
+    void setPointed(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< position pointed at in an image
     void showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient,
                        const std::optional<Eigen::Vector3d>& pendingInPatient);   ///< numbered from 1
-    void showPlaces(std::vector<TreePlaceSign> places);   ///< with their labels
-    void setPickedPivot(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< what the vessels turn about
+    void showPlaces(std::vector<TreePlaceSign> places);   ///< with labels
+    void setPickedPivot(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< rotation center of the vessels
 
 signals:
-    void
-    sightChanged();   ///< turned, moved, zoomed, resized or shown: what the scan looks like from there is asked for
-    void roomRequested();   ///< large, or back
+    void sightChanged();   ///< rotated, moved, zoomed, resized or shown: a new scan rendering is needed
+    void roomRequested();   ///< toggle maximizing
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void backgroundClicked();
-    void pointPicked(const Eigen::Vector3d& pointInPatient);   ///< of the branch that was clicked
+    void pointPicked(const Eigen::Vector3d& pointInPatient);   ///< on the clicked branch
     void branchMenuRequested(int branchId, const Eigen::Vector3d& pointInPatient, const QPoint& globalPosition);
     void menuRequested(const QPoint& globalPosition, std::optional<int> branchId);
 
@@ -69,7 +68,7 @@ private:
     void reportSight();
 
     TreeScene scene_;
-    core::ParallelSight seen_;   ///< in the last picture
+    core::ParallelSight seen_;   ///< view of the last rendering
     ThemeMode theme_ = ThemeMode::Dark;
     QPointF pressedAt_;
     QPointF lastAt_;

@@ -6,14 +6,14 @@ namespace angiopose::ui {
 
 enum class VerdictTone { Good, Doubtful, Bad };
 
-/// How far the shown pose is to be trusted, at the top of an image in the middle, whatever else is in sight. Lets the
-/// mouse through; words that the image is too narrow for end in dots.
+/// Confidence in the shown pose, always visible at the top center of an image. Transparent for the mouse; text that
+/// does not fit is elided.
 class VerdictChip : public QLabel {
     Q_OBJECT
 public:
     explicit VerdictChip(QWidget& image);
 
-    void showVerdict(VerdictTone tone, const QString& words);   ///< no words: hidden
+    void showVerdict(VerdictTone tone, const QString& words);   ///< empty text hides the chip
     VerdictTone tone() const { return tone_; }
     const QString& words() const { return words_; }
 

@@ -22,10 +22,10 @@ using namespace std::chrono_literals;
 
 constexpr int frameMs = 16;
 
-/// Where the pictures of a view at rest are taken, in px: one per quarter of a pixel, on four rows and columns.
+/// Subpixel offsets, in px, of the renderings averaged at rest: one per quarter of a pixel, on four rows and columns.
 const std::array<QPointF, 4> settledShiftsPx{{{-0.125, -0.375}, {0.375, -0.125}, {0.125, 0.375}, {-0.375, 0.125}}};
 
-/// The mean of two pictures of the same size.
+/// Averages two images of the same size.
 void blendInto(QImage& picture, const QImage& other)
 {
     std::uint8_t* bytes = picture.bits();
@@ -50,7 +50,7 @@ struct VtkView::Glue {
     vtkNew<GlWindow> window;
     enum class State { Untried, Ready, Missing } state = State::Untried;
     int lastRenderMs = 0;
-    qint64 largestPx = 0;   // of all pictures so far: OpenGL may still hold its buffers
+    qint64 largestPx = 0;   // largest rendering so far, whose buffers OpenGL may still hold
 
     void observe(unsigned long event, void (*reaction)(vtkObject*, unsigned long, void*, void*))
     {
@@ -120,7 +120,7 @@ QSize VtkView::deviceSize() const
 
 void VtkView::requestRender()
 {
-    // Never more than half of the time goes into this view, however slow the computer: input and angiogram come first.
+    // Limits this view to half of the time on slow computers: input and angiogram come first.
     if (!renderTimer_.isActive()) {
         renderTimer_.start(glue_->lastRenderMs > frameMs ? glue_->lastRenderMs : 0);
     }
@@ -164,11 +164,11 @@ void VtkView::drawDraft()
     settleTimer_.start(250ms);
 }
 
-/// One step: the next picture, and with the last one the mean of all.
+/// One step: renders the next pass; after the last one, shows the mean of all.
 void VtkView::settle()
 {
     if (!isVisible() || renderTimer_.isActive() || picture_.size() != deviceSize() || !prepareContext()) {
-        passes_.clear();   // the next draft begins anew
+        passes_.clear();   // the next draft starts over
         return;
     }
     passes_.push_back(drawn(settledShiftsPx[passes_.size()]));
@@ -216,7 +216,7 @@ void VtkView::paintEvent(QPaintEvent*)
     if (picture_.size() == deviceSize()) {
         picture_.setDevicePixelRatio(devicePixelRatio());
         painter.drawImage(QPointF(0.0, 0.0), picture_);
-    } else {   // for a moment: the window's repaint does not wait for VTK
+    } else {   // temporarily: the window's repaint does not wait for VTK
         painter.drawImage(rect(), picture_);
         requestRender();
     }

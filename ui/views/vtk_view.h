@@ -12,11 +12,10 @@ class vtkRenderWindow;
 
 namespace angiopose::ui {
 
-/// A VTK render window shown by a plain widget: VTK draws off screen, the widget paints the picture. A window without
-/// any OpenGL widget needs no composition of its own, which costs a frame's whole time without a graphics card.
-/// Redraws are asked for with requestRender() and happen once, after what the user waits for more urgently. Edges are
-/// smoothed when the view comes to rest, in several short steps that any change ends: pictures moved by parts of a
-/// pixel are averaged.
+/// VTK render window shown by a plain widget: VTK draws off screen, the widget paints the image. A window without an
+/// OpenGL widget needs no composition, which takes as long as a whole frame without a graphics card. requestRender()
+/// schedules a rendering that runs once, after more urgent work. Edges are smoothed when the view comes to rest, by
+/// averaging renderings with subpixel offsets in several short steps that any change interrupts.
 class VtkView : public QWidget {
     Q_OBJECT
 public:
@@ -31,12 +30,12 @@ public:
     int renderCount() const { return renderCount_; }
 
 protected:
-    /// Called in every redraw before VTK draws: the place to bring the scene up to date.
+    /// Called before VTK draws, to update the scene.
     virtual void prepareFrame() {}
-    /// Called in every redraw on top of what VTK drew, in device-independent pixels.
+    /// Called after VTK draws, to paint on top in device-independent pixels.
     virtual void paintAnnotations(QPainter& painter);
 
-    /// Renders once, for nobody to see.
+    /// Renders once without showing the result.
     void rehearse();
 
     void paintEvent(QPaintEvent* event) override;
@@ -54,7 +53,7 @@ private:
     QTimer renderTimer_;
     QTimer settleTimer_;
     QImage picture_;
-    std::vector<QImage> passes_;   ///< of the view at rest, so far
+    std::vector<QImage> passes_;   ///< renderings at rest so far
     int renderCount_ = 0;
 };
 

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-/// Resources of a static library are there only once asked for, and only from outside any namespace.
+/// Registers the resources of the static library; Q_INIT_RESOURCE works only outside any namespace.
 static void loadTranslations()
 {
     Q_INIT_RESOURCE(translations);
@@ -16,7 +16,7 @@ static void loadTranslations()
 namespace angiopose::ui {
 namespace {
 
-/// "zh-Hans-CN", "zh-CN" and "zh-SG" are written alike; "zh-TW" and "zh-Hant" are not.
+/// Treats "zh-Hans-CN", "zh-CN" and "zh-SG" as the same script, "zh-TW" and "zh-Hant" as different.
 bool speaks(const QString& wanted, const QString& code)
 {
     const QLocale locale(wanted);
@@ -87,7 +87,7 @@ QString joinedSentences(const QStringList& sentences)
 {
     QString text;
     for (const QString& sentence : sentences) {
-        const bool isApart = text.isEmpty() || text.endsWith(QChar(0x3002));   // the full stop of Chinese is wide
+        const bool isApart = text.isEmpty() || text.endsWith(QChar(0x3002));   // the Chinese full stop is full-width
         text += isApart ? sentence : QLatin1Char(' ') + sentence;
     }
     return text;

@@ -6,25 +6,25 @@
 
 namespace angiopose::ui {
 
-/// Codes of the languages the window speaks, English first: "en", "de", "zh_CN".
+/// Codes of the available languages, English first: "en", "de", "zh_CN".
 QStringList languages();
 
-/// The first of the desktop's languages that the window speaks; English where it speaks none.
+/// First of the desktop's languages that is available; English if none is.
 QString desktopLanguage();
 
-/// The language of all words from now on, those of Qt's own dialogs too; see `speakAgain`.
+/// Sets the language of all texts, including Qt's own dialogs; see `speakAgain`.
 void applyLanguage(const QString& code);
 
-/// The code that was applied last.
+/// Language code applied last.
 QString currentLanguage();
 
-/// How that language writes dates and numbers, wherever the desktop is; see number.h.
+/// Locale for dates and numbers of that language, independent of the desktop; see number.h.
 QLocale languageLocale();
 
-/// Sentences one behind the other: with spaces where the language has them.
+/// Joins sentences, with spaces if the language uses them.
 QString joinedSentences(const QStringList& sentences);
 
-/// Names one behind the other, with the comma of the language.
+/// Joins names with the comma of the language.
 QString joinedNames(const QStringList& names);
 
 }   // namespace angiopose::ui

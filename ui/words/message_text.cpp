@@ -15,7 +15,7 @@ QString fromText(const std::string& text)
     return QString::fromStdString(text);
 }
 
-/// Sentences, or words of a list: these have no full stop.
+/// Joins sentences, or list items, which have no full stop.
 QString rowOf(const QStringList& texts)
 {
     const bool areSentences = std::ranges::any_of(
@@ -53,7 +53,7 @@ struct ArgumentWords {
     }
 };
 
-/// The translated sentence with its arguments in place.
+/// Returns the translated sentence with its arguments inserted.
 QString filled(const QString& words, const std::vector<core::MessageArgument>& arguments)
 {
     QString sentence;

@@ -8,13 +8,13 @@
 
 namespace angiopose::ui {
 
-/// A message in the language of the window, its numbers with the language's decimal sign.
+/// Returns a message in the current language, with numbers in the language's decimal format.
 QString messageText(const core::Message& message);
 
-/// Several, one sentence behind the other.
+/// Returns several messages as consecutive sentences.
 QString messagesText(const core::Messages& messages);
 
-/// Empty where there is none.
+/// Empty if there is no message.
 QString messageText(const std::optional<core::Message>& message);
 
 }   // namespace angiopose::ui

@@ -6,21 +6,21 @@
 
 namespace angiopose::ui {
 
-/// How the window writes numbers: with the decimal sign of its language, and a minus. Files, tables and the command
-/// line keep the point whatever the window speaks.
+/// Formats numbers for display with the decimal separator of the language and a true minus sign. Files, tables and the
+/// command line always use a point.
 QString numberText(double value, int decimals);
 
-/// With so many significant digits and no more than needed: "0,01", "1000".
+/// Formats with at most `digits` significant digits, without trailing zeros: "0,01", "1000".
 QString briefNumber(double value, int digits);
 
-/// What was typed, with comma or point, whichever the language has; nothing where that is no number.
+/// Parses input with comma or point in any language; empty if it is not a number.
 std::optional<double> numberFrom(QString typed);
 
-/// Words that are numbers, units and angles alone ("LAO 30.0", "0.31 mm/px") with the language's decimal sign; any
-/// other as it is, since it may be a name.
+/// Localizes the decimal separator of texts that contain only numbers, units and angles ("LAO 30.0", "0.31 mm/px");
+/// leaves other texts unchanged, since they may be names.
 QString withDecimalSign(const QString& text);
 
-/// "14:32" today, "21 Nov 14:32" otherwise, in local time; empty for no time.
+/// Formats a local time: "14:32" today, "21 Nov 14:32" otherwise; empty without a time.
 QString shortTime(const std::string& isoTime);
 
 }   // namespace angiopose::ui

@@ -18,20 +18,20 @@ bool isShift(PoseAxis axis);   ///< mm; otherwise an angle in degrees
 QString labelOf(PoseAxis axis);
 QString explanationOf(PoseAxis axis);
 
-/// `change` without its locked parts.
+/// Returns `change` with its locked components set to zero.
 core::PoseOffset withoutLocked(core::PoseOffset change, const PoseLocks& locks);
 
-/// a + b, part by part: right for changes of one degree of freedom, which is what keys and fields make.
+/// Adds component by component: exact for changes of one degree of freedom, as made by keys and fields.
 core::PoseOffset sum(const core::PoseOffset& a, const core::PoseOffset& b);
 
-/// One key press in nudge mode.
+/// Effect of one key press in nudge mode.
 struct Nudge {
     PoseAxis axis;
     double amount;   ///< mm or degrees
 };
 
-/// What a key does in nudge mode: arrows 1 mm, PgUp/PgDn along the ray, `,` `.` roll, Alt+arrows angulation;
-/// Shift ten times, Ctrl a tenth.
+/// Maps a key to its nudge: arrows 1 mm, PgUp/PgDn depth, `,` `.` roll, Alt+arrows angulation; ×10 with Shift, ×0.1
+/// with Ctrl.
 std::optional<Nudge> nudgeOfKey(int key, Qt::KeyboardModifiers modifiers);
 
 }   // namespace angiopose::ui

@@ -11,7 +11,7 @@ class QObject;
 
 namespace angiopose::ui {
 
-/// Tells all speakers of the program that their words are others now.
+/// Notifies all registered objects to update their texts.
 class SpokenSignal : public QObject {
     Q_OBJECT
 public:
@@ -27,14 +27,15 @@ signals:
 
 using Words = std::function<QString()>;
 
-/// Does `say` now, and again whenever the window speaks another language or has other keys, as long as `speaker` lives.
-/// The repetitions are events of their own, so that none of them holds the window up.
+/// Calls `say` now, and again whenever the language or the shortcuts change, for the lifetime of `speaker`. Each
+/// repeated call is a separate event, which keeps the window responsive.
 void speak(QObject* speaker, std::function<void()> say);
 
-/// Language or keys are others now: all that was said is said again.
+/// Updates all texts after a change of language or shortcuts.
 void speakAgain();
 
-/// The widget with a text that follows the language; likewise its tool tip and its accessible name.
+/// Returns the widget with a text that follows the language; the functions below do the same for its tooltip and
+/// accessible name.
 template <class Widget>
 Widget* withText(Widget* widget, Words text)
 {
@@ -56,7 +57,7 @@ Widget* withName(Widget* widget, Words name)
     return widget;
 }
 
-/// The choices of a box in other words, its choice kept.
+/// Replaces the item texts of a combo box and keeps its selection.
 void setWords(QComboBox& box, const QStringList& choices);
 
 }   // namespace angiopose::ui

@@ -6,11 +6,11 @@
 
 namespace angiopose::ui {
 
-/// The method's name for users, or "by hand".
+/// Returns the display name of a method, or "by hand".
 QString methodWords(const std::string& methodId);
 
-/// A word of core's tables in the language of the window: the label, help or choice of an option, the summary of a
-/// method, a stage of a run or why it ended. Others stay as they are. Sentences are messages, see message_text.h.
+/// Translates a term of core's tables: label, help or choice of an option, summary of a method, stage of a registration
+/// or reason why it ended. Returns other terms unchanged. Sentences are messages, see message_text.h.
 QString termText(std::string_view term);
 QString termText(const QString& term);
 

@@ -19,7 +19,7 @@ double meanOf(const std::vector<double>& values)
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Distances in px of projected points to their pixels; infinite behind the source.
+/// Distances in px from the projected points to their pixels; infinite behind the source.
 std::vector<double> pixelDistances(const OwnCase& own, const RigidTransform& pose)
 {
     std::vector<double> distances;
@@ -30,7 +30,7 @@ std::vector<double> pixelDistances(const OwnCase& own, const RigidTransform& pos
     return distances;
 }
 
-/// Mean distance in mm of the points to the rays through their pixels.
+/// Mean distance in mm from the points to the rays through their pixels.
 double meanRayDistanceMm(const OwnCase& own, const RigidTransform& pose)
 {
     std::vector<double> distances;
@@ -74,7 +74,7 @@ Truth truthOf(const OwnCase& own)
             own.truth.deformedTree.get()};
 }
 
-/// The tree as the result shows it: bent, where it was found to be.
+/// Returns the tree of the result, deformed if a deformation was found.
 VesselTree shownTree(const OwnCase& own, const RegistrationResult& result)
 {
     const bool isShown = result.deformed && isDeformed(*result.deformed) && isOf(own.tree, *result.deformed);

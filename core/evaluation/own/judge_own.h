@@ -10,25 +10,26 @@
 
 namespace angiopose::core {
 
-/// A place that was pointed at in the patient and in the image.
+/// A point marked in both the patient and the image.
 struct PointPair {
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
 };
 
-/// What somebody knows of a case of theirs: a reference pose, or pairs of points where there is none.
+/// Ground truth of a user's case: a reference pose, or point pairs if there is none.
 struct OwnTruth {
     std::optional<RigidTransform> cameraFromPatient;
     std::vector<Eigen::Vector3d> landmarksInPatient;   ///< targets of mTRE and mRPD; empty: the tree's, see targetsOf
     std::vector<PointPair> pairs;
-    /// Beside a reference pose: where the vessels truly lay when they were no rigid body, see Truth.
+    /// In addition to a reference pose: the true positions of non-rigidly displaced vessels, see Truth.
     std::shared_ptr<const VesselTree> deformedTree;
 };
 
-/// Whether the truth of bent vessels goes with a tree: the same branches with as many points each, in the same order.
+/// Whether a deformed ground truth matches a tree: the same branches, in the same order, with the same number of
+/// points.
 bool isTruthOf(const VesselTree& deformed, const VesselTree& tree);
 
-/// A case whose answer is judged.
+/// A case whose result is evaluated.
 struct OwnCase {
     const VesselTree& tree;
     const ProjectionCamera& camera;
@@ -36,13 +37,13 @@ struct OwnCase {
     OwnTruth truth;
 };
 
-/// Errors of a method's result, or of the start pose where it has none. With a reference pose all of them
-/// (ALGORITHMS §4.5), of the tree as the result bent it where it is known how the vessels lay; with pairs alone PR is
-/// the distance of a projected point to its pixel, mRPD that of the point to the ray through its pixel, and depth
-/// errors (mTRE, angles) stay unknown.
+/// Computes the errors of a method's result, or of the initial pose without a result. A reference pose gives all errors
+/// (ALGORITHMS §4.5), those of the deformed tree if the true vessel positions are known. With point pairs only, PR is
+/// the distance of a projected point to its pixel, mRPD the distance of the point to the ray through its pixel, and
+/// depth errors (mTRE, angles) stay unknown.
 RunRecord judgeOwn(const OwnCase& own, const std::optional<RegistrationResult>& result);
 
-/// The same of a pose that was found elsewhere; whether it is to be trusted is not known.
+/// Same for a pose found by other means; its confidence is unknown.
 RunRecord judgeOwn(const OwnCase& own, const RigidTransform& found);
 
 }   // namespace angiopose::core

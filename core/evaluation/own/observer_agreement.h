@@ -10,16 +10,16 @@
 
 namespace angiopose::core {
 
-/// A finished trial of an observer who fitted the vessels to an image by hand.
+/// A finished trial in which an observer registered the vessels to an image manually.
 struct ObserverReading {
     std::string observer;
-    std::string image;   ///< trials of the same case, image and frame bear the same text
-    RigidTransform cameraFromPatient;   ///< as the observer left it
-    RigidTransform centerCameraFromPatient;   ///< before the trial: what readings of the image are measured from
+    std::string image;   ///< key of case, image and frame, the same for all their trials
+    RigidTransform cameraFromPatient;   ///< final pose set by the observer
+    RigidTransform centerCameraFromPatient;   ///< pose before the trial, to which readings of the image are relative
     Eigen::Vector3d pivotInPatient = Eigen::Vector3d::Zero();   ///< centroid of the tree
 };
 
-/// What is compared of a pose, in camera axes about the pivot: shifts in mm, turns in degrees.
+/// Number of compared pose measures, in camera axes about the pivot: shifts in mm, rotations in degrees.
 inline constexpr std::size_t poseMeasureCount = 6;
 struct PoseMeasure {
     const char* id;
@@ -28,30 +28,30 @@ struct PoseMeasure {
 };
 const std::array<PoseMeasure, poseMeasureCount>& poseMeasures();
 
-/// An observer's answers to one image, seen from the pose before the first trial of that image: the mean of the repeats
-/// and their variance, for each measure.
+/// Mean and variance, for each measure, of an observer's repeated readings of one image, relative to the pose before
+/// the first trial of that image.
 struct ObserverMean {
     std::string observer;
     std::string image;
     int count = 0;
     Eigen::Matrix<double, poseMeasureCount, 1> mean;
-    Eigen::Matrix<double, poseMeasureCount, 1> variance;   ///< sample variance; zero of a single reading
+    Eigen::Matrix<double, poseMeasureCount, 1> variance;   ///< sample variance; zero for a single reading
 };
 
-/// By image, then by observer, both by name.
+/// Returns the means sorted by image, then by observer, both by name.
 std::vector<ObserverMean> observerMeans(const std::vector<ObserverReading>& readings);
 
-/// How an observer repeats one measure: pooled over the images that were read more than once (Bland and Altman 1996).
+/// Repeatability of one measure by one observer, pooled over the images read more than once (Bland and Altman 1996).
 struct Repeatability {
     int images = 0;
     int readings = 0;
     double within = 0.0;   ///< standard deviation within an image
-    double coefficient = 0.0;   ///< 1.96 √2 of it: two readings differ by less in 95 of 100
+    double coefficient = 0.0;   ///< 1.96 √2 × `within`: two readings differ by less in 95 of 100 cases
 };
 std::optional<Repeatability> repeatabilityOf(const std::vector<ObserverMean>& means, const std::string& observer,
                                              std::size_t measure);
 
-/// Differences of two observers' means in the images that both read (Bland and Altman 1986), first minus second.
+/// Differences between two observers' means in the images that both read (Bland and Altman 1986), first minus second.
 struct LimitsOfAgreement {
     std::vector<Eigen::Vector2d> points;   ///< (mean of both, difference), one per image
     double bias = 0.0;
@@ -62,19 +62,19 @@ struct LimitsOfAgreement {
     double lower() const { return bias - 1.96 * deviation; }
     double upper() const { return bias + 1.96 * deviation; }
 };
-/// Nothing where both have fewer than two images in common.
+/// Returns nothing if both have fewer than two images in common.
 std::optional<LimitsOfAgreement> agreementOf(const std::vector<ObserverMean>& means, const std::string& first,
                                              const std::string& second, std::size_t measure);
 
-/// How far observers lie from each other: the standard deviation of their means within an image, pooled over the images
-/// that more than one of them read.
+/// Reproducibility between observers: the standard deviation of their means within an image, pooled over the images
+/// read by more than one of them.
 struct Reproducibility {
     int images = 0;
     double between = 0.0;
 };
 std::optional<Reproducibility> reproducibilityOf(const std::vector<ObserverMean>& means, std::size_t measure);
 
-/// Who read, by name.
+/// Returns the names of the observers, sorted.
 std::vector<std::string> observersOf(const std::vector<ObserverMean>& means);
 
 }   // namespace angiopose::core

@@ -11,7 +11,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr int captureAnatomies = 6;
-constexpr double rotationStdDeg = 2.0;   // with the next, what one unit of displacement is
+constexpr double rotationStdDeg = 2.0;   // rotation of one unit of displacement; `shiftStdMm` is its shift
 constexpr double shiftStdMm = 5.0;
 
 struct CaptureSetting {
@@ -57,7 +57,7 @@ const std::vector<CaptureSetting>& captureSettings()
     return rows;
 }
 
-/// A displacement about the centroid (OBJ) that can be made larger and smaller.
+/// A scalable displacement about the centroid (OBJ).
 struct Displacement {
     Eigen::Vector3d omega;
     Eigen::Vector3d shift;
@@ -81,7 +81,8 @@ Displacement drawDisplacement(CounterRandom& random)
     return unit;
 }
 
-/// The start along the drawn displacement whose mTRE is `wantedMm`: both grow together, so halving finds it.
+/// Returns the initial pose along the drawn displacement whose mTRE is `wantedMm`. mTRE grows with the displacement, so
+/// bisection finds it.
 RigidTransform startAt(double wantedMm, const SharedPhantom& phantom, const Displacement& unit)
 {
     const RigidTransform& truth = phantom.scene.trueCameraFromPatient;

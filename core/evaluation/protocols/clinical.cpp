@@ -40,9 +40,9 @@ TrialMaker prepareClinical(std::size_t condition, std::uint64_t seed)
 
 constexpr int trustAnatomies = 6;
 constexpr std::uint64_t trustSeeds = 1000;
-constexpr std::uint64_t otherTreesFrom = 500;   // of an experiment's seeds
+constexpr std::uint64_t otherTreesFrom = 500;   // offset of the tree seeds within an experiment
 
-/// What is done to a clinical case so that methods fail, or ought to.
+/// Modification of a clinical case that makes methods fail, or should.
 enum class Mischief { None, OtherTree, Mirrored, FarStart, HalfOutside };
 
 struct TrustSetting {
@@ -89,7 +89,7 @@ ImageF mirrored(ImageF image)
     return image;
 }
 
-/// The window of the given size whose top left pixel is (left, top).
+/// Returns the window of the given size whose top-left pixel is (left, top).
 ImageF cutOut(const ImageF& image, int left, int top, int width, int height)
 {
     ImageF part(width, height);
@@ -100,7 +100,7 @@ ImageF cutOut(const ImageF& image, int left, int top, int width, int height)
     return part;
 }
 
-/// Leaves the left, right, upper or lower half of the image.
+/// Crops the image to its left, right, upper or lower half.
 void cutHalf(SimulatedCase& view, CounterRandom& random)
 {
     const int side = random.index(4);
@@ -117,7 +117,8 @@ void cutHalf(SimulatedCase& view, CounterRandom& random)
     view.camera.height = height;
 }
 
-/// About the tree's centroid, in a random direction each: the turn, the shift across the ray, the one along it.
+/// Moves the initial pose about the tree's centroid: a rotation, a lateral shift and a shift along the ray, each in a
+/// random direction.
 void startFarOff(SimulatedCase& view, CounterRandom& random)
 {
     const Eigen::Vector3d centroid = centroidInPatient(view.tree);
@@ -131,7 +132,7 @@ void startFarOff(SimulatedCase& view, CounterRandom& random)
     view.initialCameraFromPatient = {rotation, truth * centroid + shift - rotation * centroid};
 }
 
-/// Another tree at the place where the start pose has the right one.
+/// Replaces the tree by another one whose centroid lies at the same initial position.
 void replaceTree(SimulatedCase& view, std::uint64_t treeSeed)
 {
     const Eigen::Vector3d centroid = centroidInPatient(view.tree);

@@ -13,7 +13,7 @@ namespace {
 constexpr int pointCount = 2000;
 constexpr std::uint64_t phantomSeeds = 1000;
 
-/// The branches that have a curve in the target.
+/// Returns the branches that have a curve in the target.
 VesselTree visibleBranches(const VesselTree& tree, const Centerline2d& target)
 {
     VesselTree visible;

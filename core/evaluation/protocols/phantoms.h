@@ -10,13 +10,13 @@
 
 namespace angiopose::core {
 
-/// A phantom whose tree trials can share.
+/// A phantom whose tree is shared between trials.
 struct SharedPhantom {
     explicit SharedPhantom(Phantom phantom);
 
-    /// A trial on the curves sampled anew, starting from the true pose.
+    /// Makes a trial on resampled curves, starting from the true pose.
     Trial makeTrial() const;
-    /// The same on the projections of the tree's own points.
+    /// Makes a trial on the exact projections of the tree's points, starting from the true pose.
     Trial makeExactTrial() const;
 
     Phantom scene;
@@ -26,20 +26,21 @@ struct SharedPhantom {
 
 using Phantoms = std::shared_ptr<const std::vector<SharedPhantom>>;
 
-/// Trees P1, P2, … of one experiment, about 2000 points each.
+/// Makes the trees P1, P2, … of one experiment, about 2000 points each.
 Phantoms makePhantoms(std::uint64_t seed, int count);
 
-/// What trial number `trial` of a protocol draws from: the same for every condition, so that these compare.
+/// Returns the random stream of trial number `trial` of a protocol. It is the same for every condition, so conditions
+/// are comparable.
 CounterRandom trialRandom(std::uint64_t protocolNumber, std::uint64_t seed, std::uint64_t trial);
 
-/// Replaces the target by a degraded one and says what it allows.
+/// Replaces the target by a degraded one and stores the error bound it allows.
 void degradeTarget(const SharedPhantom& phantom, const CounterRandom& random, Trial& trial);
 
-/// A vector of the given length in a random direction.
+/// Returns a vector of the given length in a random direction.
 Eigen::Vector3d randomDirection(double length, CounterRandom& random);
 
-/// The first frame of a simulated view through the real tracing, the start pose as its header gives it. A view whose
-/// tracing fails keeps an empty target: every method then fails on it.
+/// Traces the first frame of a simulated view with the real tracing and takes the initial pose from its header. If
+/// tracing fails the target stays empty, so every method fails on it.
 Trial tracedTrial(const SimulatedCase& view);
 
 }   // namespace angiopose::core

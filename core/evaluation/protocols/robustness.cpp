@@ -13,7 +13,7 @@ constexpr int robustnessAnatomies = 6;
 constexpr int prunedLeaves = 5;
 
 enum class Pruning { None, Target, BothSides };
-enum class Direction { Lateral, Isotropic };   ///< of the shift
+enum class Direction { Lateral, Isotropic };   ///< direction of the shift
 
 struct RobustnessSetting {
     Condition condition;
@@ -74,7 +74,7 @@ const std::vector<RobustnessSetting>& robustnessSettings()
     return rows;
 }
 
-/// A twist of fixed norms, in the camera frame.
+/// Draws a twist with the norms of the setting, in the camera frame.
 RigidTransform disturbance(const RobustnessSetting& setting, CounterRandom random)
 {
     Vector6d twist;

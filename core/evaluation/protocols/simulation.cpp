@@ -9,17 +9,17 @@ namespace {
 
 constexpr int simulationAnatomies = 10;
 
-enum class Pivot { Centroid, Source, SourceByNorm };   ///< OBJ, CAM and CAM of fixed length (ALGORITHMS §4.2)
-/// Projections of the tree's own points, the same curves sampled anew, or what tracing would make of them.
+enum class Pivot { Centroid, Source, SourceByNorm };   ///< OBJ, CAM, and CAM with fixed norm (ALGORITHMS §4.2)
+/// Exact projections of the tree's points, the same curves resampled, or curves degraded as tracing would.
 enum class Target { Exact, Resampled, Degraded };
 
 struct SimulationSetting {
     Condition condition;
     Pivot pivot = Pivot::Centroid;
-    double rotationStdDeg = 0.0;   ///< per axis, or the whole turn
-    double translationStdMm = 0.0;   ///< per axis, or the whole shift
+    double rotationStdDeg = 0.0;   ///< per axis, or of the whole rotation
+    double translationStdMm = 0.0;   ///< per axis, or of the whole shift
     Target target = Target::Resampled;
-    double depthStdMm = 0.0;   ///< besides
+    double depthStdMm = 0.0;   ///< additional shift in depth
 };
 
 const std::vector<SimulationSetting>& simulationSettings()

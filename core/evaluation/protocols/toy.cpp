@@ -13,18 +13,18 @@ constexpr double tiltDeg = 30.0;
 constexpr double shiftMm = 1.0;
 const Eigen::Vector3d middle(7.5, 0.0, 12.5);
 
-/// As it is printed, in one plane with the source, or tilted out of that plane (variants T-A and T-B of
-/// ALGORITHMS §4.1).
+/// The square as printed, in one plane with the source, or tilted out of that plane (variants T-A and T-B of ALGORITHMS
+/// §4.1).
 enum class SquareView { Literal, Tilted };
 
 struct ToySetting {
     Condition condition;
     int segmentsPerEdge = 0;
-    double rotationDeg = 0.0;   ///< of the start pose, about the source
+    double rotationDeg = 0.0;   ///< rotation of the initial pose about the source
     SquareView view = SquareView::Tilted;
 };
 
-/// One row for each number of points.
+/// Adds one row per number of points.
 void addToySettings(const std::string& variant, const std::string& disturbance, const ToySetting& like,
                     std::vector<ToySetting>& rows)
 {
@@ -52,7 +52,7 @@ const std::vector<ToySetting>& toySettings()
     return rows;
 }
 
-/// The published square: four edges of 5 in the plane y = 0. Neighbouring edges share their corner.
+/// Makes the published square: four edges of length 5 in the plane y = 0. Neighboring edges share their corner.
 VesselTree makeSquare(int segmentsPerEdge)
 {
     const std::array<Eigen::Vector3d, 4> corners{Eigen::Vector3d(5, 0, 10), {10, 0, 10}, {10, 0, 15}, {5, 0, 15}};
@@ -84,7 +84,7 @@ Phantom makeToy(const ToySetting& setting)
     toy.camera = {520.0, 520.0, 512.0, 512.0, 1024, 1024};
     toy.trueCameraFromPatient = poseOf(setting.view);
     toy.exactTarget = projectTree(toy.tree, toy.camera, toy.trueCameraFromPatient);
-    toy.target = toy.exactTarget;   // the number of points is what the experiment varies
+    toy.target = toy.exactTarget;   // the experiment varies the number of points
     return toy;
 }
 

@@ -8,9 +8,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t fewestSettings = 4;   // fewer are a comparison, no ablation
+constexpr std::size_t fewestSettings = 4;   // minimum for an ablation; fewer settings are a comparison
 
-/// A DynaWeightPnP contestant by its three settings.
+/// The three settings of a DynaWeightPnP contestant.
 struct AblationSetting {
     std::string label;
     PriorPreset preset = PriorPreset::SeedSum;

@@ -9,11 +9,11 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double agreeing = 2.0;   ///< factor within which, up or down, a figure counts as reproduced
+constexpr double agreeing = 2.0;   ///< factor, up or down, within which a figure counts as reproduced
 constexpr std::string_view startsAsLength = "exact-cam-norm-2-5";
 constexpr std::string_view startsPerAxis = "exact-cam-2-5";
 
-/// The paper's measures of one method, PR taken to the nearest target point, mm at the depth of the centroid.
+/// The paper's measures of one method: PR to the nearest target point, in mm at the depth of the centroid.
 struct Measured {
     int grossCount = 0;
     int count = 0;
@@ -40,14 +40,14 @@ bool isNear(double measured, double published)
     return measured <= agreeing * published && agreeing * measured >= published;
 }
 
-/// Between half and twice the published failures, as far as chance lets one tell.
+/// Whether the failure rate is compatible, by its confidence interval, with half to twice the published rate.
 bool failsAsOften(const Measured& measured, double publishedShare)
 {
     const Interval interval = wilsonInterval(measured.grossCount, measured.count);
     return interval.low <= agreeing * publishedShare && agreeing * interval.high >= publishedShare;
 }
 
-/// "yes", or "no: mean, p95": which figures lie outside half to twice the published ones.
+/// Returns "yes", or "no: mean, p95" with the figures outside half to twice the published ones.
 std::string agreementCell(const Measured& measured, const PublishedErrors& published)
 {
     std::string outside;

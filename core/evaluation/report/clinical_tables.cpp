@@ -35,7 +35,7 @@ std::vector<std::string> clinicalCells(const std::string& method, const RunGroup
             fixedText(successes.mean(&RunRecord::nees), 1)};
 }
 
-/// How far the methods stand in the paper's order, by what the figures say.
+/// Counts the pairs of methods that rank, by the median, in the order published in the paper.
 std::string orderNote(const RunGroups& groups, const Condition& condition)
 {
     std::vector<std::pair<double, double>> medians;   // ours, published

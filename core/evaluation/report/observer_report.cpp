@@ -105,7 +105,7 @@ PlotSeries levelLine(const std::string& name, double y, const PlotAxis& x)
     return {name + " " + fixedText(y, 2), {{x.min, y}, {x.max, y}}, {}};
 }
 
-/// Axis that shows all values with some room.
+/// Returns an axis that shows all values with a margin.
 PlotAxis axisAround(const std::string& label, double low, double high)
 {
     const double room = std::max(0.15 * (high - low), 0.01);

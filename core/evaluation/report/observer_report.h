@@ -6,11 +6,11 @@
 
 namespace angiopose::core {
 
-/// How observers repeat themselves, how they lie to each other, and how each pair agrees; empty where no image was
+/// Makes the tables of repeatability, reproducibility and pairwise agreement of the observers; empty if no image was
 /// read twice.
 std::vector<ResultTable> observerTables(const std::vector<ObserverReading>& readings);
 
-/// Bland–Altman plots of every pair of observers and measure that has two images in common.
+/// Makes the Bland–Altman plots for each measure and each pair of observers with at least two images in common.
 std::vector<Plot> observerPlots(const std::vector<ObserverReading>& readings);
 
 }   // namespace angiopose::core

@@ -20,7 +20,7 @@ std::string plotId(const RunGroups& groups, const std::string& what, const std::
     return std::string(groups.protocol().id) + "-" + condition + "-" + what;
 }
 
-/// An error whose distribution is drawn.
+/// An error measure whose distribution is plotted.
 struct DrawnError {
     const char* id;
     const char* label;
@@ -30,7 +30,7 @@ constexpr DrawnError drawnProjectionDistance{"cumulative", "mean projection dist
 constexpr DrawnError drawnRayDistance{"cumulative-mrpd", "distance to the rays (mRPD), mm", &RunRecord::mrpdMm};
 constexpr DrawnError drawnTargetError{"cumulative-mtre", "target registration error (mTRE), mm", &RunRecord::mtreMm};
 
-/// A staircase: the share of registrations at or below each error.
+/// Returns a step function: the share of registrations at or below each error.
 PlotSeries cumulativeSeries(const std::string& method, const RunGroup& group, RunValue value)
 {
     std::vector<double> errors = group.values(value);
@@ -71,7 +71,7 @@ void addRate(const Protocol& protocol, const RunGroup& group, PlotSeries& series
     series.bands.push_back({100.0 * interval.low, 100.0 * interval.high});
 }
 
-/// Success rate in bins that hold equally many starts.
+/// Returns the success rate in bins with equal numbers of initial poses.
 PlotSeries successSeries(const Protocol& protocol, const std::string& method, const std::vector<RunGroup>& bins)
 {
     PlotSeries series{method, {}, {}};
@@ -135,7 +135,7 @@ Plot successPlot(const RunGroups& groups, const Condition& condition)
     return plot;
 }
 
-/// All bins of the capture range with one kind of target.
+/// Plots all bins of the capture range for one kind of target.
 Plot capturePlot(const RunGroups& groups, const std::string& target, const std::string& title)
 {
     Plot plot = emptySuccessPlot(groups, target, title);
@@ -152,7 +152,7 @@ Plot capturePlot(const RunGroups& groups, const std::string& target, const std::
     return plot;
 }
 
-/// Median over the runs after each report; a run that has ended keeps its last value.
+/// Returns the median over the runs after each report; a finished run keeps its last value.
 PlotSeries convergenceSeries(const std::string& method, const RunGroup& group)
 {
     std::size_t longest = 0;

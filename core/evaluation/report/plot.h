@@ -16,24 +16,24 @@ struct PlotAxis {
     bool isLogarithmic = false;   ///< base 10; min and max are above 0
 };
 
-/// One line or one set of dots of a plot; points outside the axes are cut off.
+/// One line or one set of dots in a plot; points outside the axes are clipped.
 struct PlotSeries {
     std::string name;
-    std::vector<Eigen::Vector2d> points;   ///< by x
+    std::vector<Eigen::Vector2d> points;   ///< sorted by x
     std::vector<Interval> bands;   ///< one per point, or empty
-    bool areDots = false;   ///< each point for itself instead of a line
+    bool areDots = false;   ///< separate dots instead of a line
 };
 
 /// A line plot; io draws it as SVG.
 struct Plot {
-    std::string id;   ///< file name without ending
+    std::string id;   ///< file name without extension
     std::string title;
     PlotAxis x;
     PlotAxis y;
     std::vector<PlotSeries> series;
 };
 
-/// Cumulative error, success over the start's error, and convergence, wherever the runs allow them.
+/// Makes the plots that the runs allow: cumulative error, success rate over initial error, convergence.
 std::vector<Plot> plotsOf(const RunSet& runs);
 
 }   // namespace angiopose::core

@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-// What the paper prints (DynaWeightPnP, Song and Ghaffari), labels corrected (ALGORITHMS §2, decisions 5–7 and §4).
-// NaN where it prints nothing usable.
+// Figures printed in the paper (DynaWeightPnP, Song and Ghaffari), with corrected labels (ALGORITHMS §2, decisions 5–7
+// and §4). NaN where it prints nothing usable.
 
 struct PublishedErrors {
     double grossPercent, meanMm, p75Mm, p95Mm, timeMs;

@@ -7,20 +7,20 @@
 
 namespace angiopose::core {
 
-/// A table as people read it; io writes it as Markdown and LaTeX.
+/// A table for readers; io writes it as Markdown and LaTeX.
 struct ResultTable {
     struct Row {
         std::vector<std::string> cells;   ///< one per column
-        bool isPublished = false;   ///< figures of the paper, under our own of the same method
+        bool isPublished = false;   ///< row with the paper's figures, below our own of the same method
     };
-    std::string id;   ///< file name without ending
+    std::string id;   ///< file name without extension
     std::string title;
     std::vector<std::string> columns;
     std::vector<Row> rows;
     std::vector<std::string> notes;   ///< one sentence each
 };
 
-/// Every table that the runs allow: errors by condition in the paper's layout, statistics, ablation, times.
+/// Makes every table that the runs allow: errors by condition in the paper's layout, statistics, ablation, times.
 std::vector<ResultTable> tablesOf(const RunSet& runs);
 
 }   // namespace angiopose::core

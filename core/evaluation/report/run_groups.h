@@ -10,19 +10,20 @@ namespace angiopose::core {
 
 using RunValue = double RunRecord::*;
 
-/// Mean projection distances above these are gross failures: 5 px in simulations, 5 mm in clinical images.
+/// Mean projection distance above which a registration is a gross failure: 5 px in simulations, 5 mm in clinical
+/// images.
 inline constexpr double grossFailurePx = 5.0;
 inline constexpr double grossFailureMm = 5.0;
 inline constexpr double successfulMrpdMm = 2.0;
 
-/// Runs of one method under one condition, by trial.
+/// Runs of one method under one condition, sorted by trial.
 class RunGroup {
 public:
     void add(const RunRecord& run) { runs_.push_back(&run); }
 
     int count() const { return static_cast<int>(runs_.size()); }
     const std::vector<const RunRecord*>& runs() const { return runs_; }
-    /// Values that are known; infinite ones among them.
+    /// Returns the known values, including infinite ones.
     std::vector<double> values(RunValue value) const;
     double quantile(RunValue value, double fraction) const;
     double median(RunValue value) const { return quantile(value, 0.5); }
@@ -35,15 +36,15 @@ private:
     std::vector<const RunRecord*> runs_;
 };
 
-/// A run set sorted for tables and plots; it must outlive this.
+/// Groups a run set for tables and plots; the run set must outlive this object.
 class RunGroups {
 public:
     explicit RunGroups(const RunSet& runs);
 
     const Protocol& protocol() const { return *protocol_; }
-    /// That occur, in the protocol's order; where it names none, by their ids.
+    /// Returns the conditions that occur, in the protocol's order, or sorted by id if the protocol has none.
     const std::vector<Condition>& conditions() const { return conditions_; }
-    int anatomyCount() const { return anatomyCount_; }   ///< the protocol's; where it makes no trials, that of the runs
+    int anatomyCount() const { return anatomyCount_; }   ///< the protocol's, or the runs' if it makes no trials
     const std::vector<std::string>& methods() const { return methods_; }   ///< in order of appearance
     const RunGroup& of(const Condition& condition, const std::string& method) const;
 
@@ -60,7 +61,7 @@ private:
 bool isGrossPx(const RunRecord& run);
 bool isGrossMm(const RunRecord& run);
 
-/// By the protocol's own rule.
+/// Whether a run succeeds by the protocol's criterion.
 bool isSuccess(Success rule, const RunRecord& run);
 std::string_view toText(Success rule);   ///< "mean projection distance at most 5 px", …
 

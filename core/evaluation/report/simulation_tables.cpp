@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Root mean square error over what the Cramér–Rao bound allows, of the runs that are not gross.
+/// Ratio of the root mean square error to the Cramér–Rao bound, over the runs without gross failure.
 std::string boundRatioCell(const RunGroup& group)
 {
     double squares = 0.0;
@@ -47,7 +47,7 @@ std::vector<std::string> simulationCells(const std::string& method, const RunGro
             boundRatioCell(group)};
 }
 
-/// How far off the starts are.
+/// States the mean error of the initial poses.
 std::string startNote(const RunGroups& groups, const Condition& condition)
 {
     const auto ran = std::find_if(groups.methods().begin(), groups.methods().end(),
@@ -88,7 +88,7 @@ ResultTable simulationTable(const RunGroups& groups, const Condition& condition)
     return table;
 }
 
-const std::string yardstick = "dt-icp";   // machines compare through it alone
+const std::string yardstick = "dt-icp";   // reference method for comparing times between machines
 
 std::optional<double> publishedMs(const Condition& condition, const std::string& methodId)
 {

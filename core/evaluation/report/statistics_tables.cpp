@@ -10,15 +10,15 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double sameMm = 1e-6;   // rounding errors are no difference
-constexpr int fewestAnatomies = 6;   // with fewer, even N wins of N prove nothing at 5 %
+constexpr double sameMm = 1e-6;   // smaller differences are rounding errors
+constexpr int fewestAnatomies = 6;   // with fewer, even N wins out of N are not significant at 5 %
 
 RunValue comparedValue(const Protocol& protocol)
 {
     return protocol.success == Success::RayDistanceWithin2Mm ? &RunRecord::mrpdMm : &RunRecord::meanMm;
 }
 
-/// What of a tree's trials is compared.
+/// The quantile of a tree's trials that is compared.
 struct ComparedQuantile {
     const char* name;
     double fraction;
@@ -31,7 +31,7 @@ bool comparesByAnatomy(const RunGroups& groups)
     return groups.anatomyCount() >= fewestAnatomies;
 }
 
-/// First minus second: by anatomy, where there are enough of them, otherwise by trial.
+/// Returns the differences, first minus second: by anatomy if there are enough anatomies, otherwise by trial.
 std::vector<double> differences(const RunGroups& groups, const RunGroup& ours, const RunGroup& theirs, double fraction)
 {
     const RunValue value = comparedValue(groups.protocol());

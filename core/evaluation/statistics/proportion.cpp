@@ -13,7 +13,7 @@ namespace {
 constexpr int bootstrapDraws = 2000;
 constexpr std::uint64_t bootstrapSeed = 1;
 
-/// Shares of trees drawn with replacement.
+/// Returns the shares of trees drawn with replacement.
 std::vector<double> drawnShares(const std::vector<ClusterCount>& trees)
 {
     CounterRandom random(bootstrapSeed);
@@ -42,7 +42,7 @@ Interval wilsonInterval(int successes, int count, double z)
     const double center = share + z * z / (2.0 * n);
     const double spread = z * std::sqrt(share * (1.0 - share) / n + z * z / (4.0 * n * n));
     const double scale = 1.0 + z * z / n;
-    // The limits at the ends are exact; rounding must not leave them.
+    // The limits 0 and 1 are exact; rounding must not change them.
     return {successes == 0 ? 0.0 : (center - spread) / scale, successes == count ? 1.0 : (center + spread) / scale};
 }
 

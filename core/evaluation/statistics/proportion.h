@@ -9,21 +9,21 @@ struct Interval {
     double high = 1.0;
 };
 
-/// Wilson's score interval of a share, 95 % by default (Wilson 1927); [0, 1] when nothing was counted.
+/// Returns Wilson's score interval of a share, 95 % by default (Wilson 1927); [0, 1] if nothing was counted.
 Interval wilsonInterval(int successes, int count, double z = 1.959963984540054);
 
-/// Holm's adjustment of p values for as many comparisons as there are values (Holm 1979), in their order.
+/// Returns Holm's adjustment of p values for as many comparisons as there are values (Holm 1979), in input order.
 std::vector<double> holmAdjusted(const std::vector<double>& pValues);
 
-/// What was counted in one tree.
+/// Counts within one tree.
 struct ClusterCount {
     int successes = 0;
     int count = 0;
 };
 
-/// 95 % interval of a share whose trials share trees: trees are drawn anew with all their trials (bootstrap,
-/// percentiles of 2000 draws), and it is never narrower than Wilson's, which holds where the trees do not differ. The
-/// same for the same counts.
+/// Returns the 95 % interval of a share when several trials use one tree: trees are resampled with all their trials
+/// (bootstrap, percentiles of 2000 draws). It is never narrower than Wilson's interval, which is valid if the trees do
+/// not differ. Deterministic for equal counts.
 Interval clusteredInterval(const std::vector<ClusterCount>& trees);
 
 }   // namespace angiopose::core

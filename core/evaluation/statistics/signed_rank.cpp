@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t largestExactCount = 50;
 
-/// Twice the mid-ranks by absolute size, whole numbers also where sizes are equal.
+/// Returns twice the mid-ranks by absolute value, which are integers even for ties.
 std::vector<int> doubledRanks(const std::vector<double>& differences)
 {
     std::vector<std::size_t> order(differences.size());
@@ -27,14 +27,14 @@ std::vector<int> doubledRanks(const std::vector<double>& differences)
             ++to;
         }
         for (std::size_t k = from; k < to; ++k) {
-            ranks[order[k]] = static_cast<int>(from + 1 + to);   // (from + 1) … to, their mean doubled
+            ranks[order[k]] = static_cast<int>(from + 1 + to);   // twice the mean of the ranks (from + 1) … to
         }
         from = to;
     }
     return ranks;
 }
 
-/// P(sum of the ranks that get a plus ≤ s) for every s, all sign patterns alike.
+/// Returns P(sum of positive ranks ≤ s) for every s, with all sign patterns equally likely.
 std::vector<double> exactDistribution(const std::vector<int>& ranks)
 {
     std::vector<double> share(static_cast<std::size_t>(std::accumulate(ranks.begin(), ranks.end(), 0)) + 1, 0.0);
@@ -56,9 +56,9 @@ double normalBelow(double z)
 
 /// Tail probabilities of the doubled rank sum.
 struct Tails {
-    double below = 1.0;   ///< P(this or smaller)
-    double above = 1.0;   ///< P(this or larger)
-    double z = 0.0;   ///< standard normal deviate of `below`, the sign turned
+    double below = 1.0;   ///< P(this value or smaller)
+    double above = 1.0;   ///< P(this value or larger)
+    double z = 0.0;   ///< standard normal deviate of `below`, with opposite sign
 };
 
 Tails exactTails(const std::vector<int>& ranks, int doubledSum)
@@ -71,14 +71,14 @@ Tails exactTails(const std::vector<int>& ranks, int doubledSum)
 Tails normalTails(const std::vector<int>& ranks, int doubledSum)
 {
     double mean = 0.0;
-    double variance = 0.0;   // of the sum of independent rank × {0, 1}: ties are in the ranks already
+    double variance = 0.0;   // of the sum of independent rank × {0, 1}: the ranks already account for ties
     for (const int rank : ranks) {
         mean += 0.25 * rank;
         variance += rank * rank / 16.0;
     }
     const double sum = 0.5 * doubledSum;
     const double std = std::sqrt(variance);
-    const double z = (mean - sum - 0.5) / std;   // also where its probability is too small for a number
+    const double z = (mean - sum - 0.5) / std;   // defined even if its probability underflows
     return {normalBelow(-z), normalBelow((mean - sum + 0.5) / std), z};
 }
 
@@ -103,7 +103,7 @@ SignedRankTest signedRankTest(const std::vector<double>& differences)
     test.rankSum = 0.5 * doubledSum;
     test.pLess = tails.below;
     test.pTwoSided = std::min(1.0, 2.0 * std::min(tails.below, tails.above));
-    // From 42 exact pairs on that all agree the quotient is above 1.
+    // From 42 exact pairs that all agree, the quotient exceeds 1.
     test.effectSize = std::clamp(tails.z / std::sqrt(static_cast<double>(test.count)), -1.0, 1.0);
     return test;
 }

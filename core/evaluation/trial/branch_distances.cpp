@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double targetSpacingPx = 0.5;   // nearest samples then stand for nearest curve points
+constexpr double targetSpacingPx = 0.5;   // fine enough for nearest samples to approximate nearest curve points
 
 std::vector<Eigen::Vector2d> densePoints(const Centerline2d& target)
 {

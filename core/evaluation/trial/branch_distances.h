@@ -10,8 +10,8 @@
 
 namespace angiopose::core {
 
-/// Distance in px of every projected tree point to the nearest traced point, per branch id, in the branch's order.
-/// Infinite for points at or behind the source. Empty when nothing was traced.
+/// Returns the distance in px from every projected tree point to the nearest traced point, per branch id, in the order
+/// of the branch. Infinite for points at or behind the source; empty if nothing was traced.
 std::map<int, std::vector<double>> branchDistances(const VesselTree& tree, const Centerline2d& target,
                                                    const ProjectionCamera& camera,
                                                    const RigidTransform& cameraFromPatient);

@@ -25,7 +25,8 @@ std::vector<std::string> split(const std::string& text, char separator)
     return parts;
 }
 
-/// "preset=seed_mean" for "seed_mean": the one option of the method with a choice of this name. "on" is none.
+/// Returns "preset=seed_mean" for "seed_mean": the only option of the method that has a choice of this name. "on" is
+/// not the name of a choice.
 Result<std::string> assignmentOf(const std::string& setting, const std::string& method)
 {
     std::vector<std::string> found;
@@ -45,11 +46,11 @@ std::vector<std::string> allMethods()
     std::vector<std::string> requests;
     for (const MethodInfo& info : methodInfos()) {
         if (info.id == "wire") {
-            continue;   // no trial shows a wire alone
+            continue;   // no trial shows a guidewire alone
         }
         requests.emplace_back(info.id);
         if (info.id == "dynaweight") {
-            requests.emplace_back("dynaweight:seed_noprior");   // what its prior costs stands beside it
+            requests.emplace_back("dynaweight:seed_noprior");   // shows the cost of the prior
         }
     }
     return requests;

@@ -10,7 +10,7 @@ namespace {
 
 using PixelJacobian = Eigen::Matrix<double, 2, 6>;
 
-/// d(pixel)/d(rotation, shift) of a point turned about `centre` and shifted, camera axes.
+/// d(pixel)/d(rotation, shift) of a point rotated about `center` and shifted, in camera axes.
 PixelJacobian pixelJacobian(const ProjectionCamera& camera, const Eigen::Vector3d& pointInCamera,
                             const Eigen::Vector3d& center)
 {
@@ -19,7 +19,7 @@ PixelJacobian pixelJacobian(const ProjectionCamera& camera, const Eigen::Vector3
     return projectionJacobian(camera, pointInCamera) * motion;
 }
 
-/// Variance that the mean over many points has, times their number: noise that neighbours share averages out slowly.
+/// Variance of the mean over many points, times their number. Noise correlated between neighbors averages out slowly.
 double effectiveVariancePx2(const TracingNoise& noise)
 {
     const double kept = noise.correlationPoints > 0.0 ? std::exp(-1.0 / noise.correlationPoints) : 0.0;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double grossPx = 5.0;
 
-/// Of the tree that was found; where it is not known how bent vessels lay, of the rigid one.
+/// Points of the tree that was found if the true deformation is known; otherwise of the rigid tree.
 PlacedPoints treePoints(const Truth& truth, const VesselTree& found, const PosePair& poses)
 {
     return truth.deformedTree ? placed(found, *truth.deformedTree, poses) : placed(truth.tree, poses);

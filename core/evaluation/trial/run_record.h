@@ -16,23 +16,23 @@ namespace angiopose::core {
 
 inline constexpr double unknownMeasure = std::numeric_limits<double>::quiet_NaN();
 
-/// How one method did in one trial. Without a result the errors are those of the start pose.
-/// Lengths in px are in the image, in mm at the depth of the tree's centroid; errors as in evaluation/projection_error.
+/// Performance of one method in one trial. Without a result the errors are those of the initial pose. Lengths in px are
+/// in the image, lengths in mm at the depth of the tree's centroid; errors as in evaluation/projection_error.
 struct RunRecord {
     std::string condition;   ///< Condition::id
     std::string method;   ///< Contestant::label
     std::uint64_t trial = 0;
     int anatomy = 0;
 
-    // Before
+    // Errors of the initial pose
     double startMeanPx = unknownMeasure;
     double startMtreMm = unknownMeasure;
     double startAngleDeg = unknownMeasure;
-    // What the method says
+    // Output of the method
     double hasResult = 0.0;   ///< 1 or 0
     double trustworthy = 0.0;   ///< 1 or 0
     double iterations = 0.0;
-    double closestMedianPx = unknownMeasure;   ///< the seed's "TRE": tree points to the nearest target point
+    double closestMedianPx = unknownMeasure;   ///< the seed's "TRE": distance of tree points to nearest target point
     double closestMeanPx = unknownMeasure;   ///< the seed's "PR", as its figures show
     double reverseMeanPx = unknownMeasure;   ///< target points to the nearest tree point
     double coverage = unknownMeasure;

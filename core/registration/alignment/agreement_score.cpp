@@ -9,19 +9,20 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double toleranceScalePx = 2.0;   // ALGORITHMS §6.8: hypotheses are compared at this scale
+constexpr double toleranceScalePx = 2.0;   // scale at which hypotheses are compared (ALGORITHMS §6.8)
 constexpr std::size_t pointStride = 2;
 constexpr std::size_t maxPoints = 4000;
 constexpr int agreementCellPx = 3;
 
-// Of a tree that is filled in parts.
+// Agreement of a partly opacified tree.
 constexpr double filledAgreement =
-    0.35;   // pieces that agree less look empty: by chance it is 0.1, on vessels 0.6 to 1
-constexpr double changeCostMm = 6.0;   // as much vessel must speak for another state than the neighbours'
+    0.35;   // pieces that agree less count as unopacified: chance gives 0.1, vessels give 0.6 to 1
+constexpr double changeCostMm =
+    6.0;   // length of vessel evidence needed before a piece differs in state from its neighbors
 constexpr double minTerritoryMm = 15.0;
 constexpr double costOfTerritory = 0.02;
 
-/// Of the points that lie along traced vessels.
+/// Share of the tree points that lie along traced vessels.
 double shareOn(const Alignment& alignment, const CentroidPose& pose)
 {
     const double missing = alignment.loss(pose, toleranceScalePx) / (2.0 * toleranceScalePx * toleranceScalePx);
@@ -101,7 +102,7 @@ FilledAgreement AgreementScore::ofFilled(const CentroidPose& pose)
     const int territories = filling.emptyTerritories(found.isOpacified, minTerritoryMm);
     double treeShare = agreeing / std::max(1.0, asked);
     if (chosen_) {
-        treeShare = std::min(treeShare, shareOn(*chosen_, pose));   // the user knows that these are filled
+        treeShare = std::min(treeShare, shareOn(*chosen_, pose));   // the user has marked these branches as opacified
     }
     found.agreement = harmonicMean(treeShare, coveredTargetShare()) / (1.0 + costOfTerritory * territories);
     return found;

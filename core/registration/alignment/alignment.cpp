@@ -8,7 +8,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double agreeingGate = 0.5;   // within 33°
-constexpr double cutOff = 4.0;   // beyond 4 ℓ a Welsch weight is below 4e-4: nothing
+constexpr double cutOff = 4.0;   // beyond 4 ℓ the Welsch weight is below 4e-4 and is ignored
 
 bool isInImage(const ProjectionCamera& camera, const Eigen::Vector2d& pixel)
 {
@@ -16,7 +16,7 @@ bool isInImage(const ProjectionCamera& camera, const Eigen::Vector2d& pixel)
            pixel.y() <= camera.height - 0.5;
 }
 
-/// Adds w r² to the model; only the lower triangle of its Hessian.
+/// Adds w r² to the model; fills only the lower triangle of its Hessian.
 inline void addRow(double weight, double residual, const Vector6d& J, NormalEquations& sum)
 {
     const Vector6d weighted = weight * J;
@@ -30,14 +30,14 @@ inline void addRow(double weight, double residual, const Vector6d& J, NormalEqua
 
 }   // namespace
 
-/// The line that a tree point is compared with.
+/// Target line matched to a tree point.
 struct Alignment::Match {
     const TargetLines::Line* line = nullptr;
-    double du, dv;   ///< from the line's place to the point
-    double normalX, normalY;   ///< of the line
-    double residual;   ///< along the normal
+    double du, dv;   ///< offset from the line point to the tree point
+    double normalX, normalY;   ///< normal of the line
+    double residual;   ///< distance along the normal
     double squaredDistance;
-    double gate;   ///< cos⁴ between the directions
+    double gate;   ///< cos⁴ of the angle between the directions
 
     bool find(const TargetLines& target, const SeenPoint& seen, double limitPx)
     {
@@ -51,7 +51,7 @@ struct Alignment::Match {
     void compare(const SeenPoint& seen)
     {
         const double cosine = seen.su * line->tx + seen.sv * line->ty;
-        // The normal points to the same side of the branch however the curve was traced.
+        // The normal points to the same side of the branch whichever way the curve was traced.
         const double side = cosine < 0.0 ? -1.0 : 1.0;
         normalX = -side * line->ty;
         normalY = side * line->tx;
@@ -107,7 +107,7 @@ Agreement Alignment::look(const CentroidPose& pose, double scalePx) const
     return agreement;
 }
 
-/// Sums up what the points say, each by what `matched` finds for it.
+/// Accumulates the residuals of all points, using the match that `matched` returns for each.
 template <class Matched>
 inline void Alignment::addForward(double scalePx, const Matched& matched, Agreement& agreement) const
 {

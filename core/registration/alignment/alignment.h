@@ -8,19 +8,19 @@
 
 namespace angiopose::core {
 
-/// What a look at one pose gives.
+/// Result of evaluating one pose.
 struct Agreement {
-    NormalEquations equations;   ///< of Σ w r² for steps about the pose, weights frozen
-    double loss = 0.0;   ///< Σ 2ℓ² v (1 − w); a point that leaves or turns across costs the maximum
+    NormalEquations equations;   ///< normal equations of Σ w r² for steps about the pose, weights frozen
+    double loss = 0.0;   ///< Σ 2ℓ² v (1 − w); a point outside the image or with a crossing direction costs the maximum
     std::vector<double> branchWeight;   ///< mean weight of each branch's points, 0…1
 };
 
-/// One point's share of the equations; weight 0 where nothing is near.
+/// Contribution of one point to the normal equations; weight 0 where no line is near.
 struct ResidualRow {
     Eigen::Vector3d fromCentroid = Eigen::Vector3d::Zero();   ///< mm, camera axes
-    Vector6d gradient = Vector6d::Zero();   ///< for steps (rad, mm)
-    Eigen::Vector3d cameraGradient = Eigen::Vector3d::Zero();   ///< for an error of the camera, see CameraError
-    double residual = 0.0;   ///< px across the vessel, to the same side all along a branch
+    Vector6d gradient = Vector6d::Zero();   ///< with respect to the step (rad, mm)
+    Eigen::Vector3d cameraGradient = Eigen::Vector3d::Zero();   ///< with respect to the camera error, see CameraError
+    double residual = 0.0;   ///< px across the vessel, signed consistently along a branch
     double weight = 0.0;
     int branchIndex = 0;
 };
@@ -33,37 +33,37 @@ public:
 
     Agreement look(const CentroidPose& pose, double scalePx) const;
 
-    /// The same into an agreement that is reused: nothing is allocated after the first time.
+    /// Overload that reuses an agreement; allocates nothing after the first call.
     void look(const CentroidPose& pose, double scalePx, Agreement& agreement) const;
 
-    /// Likewise, and the other way round besides (ALGORITHMS §6.6 b): every line of the target is drawn to the branch
-    /// that runs nearest beside it, so that all of the image counts, not only what is nearest to some tree point.
+    /// Same, but also matches in the other direction (ALGORITHMS §6.6 b): every target line attracts the branch closest
+    /// to it, which makes the whole image count and not only the parts nearest to some tree point.
     void searchBothDirections(const CentroidPose& pose, double scalePx, Agreement& agreement);
 
-    /// The loss alone.
+    /// Loss without the equations.
     double loss(const CentroidPose& pose, double scalePx) const;
 
-    /// What `look` sums up, point by point.
+    /// Collects the terms of the normal equations point by point.
     void collectRows(const CentroidPose& pose, double scalePx, std::vector<ResidualRow>& rows) const;
 
-    /// The branches' mean weights become their visibility (§6.7).
+    /// Sets the visibility of the branches to their mean weights (§6.7).
     void setVisibility(const Agreement& agreement) { visibility_ = agreement.branchWeight; }
     void resetVisibility() { std::fill(visibility_.begin(), visibility_.end(), 1.0); }
 
-    /// How well each point agrees with the target at a scale, 0…1, whatever its branch's visibility; NaN outside the
-    /// image.
+    /// Agreement of each point with the target at the given scale, 0…1, independent of the visibility of its branch;
+    /// NaN outside the image.
     void collectAgreement(const CentroidPose& pose, double scalePx, std::vector<double>& agreement) const;
 
-    /// Residual across the line (px) of every point; NaN where no line is within `limitPx` in a like direction.
+    /// Residual across the line (px) of every point; NaN where no line with a similar direction is within `limitPx`.
     void collectResiduals(const CentroidPose& pose, double limitPx, std::vector<double>& residuals) const;
 
     /// Median distance to the nearest line point, px; infinite when most points do not project.
     double medianDistancePx(const CentroidPose& pose, std::vector<double>& scratch) const;
 
     std::size_t size() const { return points_.size(); }
-    double spreadMm() const { return spreadMm_; }   ///< rms distance of the points from the centroid
+    double spreadMm() const { return spreadMm_; }   ///< RMS distance of the points from the centroid
 
-    /// What a refinement writes to, made once: its steps allocate nothing.
+    /// Buffers of a refinement, allocated once; its steps allocate nothing.
     struct Buffers {
         LookPair<Agreement> looks;
         std::vector<double> residuals;
@@ -89,10 +89,10 @@ private:
     Buffers buffers_;
 };
 
-/// The last scale of a refinement is this many standard deviations of the residuals (ALGORITHMS §6.5).
+/// Final scale of a refinement in standard deviations of the residuals (ALGORITHMS §6.5).
 inline constexpr double scalePerNoise = 1.5;
 
-/// Variance of the residuals that a scale stands for: what the prior is weighed with.
+/// Variance of the residuals that corresponds to a scale; weights the prior.
 inline double noiseVariance(double scalePx)
 {
     return scalePx * scalePx / (scalePerNoise * scalePerNoise);

@@ -9,9 +9,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t minPiecePoints = 3;   // a cut nearer to the branch's end is at the end
+constexpr std::size_t minPiecePoints = 3;   // a cut closer to the end of the branch is moved to the end
 
-/// Points by cubes as wide as the reach.
+/// Spatial hash of points into cubes as wide as the search radius.
 class PointCubes {
 public:
     PointCubes(const std::vector<Eigen::Vector3d>& points, double reach) : points_(points), reach_(reach)
@@ -21,7 +21,7 @@ public:
         }
     }
 
-    /// Calls `visit(number)` for all points within the reach.
+    /// Calls `visit(number)` for all points within the search radius.
     template <class Visit>
     void visitNear(const Eigen::Vector3d& place, const Visit& visit) const
     {
@@ -61,13 +61,13 @@ struct Span {
 /// Branches of a tree, or curves of an image.
 struct Curves {
     const std::vector<Eigen::Vector3d>& points;
-    const std::vector<int>& index;   ///< of the curve of each point
+    const std::vector<int>& index;   ///< curve index of each point
     double touching;
 };
 
-/// A junction where a branch passes or ends.
+/// Junction where a branch passes or ends.
 struct Cut {
-    std::size_t at;   ///< tree point
+    std::size_t at;   ///< index of the tree point
     int junction;
 };
 
@@ -83,7 +83,7 @@ std::vector<Span> spansOf(const Curves& curves)
     return spans;
 }
 
-/// Of each branch near a place, its nearest point.
+/// Nearest point of each branch that passes near a place.
 std::vector<std::size_t> passingPoints(const Curves& curves, const PointCubes& cubes, const Eigen::Vector3d& place)
 {
     std::map<int, std::pair<double, std::size_t>> nearest;
@@ -186,7 +186,7 @@ private:
 
     Curves curves_;
     std::vector<Span> spans_;
-    std::vector<Eigen::Vector3d> places_;   ///< of the junctions
+    std::vector<Eigen::Vector3d> places_;   ///< positions of the junctions
     std::vector<Cut> cuts_;   ///< ascending along the tree's points
     std::vector<int> leader_;
     BranchPieces result_;

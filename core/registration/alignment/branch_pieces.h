@@ -7,21 +7,21 @@
 
 namespace angiopose::core {
 
-/// A stretch of one branch between two places where the tree parts.
+/// Section of one branch between two bifurcations.
 struct BranchPiece {
-    int branchIndex = 0;   ///< into TreeSamples::branchIds, or the number of the curve
+    int branchIndex = 0;   ///< index into TreeSamples::branchIds, or index of the curve
     std::size_t from = 0;   ///< first point
     std::size_t to = 0;   ///< one past the last
 };
 
-/// A piece that begins or ends at a place where vessels meet.
+/// Piece that begins or ends at a junction.
 struct PieceAtJunction {
     int piece = 0;
     int junction = 0;
 };
 
-/// The tree cut wherever a branch leaves another: pieces in the order of the tree's points, and what meets where.
-/// Without cycles: where vessels run in a ring, one of its joints is left out.
+/// Tree cut at every bifurcation: the pieces in the order of the tree's points, and which of them meet at which
+/// junction. The result is free of cycles: where vessels form a ring, one junction is left out.
 struct BranchPieces {
     std::vector<BranchPiece> pieces;
     std::vector<PieceAtJunction> joints;
@@ -32,7 +32,7 @@ struct BranchPieces {
 inline constexpr double branchesTouchMm = 2.5;
 BranchPieces branchPieces(const TreeSamples& tree);
 
-/// The same of any curves, one after the other, `curveIndex` ascending; in the unit of their points.
+/// Overload for arbitrary concatenated curves with ascending `curveIndex`; lengths are in the unit of the points.
 BranchPieces branchPieces(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& curveIndex,
                           double touching);
 

@@ -8,31 +8,32 @@
 
 namespace angiopose::core {
 
-/// What errors of the cameras do to a pose that is found as if the cameras were right, and what the images say about
+/// Effect of camera errors on a pose that was registered assuming exact cameras, and the evidence of the images for
 /// such errors (ALGORITHMS §6.18).
 class CameraInfluence {
 public:
-    /// `equations`: of the images and the priors of the pose, in units of information. Their parameters are those of
-    /// the pose, then three of each camera (see CameraError), which err by `spreads`. `free`: steps that the pose may
-    /// take, one column each.
+    /// `equations` are those of the images and the pose priors, in units of information. Their parameters are those of
+    /// the pose, followed by three per camera (see CameraError) with standard deviations `spreads`. `free` holds the
+    /// allowed pose steps, one per column.
     CameraInfluence(const StackedEquations& equations, const Eigen::MatrixXd& free,
                     std::span<const CameraSpread> spreads);
 
-    /// What the cameras' errors add to the covariance of the first six parameters: the spread that the images leave of
-    /// them, and the error that they show, which the pose does not take out.
+    /// Contribution of the camera errors to the covariance of the first six parameters: the spread that the images
+    /// leave undetermined, plus the detected error that the pose does not compensate.
     Matrix6d covarianceOfPose() const;
 
-    /// What all images say about one camera.
+    /// Evidence of all images about one camera.
     CameraEvidence evidence(std::size_t camera) const;
 
 private:
-    Eigen::MatrixXd shift_;   ///< of the pose's parameters for an error of 1 of each parameter of the cameras
-    Eigen::VectorXd error_;   ///< most likely
-    Eigen::MatrixXd left_;   ///< its covariance
+    Eigen::MatrixXd shift_;   ///< change of the pose parameters per unit of each camera parameter
+    Eigen::VectorXd error_;   ///< most likely camera errors
+    Eigen::MatrixXd left_;   ///< covariance of the camera errors
     double gain_ = 0.0;
 };
 
-/// A camera that images contradict: by how much, in words. Nothing where they do not, or say too little.
+/// Messages that describe by how much the images contradict a camera; empty where they do not or where the evidence is
+/// too weak.
 Messages contradictionsOf(const CameraEvidence& evidence, const ProjectionCamera& camera, std::size_t cameras = 1);
 
 }   // namespace angiopose::core

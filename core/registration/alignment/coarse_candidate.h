@@ -11,13 +11,13 @@ struct CoarseCandidate {
     double score = 0.0;   ///< mean closeness of the tree to the target, 0…1
 };
 
-/// How near two poses must be to lead to the same optimum.
+/// Largest difference between two poses that lead to the same optimum.
 struct Basin {
     double shiftMm;
     double turn;   ///< rad
 };
 
-/// The best candidate of each basin, best first: the leading twelve, as far as they score nearly as well as the first.
+/// Best candidate of each basin, best first: at most twelve, limited to those that score nearly as well as the first.
 std::vector<CoarseCandidate> distinct(std::vector<CoarseCandidate> candidates, const Basin& basin);
 
 }   // namespace angiopose::core

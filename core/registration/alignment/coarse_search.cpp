@@ -16,14 +16,14 @@ constexpr int blockPx = 16;   // step of the shifts
 constexpr int phasePx = 4;   // resolution of the closeness image
 constexpr int phases = blockPx / phasePx;
 constexpr std::size_t keptPerOrientation = 3;
-[[maybe_unused]] constexpr std::size_t maxPoints = 257;   // sums of bytes must fit 16 bits
+[[maybe_unused]] constexpr std::size_t maxPoints = 257;   // sums of bytes must fit in 16 bits
 constexpr double basinPx = 24.0;
-constexpr double basinSteps = 0.75;   // of the turns
-constexpr double beyondHalfImage = 0.6;   // of the image's side; farther starts are recentred first
+constexpr double basinSteps = 0.75;   // in steps of the rotation
+constexpr double beyondHalfImage = 0.6;   // fraction of the image side; starts farther out are recentered first
 
 }   // namespace
 
-/// Scores of all shifts of one orientation: shift (c − halfColumns, r − halfRows) blocks.
+/// Scores of all shifts of one orientation; entry (c, r) is a shift by (c − halfColumns, r − halfRows) blocks.
 struct CoarseSearch::Shifts {
     int halfColumns;
     int halfRows;
@@ -69,7 +69,7 @@ void CoarseSearch::addPoint(double u, double v, Shifts& shifts) const
 {
     const int column = static_cast<int>(std::lround(u / phasePx)) + (margin_ - shifts.halfColumns) * phases;
     const int row = static_cast<int>(std::lround(v / phasePx)) + (margin_ - shifts.halfRows) * phases;
-    // Floor division: points may lie far to the left of the image.
+    // Floor modulo: points may lie far to the left of the image.
     const int phaseColumn = ((column % phases) + phases) % phases;
     const int phaseRow = ((row % phases) + phases) % phases;
     const int firstColumn = (column - phaseColumn) / phases;

@@ -10,7 +10,7 @@
 
 namespace angiopose::core {
 
-/// How far around the start pose the search reaches, and how finely it turns.
+/// Search range around the initial pose and angular step of the search.
 struct SearchReach {
     double radiusMm = 60.0;
     double tiltDeg = 10.0;   ///< of the tilt's axis-angle length
@@ -19,15 +19,16 @@ struct SearchReach {
     PoseFreedom freedom{};   ///< locked degrees of freedom are not searched
 };
 
-/// Exhaustive search over tilts, rolls and 2-D shifts (ALGORITHMS §6.8): a closeness image of the target, split so that
-/// all shifts of one point are neighbours in memory, is summed over few tree points.
+/// Exhaustive search over tilts, rolls and 2-D shifts (ALGORITHMS §6.8): sums a closeness image of the target over a
+/// few tree points. The image is rearranged to store all shifts of one point contiguously.
 class CoarseSearch {
 public:
-    /// `closenessPx`: distance at which a tree point still counts 0.6; wider for coarser turns (ALGORITHMS §6.8: 11).
+    /// `closenessPx` is the distance at which a tree point still counts 0.6; use a wider one for coarser rotation steps
+    /// (ALGORITHMS §6.8: 11).
     CoarseSearch(const ProjectionCamera& camera, const TargetLines& target, double closenessPx = 11.0);
 
-    /// Best candidates, different from each other by more than a basin, best first. `proceed` is told the share done
-    /// after each tilt; Stop ends the search with what it has.
+    /// Returns the best candidates, best first, each in its own basin. `proceed` receives the completed share after
+    /// each tilt; Stop ends the search with the candidates found so far.
     std::vector<CoarseCandidate> find(std::span<const AlignmentPoint> points, const CentroidPose& start,
                                       const SearchReach& reach, const std::function<Verdict(double)>& proceed) const;
 
@@ -39,10 +40,11 @@ private:
     void scoreOrientation(std::span<const AlignmentPoint> points, const CentroidPose& pose, Shifts& shifts) const;
 
     ProjectionCamera camera_;
-    int margin_ = 0;   ///< blocks around the image
+    int margin_ = 0;   ///< blocks added around the image
     int blockColumns_ = 0;
     int blockRows_ = 0;
-    /// Closeness 0…255 at pixel (16 (bc − margin) + 4 pc, …), phase by phase, each a small row-major image of blocks.
+    /// Closeness 0…255 at pixel (16 (bc − margin) + 4 pc, …), stored phase by phase as small row-major images of
+    /// blocks.
     std::vector<std::uint8_t> closeness_;
 };
 

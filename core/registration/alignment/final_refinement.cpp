@@ -9,7 +9,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t fewPoints = 400;
-constexpr double spacedPx = 3.0;   // tracing noise is shared over about 5 px: points between say the same
+constexpr double spacedPx = 3.0;   // tracing noise is correlated over about 5 px: closer points are redundant
 constexpr RefinementSchedule fewSchedule{2.5, 1.0, 0.7, 2, 4, 20};
 
 }   // namespace

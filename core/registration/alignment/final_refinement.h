@@ -6,8 +6,9 @@
 
 namespace angiopose::core {
 
-/// From a roughly refined pose to the answer: few points until the noise shows, then points as far apart as the noise
-/// is shared, at last tolerance of the tree's shape errors with all that can tell more (ALGORITHMS §6.5, §6.14).
+/// Refines a roughly refined pose to the final result: first few points until the noise level is known, then points
+/// spaced at the correlation length of the noise, finally all informative points with tolerance for shape errors of the
+/// tree (ALGORITHMS §6.5, §6.14).
 class FinalRefinement {
 public:
     FinalRefinement(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior,
@@ -21,7 +22,8 @@ private:
     const RegistrationOptions& options_;
     const TargetLines& target_;
     Alignment few_;
-    std::optional<Alignment> spaced_;   ///< made when first needed, as the next: their spacing follows from the depth
+    std::optional<Alignment>
+        spaced_;   ///< this and the next are created on first use: their spacing depends on the depth
     std::optional<Alignment> all_;
 };
 

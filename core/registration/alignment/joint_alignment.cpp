@@ -11,7 +11,7 @@ CentroidPose poseInView(const JointPose& joint, std::span<const PlacedCamera> ge
 
 namespace {
 
-/// Of a view's step for a step of the first pose.
+/// Jacobian of the step of a view with respect to a step of the first pose.
 Matrix6d inViewPerFirst(const JointPose& joint, std::span<const PlacedCamera> geometry, std::size_t view)
 {
     const Eigen::Matrix3d& turn = geometry[view].cameraFromFirst.rotation;

@@ -17,7 +17,7 @@ constexpr double jointShrink = 0.7;
 constexpr int jointStepsPerScale = 2;
 constexpr int jointLastSteps = 20;
 constexpr double settledJointMm = 1e-3;
-constexpr double implausibleSigmas = 4.0;   // of a correction, in any direction
+constexpr double implausibleSigmas = 4.0;   // limit of a correction in any direction
 
 double mmPerPx(const RegistrationProblem& problem)
 {
@@ -25,13 +25,13 @@ double mmPerPx(const RegistrationProblem& problem)
     return millimetersPerPixel(problem.camera, depthMm);
 }
 
-/// What all images tell at one pose.
+/// Evaluation of all images at one pose.
 struct JointLook {
     double loss = 0.0;
     StackedEquations equations;
 };
 
-/// All images at one scale, the prior of the first pose and those of the corrections.
+/// All images at one scale, with the priors of the first pose and of the corrections.
 class JointAtScale {
 public:
     using Place = JointPose;
@@ -108,7 +108,7 @@ void JointAtScale::addPriors(const JointPose& joint, JointLook& look) const
     }
 }
 
-/// Scales from the widest to the last.
+/// Scales from the widest to the final one.
 std::vector<double> jointScalesPx()
 {
     std::vector<double> scalesPx{jointStartScalePx};
@@ -194,7 +194,8 @@ double JointSolve::scoreOf(const JointPose& joint) const
     return sum;
 }
 
-/// Of the poses and the cameras, in units of information, with the priors of the corrections and without the start's.
+/// Equations of the poses and the cameras in units of information, with the priors of the corrections and without the
+/// prior of the initial pose.
 StackedEquations JointSolve::equations(const JointPose& joint) const
 {
     std::vector<CameraEquations> perView;

@@ -9,7 +9,7 @@
 
 namespace angiopose::core {
 
-/// One view as the joint solve needs it.
+/// Input of the joint solve for one view.
 struct JointView {
     explicit JointView(RegistrationProblem given);
 
@@ -19,31 +19,33 @@ struct JointView {
     AgreementScore score;
 };
 
-/// Told the pose so far, the scale in px and the share done, 0…1; Stop ends the refinement with what it has.
+/// Receives the current pose, the scale in px and the completed share, 0…1; Stop ends the refinement with the current
+/// result.
 using JointObserver = std::function<Verdict(const JointPose& joint, double scalePx, double progress)>;
 
-/// What all images tell at a joint pose.
+/// Information of all images at a joint pose.
 struct JointKnowledge {
-    Matrix6d information;   ///< about the first pose, where the cameras are right
-    Matrix6d covarianceByCameras;   ///< of the first pose
-    std::vector<CameraEvidence> cameras;   ///< one per view; empty: all cameras count as exact
+    Matrix6d information;   ///< about the first pose, assuming exact cameras
+    Matrix6d covarianceByCameras;   ///< covariance of the first pose caused by camera errors
+    std::vector<CameraEvidence> cameras;   ///< one per view; empty if all cameras count as exact
 };
 
-/// Registers one tree to all views at once, from poses found in single views (ALGORITHMS §6.12).
+/// Registers one tree to all views at once, starting from poses found in single views (ALGORITHMS §6.12).
 class JointSolve {
 public:
     using Views = std::vector<std::unique_ptr<JointView>>;
 
-    /// Geometry between the views from their start poses, off by `correctionStd` of each (rad, mm) at 1-σ.
+    /// Takes the geometry between the views from their initial poses; its 1-σ error is `correctionStd` per view (rad,
+    /// mm).
     JointSolve(const Views& views, const StartPrior& prior, std::vector<Vector6d> correctionStd);
 
-    /// Pose in the first view that a pose found in view `view` means.
+    /// Converts a pose found in view `view` to the first view.
     CentroidPose inFirst(const RigidTransform& pose, std::size_t view) const;
 
-    /// The start of a view, turned as a pose in the first view and the geometry say.
+    /// Initial pose of a view, rotated to match a pose in the first view and the geometry.
     RigidTransform turnedLike(const RigidTransform& poseInFirst, std::size_t view) const;
 
-    /// Every view at a pose of its own, whatever that asks of the geometry between them.
+    /// Joint pose that places every view at its own pose, whatever corrections of the geometry this requires.
     JointPose ofEach(std::span<const RigidTransform> poses) const;
 
     JointPose refine(const JointPose& start, const JointObserver& observe);
@@ -53,14 +55,14 @@ public:
 
     CentroidPose inView(const JointPose& joint, std::size_t view) const { return poseInView(joint, geometry_, view); }
 
-    /// Of all images about the first pose, the corrections of the geometry being unknown within their spread, and of
-    /// the cameras.
+    /// Information of all images about the first pose and the cameras, with the corrections of the geometry unknown
+    /// within their standard deviations.
     JointKnowledge knowledge(const JointPose& joint) const;
 
-    /// Sum over all corrections, in squares of their σ.
+    /// Sum of squares of all corrections in units of their σ.
     double contradiction(const JointPose& joint) const;
 
-    /// The correction of every view in no direction farther than 4 σ.
+    /// Whether the correction of every view stays within 4 σ in all directions.
     bool isPlausible(const JointPose& joint) const;
     bool isPlausible(const JointPose& joint, std::size_t view) const;
 
@@ -72,11 +74,11 @@ private:
     const Views& views_;
     std::vector<PlacedCamera> geometry_;
     StartPrior prior_;
-    std::vector<Vector6d> correctionStd_;   ///< of each view
+    std::vector<Vector6d> correctionStd_;   ///< one per view
 };
 
-/// What a step of all parameters moves, mm: the tree in the first view, or what a correction adds in another,
-/// whichever is farther.
+/// Displacement caused by a step of all parameters, mm: the larger of the motion of the tree in the first view and the
+/// additional motion by a correction in another.
 double jointStepLengthMm(const Eigen::VectorXd& step, double spreadMm);
 
 }   // namespace angiopose::core

@@ -18,23 +18,23 @@ namespace {
 constexpr JunctionScale inTree{2.5, 12.0};   // mm
 constexpr JunctionScale inImage{5.0, 20.0};   // px
 constexpr double shortestBasePx = 50.0;
-constexpr double largestZoom = 1.25;   // a start 160 mm off along the ray
+constexpr double largestZoom = 1.25;   // initial pose off by 160 mm along the ray
 constexpr int sectors = 64;
-constexpr int spreadSectors = 6;   // directions within 34° are alike
-constexpr int minLikeWays = 2;   // of the three at a bifurcation
-constexpr double endOn = 0.3;   // ways nearly along the ray say nothing in the image
+constexpr int spreadSectors = 6;   // directions within 34° count as alike
+constexpr int minLikeWays = 2;   // of the three branches at a bifurcation
+constexpr double endOn = 0.3;   // directions nearly along the ray carry no information in the image
 constexpr int junctionCellPx = 8;
 constexpr double meetingPx = 12.0;
-constexpr std::size_t maxBaseTrials = 60'000'000;   // bases compared and nodes looked up: well below a second
-constexpr std::size_t maxJunctions = 200;   // between which bases are laid
+constexpr std::size_t maxBaseTrials = 60'000'000;   // compared bases plus looked-up nodes: well below a second
+constexpr std::size_t maxJunctions = 200;   // number of junctions between which bases are formed
 constexpr std::size_t fitsPerTilt = 6;
 constexpr std::size_t usedJunctionPoints = 90;
 constexpr double closenessPx = 11.0;
 constexpr double tiltStepDeg = 10.0;
-constexpr double minRollDeg = 5.0;   // junctions lie beside their vessels by some px: no fit is exactly upright
+constexpr double minRollDeg = 5.0;   // junctions are off their vessels by a few px: no fit is exactly upright
 constexpr Basin basin{10.0, 5.0 * radiansPerDegree};
 
-/// Near the golden section of the count, so that any first part of the walk is spread evenly.
+/// Stride near the golden section of the count, which spreads any initial part of the sequence evenly.
 std::size_t strideCoprimeTo(std::size_t count)
 {
     auto step = static_cast<std::size_t>(0.618 * static_cast<double>(count)) + 1;
@@ -49,7 +49,7 @@ double sectorsOf(const Eigen::Vector2d& direction)
     return std::atan2(direction.y(), direction.x()) * sectors / (2.0 * std::numbers::pi);
 }
 
-/// Turns the optical axis onto the ray through a place: what the camera sees there is what it sees in its middle.
+/// Rotates the optical axis onto the ray through a place and thereby moves the view at this place to the image center.
 Eigen::Matrix3d towards(const Eigen::Vector3d& inCamera)
 {
     return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), inCamera).toRotationMatrix();
@@ -60,7 +60,7 @@ Eigen::Vector2d turned(const Eigen::Vector2d& point, const Eigen::Vector2d& turn
     return {turn.x() * point.x() - turn.y() * point.y(), turn.y() * point.x() + turn.x() * point.y()};
 }
 
-/// Rotation vectors about the camera's x and y, evenly spread over the reach, 0 among them.
+/// Rotation vectors about the camera's x and y axes, evenly spread over the search range and including 0.
 std::vector<Eigen::Vector3d> tiltsWithin(const SearchReach& reach)
 {
     const int half = static_cast<int>(reach.tiltDeg / tiltStepDeg);
@@ -186,7 +186,7 @@ int JunctionSearch::meetings(const std::vector<Place>& nodes, const Fit& fit) co
     return count;
 }
 
-/// Lays the base between two nodes on every one of like length between junctions; tells what that cost.
+/// Aligns the base between two nodes with every base of similar length between junctions; returns the cost spent.
 std::size_t JunctionSearch::tryBase(const Base& base, const std::vector<Place>& nodes, double longestRoll,
                                     std::vector<Fit>& fits) const
 {
@@ -225,7 +225,7 @@ std::size_t JunctionSearch::tryBase(const Base& base, const std::vector<Place>& 
     return cost;
 }
 
-/// Every base once, far ones of the list in turn, until the budget is spent.
+/// Visits every base once, jumping through the list, until the budget is spent.
 std::vector<JunctionSearch::Fit> JunctionSearch::fitsOf(const std::vector<Place>& nodes, double longestRoll,
                                                         std::size_t budget) const
 {
@@ -259,7 +259,7 @@ double JunctionSearch::closeness(const CentroidPose& pose) const
     return sum / static_cast<double>(points_.size());
 }
 
-/// The pose that a fit of the tree seen in direction `view` means.
+/// Pose corresponding to a fit of the tree seen in direction `view`.
 CentroidPose JunctionSearch::poseOf(const Fit& fit, const Eigen::Matrix3d& view, double depthMm) const
 {
     CentroidPose pose;

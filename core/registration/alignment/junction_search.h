@@ -7,41 +7,42 @@
 
 namespace angiopose::core {
 
-/// Start poses from bifurcations (ALGORITHMS §6.9): for every tilt in reach, two nodes of the tree laid on two
-/// junctions of the traced vessels fix roll, both shifts and, by their distance, the depth. Where branches leave both
-/// in like directions, the other nodes are asked how many of them meet a junction too; the best are ranked by how near
-/// the whole tree comes to the vessels. So many bases are tried in all, however many there are: the same on every run,
-/// spread evenly over the tree's. Reaches farther than CoarseSearch, which knows no depth, for less time.
+/// Finds initial poses from bifurcations (ALGORITHMS §6.9): for every tilt in range, aligning two nodes of the tree
+/// with two junctions of the traced vessels fixes roll, both shifts and, by their distance, the depth. Where branches
+/// leave both in similar directions, the remaining nodes vote by how many of them also meet a junction; the best fits
+/// are ranked by the closeness of the whole tree to the vessels. The total number of bases tried is fixed,
+/// deterministic and spread evenly over the tree. Searches a wider range than CoarseSearch, which does not vary the
+/// depth, in less time.
 class JunctionSearch {
 public:
     JunctionSearch(const RegistrationProblem& problem, const TargetLines& target);
 
-    /// Best candidates, different from each other, best first; scores as in CoarseSearch. `proceed` as there.
+    /// Returns the best distinct candidates, best first; scores and `proceed` are as in CoarseSearch.
     std::vector<CoarseCandidate> find(const CentroidPose& start, const SearchReach& reach,
                                       const std::function<Verdict(double)>& proceed) const;
 
 private:
-    /// Directions in the image, one bit for each of 64 equal sectors: turning is rotating.
+    /// Set of directions in the image, one bit for each of 64 equal sectors; a rotation of the image is a bit rotation.
     using Ways = std::uint64_t;
 
-    /// A junction, or a node as one tilt shows it.
+    /// Junction, or node as seen under one tilt.
     struct Place {
-        Eigen::Vector2d px;   ///< from the principal point, axes of the camera
+        Eigen::Vector2d px;   ///< relative to the principal point, camera axes
         Ways ways;
     };
-    /// From one place to another.
+    /// Vector from one place to another.
     struct Base {
         double lengthPx;
-        Eigen::Vector2d along;   ///< unit
-        double sectors;   ///< direction, 64 to the full turn
+        Eigen::Vector2d along;   ///< unit vector
+        double sectors;   ///< direction, 64 per full turn
         int from, to;
     };
-    /// Two nodes laid on two junctions.
+    /// Alignment of two nodes with two junctions.
     struct Fit {
-        int meetings = 0;   ///< nodes that come to lie on junctions
+        int meetings = 0;   ///< nodes that land on junctions
         double zoom = 1.0;
         Eigen::Vector2d turn;   ///< (cos, sin) of the roll
-        Eigen::Vector2d centroidPx;   ///< as Place
+        Eigen::Vector2d centroidPx;   ///< relative to the principal point, as in Place
     };
 
     static Ways waysOf(std::span<const Eigen::Vector2d> directions, int spread);
@@ -60,7 +61,7 @@ private:
     const TargetLines& target_;
     std::vector<Junction<3>> nodes_;   ///< relative to the tree's centroid
     std::vector<Place> junctions_;
-    std::vector<Base> bases_;   ///< between junctions, ascending in length
+    std::vector<Base> bases_;   ///< between junctions, sorted by length
     std::vector<std::uint8_t> isNearJunction_;   ///< cells of the image
     int columns_ = 0;
     int rows_ = 0;

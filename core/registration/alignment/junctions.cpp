@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    /// Of each curve that meets the place, the point nearest to it; in the order of the curves.
+    /// Nearest point of each curve that passes the place, in the order of the curves.
     std::vector<std::size_t> meetingAt(const Vector& place) const
     {
         std::vector<std::size_t> nearest;
@@ -65,7 +65,7 @@ private:
                curveIndex_[i + 1] != curveIndex_[i];
     }
 
-    /// Ends that touch another curve, one for all that lie together.
+    /// Curve ends that touch another curve, with coinciding ones merged.
     std::vector<Vector> places() const
     {
         std::vector<Vector> places;
@@ -82,7 +82,8 @@ private:
         return places;
     }
 
-    /// Where the curve of its point nearest to the junction, walked from there, has gone the length of `leaving`.
+    /// Adds the directions in which the curve leaves the junction, measured from its nearest point over the length
+    /// `leaving`.
     void addWays(std::size_t nearest, Junction<Dimension>& junction) const
     {
         const int curve = curveIndex_[nearest];
@@ -111,7 +112,7 @@ private:
     std::span<const Vector> points_;
     std::span<const int> curveIndex_;
     JunctionScale scale_;
-    BinGrid near_;   ///< by the first two coordinates
+    BinGrid near_;   ///< binned by the first two coordinates
 };
 
 }   // namespace

@@ -6,22 +6,23 @@
 
 namespace angiopose::core {
 
-/// A place where curves meet, and which ways they leave it.
+/// Place where curves meet, with the directions in which they leave it.
 template <int Dimension>
 struct Junction {
     using Vector = Eigen::Matrix<double, Dimension, 1>;
 
     Vector point;
-    std::vector<Vector> directions;   ///< unit, away from it
+    std::vector<Vector> directions;   ///< unit vectors pointing away from the place
 };
 
-/// How curves are looked at where they meet, in the unit of their points.
+/// Lengths used to detect junctions, in the unit of the curve points.
 struct JunctionScale {
-    double touching;   ///< an end this near to another curve meets it
-    double leaving;   ///< a direction is taken over this length
+    double touching;   ///< largest distance at which a curve end counts as touching another curve
+    double leaving;   ///< length over which a direction is measured
 };
 
-/// Where an end of one curve touches another and at least three ways lead off. `curveIndex` ascends.
+/// Finds places where the end of one curve touches another and at least three directions lead away. `curveIndex` must
+/// ascend.
 template <int Dimension>
 std::vector<Junction<Dimension>> junctionsOf(std::span<const Eigen::Matrix<double, Dimension, 1>> points,
                                              std::span<const int> curveIndex, const JunctionScale& scale);

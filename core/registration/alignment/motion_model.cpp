@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t remembered = 30;   // frames, about two seconds of fluoroscopy
 constexpr std::size_t enoughForAxis = 4;
-constexpr double minAxisMm = 0.3;   // rms of the steps; slower motion has no direction worth learning
+constexpr double minAxisMm = 0.3;   // RMS of the steps; slower motion has no reliable direction
 
 }   // namespace
 
@@ -20,7 +20,7 @@ MotionModel::MotionModel(const CentroidPose& pose, double spreadMm, const Noise&
     inMm_.head<3>().setConstant(spreadMm);
 }
 
-/// The last step as far as it follows the axis that most steps follow.
+/// Component of the last step along the dominant axis of the recent steps.
 Vector6d MotionModel::alongBreathing(const Vector6d& step) const
 {
     if (steps_.size() < enoughForAxis) {
@@ -48,7 +48,7 @@ StartPrior MotionModel::predict() const
     const double rotation = noise_.rotationDeg * std::numbers::pi / 180.0;
     Vector6d std;
     std << rotation, rotation, rotation, noise_.shiftMm, noise_.shiftMm, noise_.shiftMm;
-    // Breathing turns round: the step may also be missing.
+    // Breathing reverses: the step may also be absent.
     std = wider * (std.cwiseAbs2() + 0.25 * expected.cwiseQuotient(inMm_).cwiseAbs2()).cwiseSqrt();
     return independentPrior(predicted, std);
 }

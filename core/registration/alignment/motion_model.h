@@ -7,11 +7,11 @@
 
 namespace angiopose::core {
 
-/// Where the next frame's pose is expected: the last steps tell the direction of the breathing, and the tree goes on
-/// along it as fast as before (ALGORITHMS §6.11). Across that direction it is expected to stay.
+/// Predicts the pose in the next frame: the recent steps define the direction of breathing, along which the tree
+/// continues at its last speed (ALGORITHMS §6.11). Across that direction it is expected to stay in place.
 class MotionModel {
 public:
-    /// Standard deviations of what a frame brings beyond the prediction.
+    /// Standard deviations of the frame-to-frame motion beyond the prediction.
     struct Noise {
         double rotationDeg = 0.2;
         double shiftMm = 1.0;
@@ -19,23 +19,23 @@ public:
 
     MotionModel(const CentroidPose& pose, double spreadMm, const Noise& noise);
 
-    /// The next pose and how far it may be off; wider for every frame that was not observed.
+    /// Predicts the next pose and its uncertainty, which grows with every unobserved frame.
     StartPrior predict() const;
 
-    /// The pose of the next frame; nothing when it could not be told.
+    /// Adds the pose of the next frame; nullopt if it could not be determined.
     void advance(const std::optional<CentroidPose>& pose);
 
-    /// The tree was found again somewhere else: no motion to learn from.
+    /// Resets to a pose found by a new search, which is no motion to learn from.
     void jumpTo(const CentroidPose& pose);
 
 private:
     Vector6d alongBreathing(const Vector6d& step) const;
 
     CentroidPose pose_;
-    Vector6d inMm_;   ///< of (rad, mm) parameters
+    Vector6d inMm_;   ///< scales (rad, mm) parameters to mm
     Noise noise_;
-    std::deque<Vector6d> steps_;   ///< between frames, newest last, in mm
-    bool isMoving_ = false;   ///< the last frame added a step
+    std::deque<Vector6d> steps_;   ///< frame-to-frame steps in mm, newest last
+    bool isMoving_ = false;   ///< whether the last frame added a step
     int framesMissed_ = 0;
 };
 

@@ -7,20 +7,21 @@ namespace angiopose::core {
 
 struct ScoredPose {
     CentroidPose pose;
-    double score = 0.0;   ///< agreement both ways, lowered by distance from the start pose; 0…1
-    double agreement = 0.0;   ///< not lowered; of the filled parts where these explain the image clearly better
+    double score = 0.0;   ///< agreement in both directions, reduced by the distance from the initial pose; 0…1
+    double agreement =
+        0.0;   ///< without that reduction; of the opacified parts where these explain the image clearly better
     StopReason stopReason = StopReason::Converged;
-    std::vector<std::uint8_t> isOpacified{};   ///< per tree point; empty: all of the tree is looked for
-    int filledForks = 0;   ///< places where three filled pieces or more meet
+    std::vector<std::uint8_t> isOpacified{};   ///< per tree point; empty: the whole tree is expected in the image
+    int filledForks = 0;   ///< places where three or more opacified pieces meet
 };
 
-/// Whether parts of the tree may be empty (ALGORITHMS §6.17).
+/// Whether parts of the tree may be unopacified (ALGORITHMS §6.17).
 enum class TreeFilling { Whole, InParts };
 
-/// Hypotheses refined roughly, on few points and down to a few pixels, in the order of how well they explain the image.
-/// What the scores mean was measured on 60 wrong optima for each of 60 simulated trees: none of them scored above 0.56,
-/// while true poses score 0.96 on clean targets, 0.6 to 0.87 with missing vessels and clutter, 0.3 to 0.65 on traced
-/// angiograms, where most thin vessels are not traced.
+/// Ranks hypotheses, refined roughly on few points and down to a scale of a few pixels, by how well they explain the
+/// image. The thresholds were measured on 60 wrong optima for each of 60 simulated trees: none of these scored above
+/// 0.56, while true poses score 0.96 on clean targets, 0.6 to 0.87 with missing vessels and clutter, and 0.3 to 0.65 on
+/// traced angiograms, where most thin vessels are not traced.
 class PoseRanking {
 public:
     static constexpr RefinementSchedule schedule{14.0, 2.5, 0.6, 2, 0, 40};
@@ -28,10 +29,11 @@ public:
     PoseRanking(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior,
                 TreeFilling filling = TreeFilling::Whole);
 
-    /// Refines the hypothesis and files it.
+    /// Refines the hypothesis and adds it to the ranking.
     void add(const CentroidPose& hypothesis);
 
-    /// The same for a pose that lays parts of the tree on the vessels: branches that lie on nothing do not pull.
+    /// Same for a pose that aligns only parts of the tree with the vessels: branches without a matching vessel do not
+    /// attract.
     void addFilled(const CentroidPose& hypothesis);
 
     ScoredPose scored(const CentroidPose& pose, StopReason stopReason);
@@ -39,17 +41,17 @@ public:
     bool isEmpty() const { return ranked_.empty(); }
     const ScoredPose& best() const { return ranked_.front(); }
 
-    /// Tree and traced vessels explain each other: no search can do better.
+    /// Whether tree and traced vessels explain each other well enough to skip further searches.
     bool isConclusive() const { return reaches(0.65); }
-    /// Not sure, but unlikely to be a mere coincidence.
+    /// Whether the fit is uncertain but unlikely to be a coincidence.
     bool isPlausible() const { return reaches(0.55); }
-    /// The tree lies on next to nothing.
+    /// Whether the tree matches almost no vessel.
     bool isLost() const { return !reaches(0.4); }
 
-    /// The best pose of every optimum, best first, as far as they score at least `share` of the best.
+    /// Best pose of every optimum, best first, limited to those that score at least `share` of the best.
     std::vector<ScoredPose> distinct(double share, std::size_t count) const;
 
-    /// Median distance to the target, px; for progress.
+    /// Median distance to the target, px; for progress display.
     double medianDistancePx(const CentroidPose& pose) { return points_.medianDistancePx(pose, distances_); }
 
 private:

@@ -14,7 +14,7 @@ constexpr std::size_t searchPoints = 90;
 constexpr std::size_t territoryPoints = 800;
 constexpr std::size_t auxiliaryCandidates = 4;
 
-// 3σ of the start poses that headers give (ALGORITHMS §4.4): 15 mm across the ray, 1° per angle and some roll.
+// 3σ of initial poses from DICOM headers (ALGORITHMS §4.4): 15 mm across the ray, 1° per angle and some roll.
 const SearchReach nearbyReach{45.0, 8.0, 8.0, 4.0};
 constexpr double nearbyClosenessPx = 11.0;
 constexpr double anyDistance = 1e9;
@@ -41,7 +41,7 @@ SearchReach within(SearchReach reach, const RegistrationOptions& options, const 
     return reach;
 }
 
-/// Those of `alignmentPoints` at that stride.
+/// Values of the points that `alignmentPoints` selects with this stride.
 std::vector<double> everyNth(const std::vector<double>& values, std::size_t stride)
 {
     std::vector<double> chosen;

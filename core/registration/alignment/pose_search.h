@@ -7,30 +7,32 @@
 
 namespace angiopose::core {
 
-/// Told the share done, 0…1; Stop ends a search with what it has.
+/// Receives the completed share, 0…1; Stop ends a search with the results so far.
 using SearchObserver = std::function<Verdict(double)>;
 
-/// Coarse searches for poses worth refining (ALGORITHMS §6.8), best first. Each covers what the options allow.
+/// Coarse searches for poses worth refining (ALGORITHMS §6.8), best first. Each is limited to the range that the
+/// options allow.
 class PoseSearch {
 public:
     PoseSearch(const RegistrationProblem& problem, const TargetLines& target, const RegistrationOptions& options);
 
-    /// As far as a start pose by the DICOM header is off: fine turns, short shifts.
+    /// Searches the error range of an initial pose from the DICOM header: fine rotations, short shifts.
     std::vector<CentroidPose> nearby(const CentroidPose& start, const SearchObserver& observe) const;
 
-    /// All of the shifts and turns of up to 30°, in coarse steps.
+    /// Searches all shifts and rotations of up to 30° in coarse steps.
     std::vector<CentroidPose> wide(const CentroidPose& start, const SearchObserver& observe) const;
 
-    /// By the vessels of the image alone, whatever of the tree they show; a middling reach in middling steps.
+    /// Searches from the traced vessels only, regardless of how much of the tree they show; medium range in medium
+    /// steps.
     std::vector<CentroidPose> ofTerritories(const CentroidPose& start, const SearchObserver& observe) const;
 
-    /// All of the reach, by bifurcations.
+    /// Searches the whole range by bifurcations.
     std::vector<CentroidPose> byJunctions(const CentroidPose& start, const SearchObserver& observe) const;
 
-    /// The chosen {p'} alone, over the short reach.
+    /// Searches the short range with the auxiliary branches {p'} only.
     std::vector<CentroidPose> ofAuxiliary(const CentroidPose& start, const SearchObserver& observe) const;
 
-    /// The start pose shifted so that the tree's centroid meets the middle of the traced vessels (ALGORITHMS §5.4).
+    /// Initial pose shifted to project the tree's centroid onto the middle of the traced vessels (ALGORITHMS §5.4).
     CentroidPose recentered(const CentroidPose& start) const;
 
 private:

@@ -7,28 +7,28 @@
 
 namespace angiopose::core {
 
-/// A tree point as the inner loop reads it: relative to the tree's centroid.
+/// Tree point for the inner loop, relative to the tree's centroid.
 struct AlignmentPoint {
     Eigen::Vector3d fromCentroid;   ///< mm, patient axes
-    Eigen::Vector3d tangent;   ///< unit, patient axes
+    Eigen::Vector3d tangent;   ///< unit vector, patient axes
     int branchIndex = 0;
 };
 
-/// A tree point as one pose shows it.
+/// Tree point as seen under one pose.
 struct SeenPoint {
-    Eigen::Vector3d turned;   ///< from the centroid, camera axes, mm
+    Eigen::Vector3d turned;   ///< offset from the centroid, camera axes, mm
     Eigen::Vector3d inCamera;
     double perDepth;   ///< 1/mm
     double u, v;   ///< px
     double su, sv;   ///< unit direction of its branch in the image
-    bool isInFront = false;   ///< of the source: the other values mean something
-    bool hasDirection = false;   ///< false: its branch is seen end-on
+    bool isInFront = false;   ///< in front of the source; otherwise the other values are undefined
+    bool hasDirection = false;   ///< false if its branch is seen end-on
 };
 
-/// Shorter projected tangents say nothing about direction (§6.3).
+/// Shorter projected tangents carry no direction (§6.3).
 inline constexpr double endOnShare = 0.3;
 
-/// Where the point lies under a pose; false where it does not project.
+/// Projects the point under a pose; returns false if it does not project.
 inline bool seePlace(const ProjectionCamera& camera, const AlignmentPoint& point, const CentroidPose& pose,
                      SeenPoint& seen)
 {
@@ -40,7 +40,7 @@ inline bool seePlace(const ProjectionCamera& camera, const AlignmentPoint& point
     return seen.inCamera.z() >= minProjectableDepthMm;
 }
 
-/// Which way its branch runs there; after seePlace.
+/// Computes the projected direction of the branch; call after seePlace.
 inline void seeDirection(const ProjectionCamera& camera, const AlignmentPoint& point, const CentroidPose& pose,
                          SeenPoint& seen)
 {

@@ -4,25 +4,25 @@
 
 namespace angiopose::core {
 
-/// A tree point as one pose shows it.
+/// Tree point projected under one pose.
 struct ProjectedPoint {
     double u, v;   ///< px
-    int number;   ///< of the tree point
+    int number;   ///< index of the tree point
 };
 
-/// Projected points by cells of the image, filled anew for every pose without asking for memory.
+/// Projected points binned by image cells; refilled for every pose without allocating.
 class ProjectedPoints {
 public:
-    /// Room for `count` points.
+    /// Reserves memory for `count` points.
     void reserve(std::size_t count);
 
-    /// Forgets the points; neighbours are from now on sought within `reachPx`.
+    /// Removes all points; later queries look for neighbors within `reachPx`.
     void restart(int width, int height, double reachPx);
 
-    /// Points outside the image are left out.
+    /// Adds a point; ignores points outside the image.
     void add(const ProjectedPoint& point);
 
-    /// The nearest point within the reach, or null.
+    /// Nearest point within the search radius, or null.
     const ProjectedPoint* nearest(double u, double v) const;
 
 private:
@@ -32,8 +32,8 @@ private:
     double cellPx_ = minCellPx;
     int columns_ = 0;
     int rows_ = 0;
-    std::vector<int> first_;   ///< of each cell, −1 for none
-    std::vector<int> next_;   ///< of each point, in its cell
+    std::vector<int> first_;   ///< first point of each cell, −1 for none
+    std::vector<int> next_;   ///< next point in the same cell, per point
     std::vector<ProjectedPoint> points_;
 };
 

@@ -10,16 +10,16 @@ namespace angiopose::core {
 namespace {
 
 constexpr int stretchPoints = 30;   // 30 mm at the default spacing
-constexpr int stretchStep = 5;   // a stretch starts every so many points
+constexpr int stretchStep = 5;   // number of points from one stretch start to the next
 constexpr double residualMadToStd = 1.4826;
 constexpr int minStretchPoints = 6;
 constexpr std::size_t minStretches = 8;
-constexpr double minScatterPx = 0.02;   // sampling of the curves: no fit is better than this
-constexpr double noMatchPx = 6.0;   // scatter to assume where next to nothing matches
+constexpr double minScatterPx = 0.02;   // sampling error of the curves: no fit is better than this
+constexpr double noMatchPx = 6.0;   // scatter to assume where almost nothing matches
 constexpr std::size_t maxLag = 20;
 constexpr double insignificantCorrelation = 0.05;
 
-/// Calls `visit(from, to)` for overlapping stretches; every row lies in the same number of them.
+/// Calls `visit(from, to)` for overlapping stretches; every row belongs to the same number of stretches.
 template <class Visit>
 void forEachStretch(const std::vector<ResidualRow>& rows, Visit visit)
 {
@@ -37,7 +37,7 @@ void forEachStretch(const std::vector<ResidualRow>& rows, Visit visit)
     }
 }
 
-/// Mean residual of the matched points of a stretch; nothing when they are few.
+/// Mean residual of the matched points of a stretch; nullopt if there are too few.
 std::optional<double> offsetOf(const std::vector<ResidualRow>& rows, std::ptrdiff_t from, std::ptrdiff_t to)
 {
     double sum = 0.0;
@@ -59,7 +59,7 @@ double robustStd(std::vector<double> values)
     return residualMadToStd * quantile(std::move(values), 0.5);
 }
 
-/// Offsets of the stretches, and every residual without the offset of a stretch around it.
+/// Offsets of the stretches, and the residuals after subtracting the offset of a surrounding stretch.
 struct Decomposition {
     std::vector<double> offsets;
     std::vector<double> scatter;   ///< one per row; NaN where unmatched
@@ -84,7 +84,7 @@ Decomposition decompose(const std::vector<ResidualRow>& rows)
     return result;
 }
 
-/// Mean products of scatter `lag` points apart on one branch, from lag 0 up to the first that no longer correlate.
+/// Autocovariance of the scatter for points `lag` apart on one branch, from lag 0 to the first uncorrelated lag.
 std::vector<double> autocovariance(const std::vector<ResidualRow>& rows, const std::vector<double>& scatter)
 {
     std::vector<double> products;
@@ -108,10 +108,10 @@ std::vector<double> autocovariance(const std::vector<ResidualRow>& rows, const s
 
 struct Correlation {
     double points = 1.0;   ///< 1 + 2 Σ ρ_k
-    double inflation = 1.0;   ///< true variance of the scatter over that inside stretches
+    double inflation = 1.0;   ///< true variance of the scatter divided by that within stretches
 };
 
-/// Taking the mean of a stretch away takes correlated scatter along: its variance, s² l_c / n, is put back.
+/// Subtracting the mean of a stretch also removes correlated scatter; this adds back its variance, s² l_c / n.
 Correlation correlationOf(const std::vector<double>& autocovariance)
 {
     Correlation correlation;
@@ -141,7 +141,7 @@ ResidualNoise residualNoise(const std::vector<ResidualRow>& rows)
         return noise;
     }
     noise.scatterPx = std::max(minScatterPx, std::sqrt(correlation.inflation) * robustStd(std::move(parts.scatter)));
-    // A mean of correlated scatter is not zero either.
+    // Correlated scatter alone also gives a nonzero mean.
     const double byScatter = noise.scatterPx * noise.scatterPx * noise.correlationPoints / stretchPoints;
     const double offset = robustStd(std::move(parts.offsets));
     noise.offsetPx = std::sqrt(std::max(0.0, offset * offset - byScatter));

@@ -4,19 +4,19 @@
 
 namespace angiopose::core {
 
-/// What the residuals along the branches consist of.
+/// Noise components of the residuals along the branches.
 struct ResidualNoise {
-    double scatterPx = 0.0;   ///< standard deviation inside short stretches
-    double correlationPoints = 1.0;   ///< neighbouring points that share one scatter
-    double offsetPx = 0.0;   ///< standard deviation of whole stretches, beyond what the scatter explains
+    double scatterPx = 0.0;   ///< standard deviation within short stretches
+    double correlationPoints = 1.0;   ///< number of neighboring points with common scatter
+    double offsetPx = 0.0;   ///< standard deviation of whole stretches beyond what the scatter explains
 
-    /// Nearest partners flatter the residuals: without this the errors of simulated registrations were 1.25 times as
-    /// large, squared, as their covariance said.
+    /// Correction for nearest-point matching, which makes residuals too small: without it the squared errors of
+    /// simulated registrations were 1.25 times as large as their covariance predicted.
     static constexpr double nearestPartnerGain = 1.25;
 
-    /// Of one row, counted as if its neighbours were independent (ALGORITHMS §6.10: l_c σ̂²); px².
+    /// Variance of one row when rows are treated as independent (ALGORITHMS §6.10: l_c σ̂²); px².
     double rowVariance() const { return nearestPartnerGain * scatterPx * scatterPx * correlationPoints; }
-    /// Stretches lie beside the vessels as wholes, by more than sampling (about 0.1 px) explains.
+    /// Whether whole stretches are offset from the vessels by more than sampling (about 0.1 px) explains.
     bool hasOffsets() const { return offsetPx >= 0.1; }
 };
 

@@ -3,7 +3,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double keptPartnersPx = 0.5;   // less than the spacing of points and lines
+constexpr double keptPartnersPx = 0.5;   // smaller than the spacing of points and lines
 
 }   // namespace
 

@@ -6,27 +6,27 @@
 
 namespace angiopose::core {
 
-/// Which tree point each line of the target is nearest to. Found anew only when a point has moved in the image since:
-/// across a branch, which is what counts, its neighbours say the same.
+/// Nearest tree point of each target line. Recomputed only when a point has moved in the image: its neighbors give the
+/// same distance across a branch, which is the one that counts.
 class ReverseMatching {
 public:
-    static constexpr std::size_t lineStride = 2;   ///< neighbouring lines share their noise
+    static constexpr std::size_t lineStride = 2;   ///< neighboring lines have correlated noise
 
-    /// The tree's points, filled in by who projects them.
+    /// Tree points, to be filled by the caller that projects them.
     std::vector<SeenPoint>& seen() { return seen_; }
     const std::vector<SeenPoint>& seen() const { return seen_; }
 
-    /// Brings the partners up to date with the points.
+    /// Updates the partners for the current points.
     void match(const TargetLines& target, int width, int height, double reachPx);
 
-    /// Of every `lineStride`-th line: the number of its point, −1 where none is within the reach.
+    /// Index of the nearest point for every `lineStride`-th line, −1 if none is within the search radius.
     const std::vector<int>& partners() const { return partners_; }
 
 private:
     bool isUpToDate(double reachPx) const;
 
     std::vector<SeenPoint> seen_;
-    std::vector<Eigen::Vector2d> matchedAt_;   ///< where the points were when the partners were found
+    std::vector<Eigen::Vector2d> matchedAt_;   ///< positions of the points when the partners were computed
     double reachPx_ = 0.0;
     ProjectedPoints grid_;
     std::vector<int> partners_;

@@ -8,10 +8,10 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t shortestBlock = 10;   // points
-constexpr std::size_t aboutBlocks = 64;   // the field costs the cube of their number
+constexpr std::size_t aboutBlocks = 64;   // the cost grows with the cube of their number
 constexpr std::array<double, 7> offsetsTriedPx{0.1, 0.2, 0.4, 0.8, 1.6, 3.2, 6.4};
 
-/// The derivatives of a row, then its residual.
+/// Derivatives of a row, followed by its residual.
 template <int Parameters>
 Eigen::Vector<double, Parameters + 1> derivativesAndResidual(const ResidualRow& row)
 {
@@ -101,7 +101,7 @@ ShapeFieldOf<Parameters>::ShapeFieldOf(const std::vector<ResidualRow>& rows, dou
 template <int Parameters>
 void ShapeFieldOf<Parameters>::eliminate(double offsetPx)
 {
-    // With K the scaled covariance, (K⁻¹ + I)⁻¹ = I − (I + K)⁻¹ is what the field takes away.
+    // With K the scaled covariance, (K⁻¹ + I)⁻¹ = I − (I + K)⁻¹ is the part that the field absorbs.
     factor_ = offsetPx * offsetPx * kernel_;
     factor_.diagonal().array() += 1.0;
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>, Eigen::Lower> llt(factor_);
@@ -148,7 +148,7 @@ double ShapeFieldOf<Parameters>::likelyOffsetPx(const Equations& prior)
     if (best == 0 || best + 1 == offsetsTriedPx.size()) {
         return offsetsTriedPx[best];
     }
-    // Parabola through three points, an octave apart.
+    // Parabola through three points one octave apart.
     const double below = likelihoods[best - 1] - likelihoods[best];
     const double above = likelihoods[best + 1] - likelihoods[best];
     return offsetsTriedPx[best] * std::exp2(0.5 * (above - below) / -(above + below));

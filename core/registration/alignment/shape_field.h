@@ -6,25 +6,25 @@
 
 namespace angiopose::core {
 
-/// The residuals of a tree that is bent smoothly: the projected vessel lies beside its true place by a random field in
-/// the image plane, Gaussian, alike within about 40 mm in space. The field is constant over short blocks of a branch.
-/// Everything is in units of information: weights are divided by the variance of a row, the prior adds 1/σ².
-/// Parameters: 6 of the pose, or 9 with those of the camera after them.
+/// Residual model of a smoothly deformed tree: the projected vessel is displaced from its true position by a Gaussian
+/// random field in the image plane, correlated over about 40 mm in space. The field is constant over short blocks of a
+/// branch. All values are in units of information: weights are divided by the variance of a row, the prior adds 1/σ².
+/// Parameters: 6 of the pose, or 9 with those of the camera appended.
 template <int Parameters>
 class ShapeFieldOf {
 public:
     using Equations = EquationsOf<Parameters>;
 
-    static constexpr double reachMm = 40.0;   ///< of heart and breathing (ALGORITHMS §4.4)
+    static constexpr double reachMm = 40.0;   ///< correlation length of heart and breathing motion (ALGORITHMS §4.4)
 
     ShapeFieldOf(const std::vector<ResidualRow>& rows, double rowVariance);
 
-    /// Normal equations of the parameters with the field eliminated (generalised least squares); `offsetPx`: its
-    /// standard deviation.
+    /// Normal equations of the parameters with the field eliminated (generalized least squares); `offsetPx` is the
+    /// standard deviation of the field.
     Equations equations(double offsetPx);
 
-    /// The standard deviation that makes the residuals most likely after the best parameters have been taken out
-    /// (restricted maximum likelihood); `prior`: what else is known about them.
+    /// Maximum-likelihood standard deviation of the field after eliminating the best parameters (restricted maximum
+    /// likelihood); `prior` holds other information about the parameters.
     double likelyOffsetPx(const Equations& prior);
 
 private:
@@ -35,9 +35,10 @@ private:
     using Squares = Eigen::Matrix<double, withResidual, withResidual>;
     using Blocks = Eigen::Matrix<double, Eigen::Dynamic, withResidual>;
     Squares plain_ = Squares::Zero();   ///< Σ of [g r]ᵀ[g r] over all rows
-    Squares left_;   ///< the same with the field eliminated
-    Blocks blocks_;   ///< Σ of [g r] over each block, divided by the root of its weight
-    Eigen::MatrixXd kernel_;   ///< covariance of the blocks for a field of 1 px, scaled by the roots of their weights
+    Squares left_;   ///< same with the field eliminated
+    Blocks blocks_;   ///< Σ of [g r] over each block, divided by the square root of its weight
+    Eigen::MatrixXd
+        kernel_;   ///< covariance of the blocks for a field of 1 px, scaled by the square roots of their weights
     Eigen::MatrixXd factor_;
     double logDeterminant_ = 0.0;
 };

@@ -9,12 +9,13 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double matchScalePx = 1.5;   // with the cut-off of a Welsch weight, points up to 6 px away are looked at
+constexpr double matchScalePx = 1.5;   // with the cutoff of the Welsch weight, points up to 6 px away are matched
 constexpr double scaleFactor = 3.0;   // Welsch scale at which Gaussian residuals keep nearly all their weight
 constexpr int maxShapeSteps = 8;
-constexpr double settledShapeSigmas = 0.1;   // the steps after are smaller still
+constexpr double settledShapeSigmas = 0.1;   // the following steps are even smaller
 constexpr double minShapeDamping = 1e-9;
-// Vessels within about 6° (rms) of one direction: traced directions scatter by as much and say nothing of a slide.
+// Eigenvalue share of vessels within about 6° (RMS) of one direction: traced directions scatter as much and do not
+// constrain a slide.
 constexpr double oneLineShare = 0.01;
 
 NormalEquations priorAt(const StartPrior& prior, const CentroidPose& pose, double variance = 1.0)
@@ -29,7 +30,7 @@ double tolerantScalePx(const ResidualNoise& noise)
     return std::max(1.0, scaleFactor * std::hypot(noise.scatterPx, noise.offsetPx));
 }
 
-/// Rows with weights as wide as the residuals are.
+/// Collects rows with weights adapted to the spread of the residuals.
 ResidualNoise collectRobustRows(const Alignment& alignment, const CentroidPose& pose, std::vector<ResidualRow>& rows)
 {
     alignment.collectRows(pose, matchScalePx, rows);
@@ -65,18 +66,19 @@ EquationsOf<Parameters> ofIndependentRows(const std::vector<ResidualRow>& rows, 
     return sum;
 }
 
-/// The step is a small part of what the equations leave uncertain; `variance`: of one of their rows.
+/// Whether the step is a small fraction of the uncertainty in the equations; `variance` is that of one row.
 bool isSettled(const Vector6d& step, const NormalEquations& equations, double variance)
 {
     const double squaredSigmas = step.dot(equations.hessian.selfadjointView<Eigen::Lower>() * step) / variance;
     return squaredSigmas < settledShapeSigmas * settledShapeSigmas;
 }
 
-/// How the matched vessels run in the image: Σ of their length and squared direction, by what it tells of shifts
-/// across.
+/// Second moments of the normals of the matched vessels in the image, weighted by length: how well lateral shifts are
+/// constrained.
 Eigen::Matrix2d spreadOfNormals(const std::vector<ResidualRow>& rows, const CentroidPose& pose)
 {
-    constexpr std::size_t apart = 5;   // rows: far enough that a direction is one of the vessel, not of its sampling
+    constexpr std::size_t apart =
+        5;   // rows: far enough apart to give the direction of the vessel instead of its sampling
     const auto seen = [&pose](const ResidualRow& row) {
         const Eigen::Vector3d inCamera = row.fromCentroid + pose.centroidInCamera;
         return Eigen::Vector2d(inCamera.head<2>() / inCamera.z());
@@ -94,8 +96,8 @@ Eigen::Matrix2d spreadOfNormals(const std::vector<ResidualRow>& rows, const Cent
     return spread;
 }
 
-/// Where the matched vessels are one line in the image, a slide of the tree along it changes no distance across them:
-/// that step is taken out of the equations.
+/// Removes the slide along the vessels from the equations when all matched vessels form one line in the image, because
+/// it changes no distance across them.
 template <int Parameters>
 EquationsOf<Parameters> withoutOpenSlide(EquationsOf<Parameters> equations, const std::vector<ResidualRow>& rows,
                                          const CentroidPose& pose)
@@ -111,7 +113,7 @@ EquationsOf<Parameters> withoutOpenSlide(EquationsOf<Parameters> equations, cons
     return equations;
 }
 
-/// What the rows tell when the vessels may be bent by as much as they show.
+/// Information of the rows if the vessels may be deformed as much as the residuals show.
 template <int Parameters>
 EquationsOf<Parameters> tolerantEquations(const Alignment& alignment, const CentroidPose& pose,
                                           const EquationsOf<Parameters>& prior)
@@ -125,7 +127,7 @@ EquationsOf<Parameters> tolerantEquations(const Alignment& alignment, const Cent
     return withoutOpenSlide(field.equations(field.likelyOffsetPx(prior)), rows, pose);
 }
 
-/// Lays the turned tree over the vessels.
+/// Shifts the rotated tree onto the vessels.
 CentroidPose settleShift(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose, double scalePx,
                          double rowVariance)
 {

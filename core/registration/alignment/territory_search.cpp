@@ -14,22 +14,22 @@ namespace angiopose::core {
 namespace {
 
 constexpr int minCellPx = 8;
-constexpr int cellsAcrossImage = 128;   // larger images are seen coarser
+constexpr int cellsAcrossImage = 128;   // larger images are downsampled
 constexpr int stampReach = 3;   // cells
 constexpr double stampScale = 1.4;   // cells
-constexpr double unlikeCloseness = 0.4;   // of a vessel of another width: the place still tells something
-constexpr double widthStep = 0.5;   // of the logarithm, from one width that is told apart to the next
-constexpr double finestPx = 1.0;   // radius: tracing sees none narrower
+constexpr double unlikeCloseness = 0.4;   // closeness of a vessel with a different width, whose position still counts
+constexpr double widthStep = 0.5;   // difference in log width between two distinguished widths
+constexpr double finestPx = 1.0;   // radius; tracing detects no thinner vessels
 constexpr double widestPx = 60.0;
-constexpr double likeWidth = 0.75;   // of the logarithm
-constexpr std::size_t askedPlaces = 150;   // sums of bytes must fit 16 bits: at most 257
-constexpr double likeDirection = 0.84;   // cosine: within 33° of a channel's direction
+constexpr double likeWidth = 0.75;   // difference in log width within which widths count as alike
+constexpr std::size_t askedPlaces = 150;   // sums of bytes must fit in 16 bits: at most 257
+constexpr double likeDirection = 0.84;   // cosine; within 33° of the direction of a channel
 constexpr double endOnTerritory = 0.3;   // vessels nearly along the ray have no direction
 constexpr std::size_t keptPerTurn = 3;
-constexpr double apartCells = 3.0;   // of the places kept for one turn
+constexpr double apartCells = 3.0;   // spacing of the places kept for one rotation
 constexpr double basinCells = 3.0;
 constexpr double basinOfStep = 0.75;
-constexpr double maxOfImage = 0.6;   // of the image's side
+constexpr double maxOfImage = 0.6;   // fraction of the image side
 
 /// Unit directions 0°, 45°, 90°, 135°.
 const std::array<Eigen::Vector2d, 4> channelDirections{
@@ -45,7 +45,7 @@ std::size_t nearestDirection(const Eigen::Vector2d& direction)
 
 }   // namespace
 
-/// Sums for all shifts of one orientation; the first stands for the farthest shift down and to the right.
+/// Sums for all shifts of one orientation; the first is the farthest shift down and to the right.
 struct TerritorySearch::Shifts {
     int halfColumns;
     int halfRows;
@@ -88,7 +88,7 @@ TerritorySearch::TerritorySearch(const ProjectionCamera& camera, const TargetLin
     }
 }
 
-/// The number of a width, a new one where none is like it.
+/// Index of a width; adds a new one if no similar width exists.
 std::size_t TerritorySearch::widthOf(double radiusPx)
 {
     const double logWidth = radiusPx > 0.0
@@ -103,7 +103,7 @@ std::size_t TerritorySearch::widthOf(double radiusPx)
     return static_cast<std::size_t>(known - logWidths_.begin());
 }
 
-/// Unknown widths are like any.
+/// Compares the widths of points and vessels; an unknown width matches any other.
 void TerritorySearch::compareWidths(std::span<const double> radiusMm, double pxPerMm, std::size_t points)
 {
     isLike_.assign(points * logWidths_.size(), 1);

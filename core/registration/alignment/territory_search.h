@@ -4,28 +4,28 @@
 
 namespace angiopose::core {
 
-/// Exhaustive search like CoarseSearch, asked the other way round (ALGORITHMS §6.17): how near the traced vessels come
-/// to the projected tree, in a like direction. What the contrast medium does not fill costs nothing, so that a pose is
-/// found from one territory of the tree. Where both tell widths, vessels of an unlike one come less near: a wide vessel
-/// is looked for among wide ones.
+/// Exhaustive search like CoarseSearch, but in the opposite direction (ALGORITHMS §6.17): scores the distance of the
+/// traced vessels to the projected tree with a similar direction. Unopacified branches cost nothing; a single territory
+/// of the tree is therefore enough to find a pose. Where both widths are known, vessels with a different width score
+/// lower: a wide vessel is compared with wide branches.
 class TerritorySearch {
 public:
-    /// `radiusPx`: of each of the target's lines, 0 where unknown; or none.
+    /// `radiusPx` holds the radius of each target line, 0 where unknown; may be empty.
     TerritorySearch(const ProjectionCamera& camera, const TargetLines& target, std::span<const double> radiusPx = {});
 
-    /// As CoarseSearch::find; scores are the mean closeness of the target to the tree. `radiusMm`: of each point, 0
-    /// where unknown; or none.
+    /// Like CoarseSearch::find; scores are the mean closeness of the target to the tree. `radiusMm` holds the radius of
+    /// each point, 0 where unknown; may be empty.
     std::vector<CoarseCandidate> find(std::span<const AlignmentPoint> points, std::span<const double> radiusMm,
                                       const CentroidPose& start, const SearchReach& reach,
                                       const std::function<Verdict(double)>& proceed);
 
 private:
-    static constexpr std::size_t directions = 4;   ///< of vessels, each 45° from the next
+    static constexpr std::size_t directions = 4;   ///< vessel directions, 45° apart
 
-    /// A place of the target in cells of the canvas.
+    /// Place of the target in cells of the canvas.
     struct Place {
         int column, row;
-        std::size_t channel;   ///< a direction of a width
+        std::size_t channel;   ///< combination of direction and width
     };
     using Stamp = std::vector<std::uint8_t>;
     struct Shifts;
@@ -39,15 +39,15 @@ private:
 
     ProjectionCamera camera_;
     int cellPx_;
-    std::vector<Place> places_;   ///< some of the target's, spread evenly
-    std::vector<double> logWidths_;   ///< of the target's, each with its own channels; NaN: of unknown width
-    std::vector<std::uint8_t> isLike_;   ///< 1 for each width of each point that a vessel there may well be seen with
-    Stamp like_;   ///< closeness 0…255 around a point of the tree
-    Stamp unlike_;   ///< the same for vessels of another width
+    std::vector<Place> places_;   ///< subset of the target's places, evenly spread
+    std::vector<double> logWidths_;   ///< widths of the target, each with its own channels; NaN: unknown width
+    std::vector<std::uint8_t> isLike_;   ///< 1 for each width that is compatible with each point
+    Stamp like_;   ///< closeness 0…255 around a tree point
+    Stamp unlike_;   ///< same for vessels of a different width
     int margin_ = 0;   ///< cells around the image
     int columns_ = 0;
     int rows_ = 0;
-    std::vector<std::uint8_t> canvas_;   ///< closeness to the tree: per width, per direction
+    std::vector<std::uint8_t> canvas_;   ///< closeness to the tree, per width and direction
 };
 
 }   // namespace angiopose::core

@@ -8,9 +8,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double beyondReach = 1.2;   // tilts on the diagonal may be this much longer
+constexpr double beyondReach = 1.2;   // factor by which diagonal tilts may exceed the range
 
-/// −reach … reach in equal steps of about stepDeg, 0 among them, and only 0 where the angle is locked; rad.
+/// Angles −reach … reach in equal steps of about stepDeg, including 0; only 0 if the angle is locked; rad.
 std::vector<double> anglesWithin(double reachDeg, const SearchReach& reach, PoseAxis axis)
 {
     const int half = reach.freedom.isLocked(axis) ? 0 : static_cast<int>(std::ceil(reachDeg / reach.stepDeg - 1e-9));

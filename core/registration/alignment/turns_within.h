@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// Visits `start` turned by every tilt and roll within reach, in steps of about `stepDeg`, locked ones left out.
-/// `proceed` hears the share of the tilts that is done; its Stop ends the visits.
+/// Visits `start` rotated by every tilt and roll within the range, in steps of about `stepDeg`, leaving out locked
+/// angles. `proceed` receives the completed share of the tilts; Stop ends the iteration.
 void forEachTurn(const CentroidPose& start, const SearchReach& reach,
                  const std::function<void(const CentroidPose&)>& visit, const std::function<Verdict(double)>& proceed);
 

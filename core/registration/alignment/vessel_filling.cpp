@@ -53,7 +53,8 @@ VesselFilling::VesselFilling(const TreeSamples& tree) : parts_(branchPieces(tree
 
 std::vector<std::uint8_t> VesselFilling::likeliest(std::span<const double> filledGain, double changeCost) const
 {
-    std::vector<std::array<double, 2>> gain(order_.size(), {0.0, 0.0});   // of the node and all below it: empty, filled
+    std::vector<std::array<double, 2>> gain(order_.size(),
+                                            {0.0, 0.0});   // gain of the node and its subtree: unopacified, opacified
     for (std::size_t p = 0; p < filledGain.size(); ++p) {
         gain[p][1] = filledGain[p];
     }
@@ -89,12 +90,12 @@ int VesselFilling::forks(std::span<const std::uint8_t> isOpacified) const
 int VesselFilling::emptyTerritories(std::span<const std::uint8_t> isOpacified, double minMm) const
 {
     const std::size_t pieceCount = parts_.pieces.size();
-    std::vector<double> emptyMm(order_.size(), 0.0);   // of a stretch, where it hangs on nothing empty
+    std::vector<double> emptyMm(order_.size(), 0.0);   // length of a stretch that is not attached to an unopacified one
     std::vector<int> top(order_.size());
     for (const Node& node : order_) {
         const bool isPiece = at(node.number) < pieceCount;
         const bool isEmpty = !isPiece || isOpacified[at(node.number)] == 0;
-        // A filled piece parts what hangs on either side of it.
+        // An opacified piece separates the parts attached on either side.
         const bool continues =
             node.above >= 0 && isEmpty && (at(node.above) >= pieceCount || isOpacified[at(node.above)] == 0);
         top[at(node.number)] = continues ? top[at(node.above)] : node.number;

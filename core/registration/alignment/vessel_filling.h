@@ -7,33 +7,35 @@
 
 namespace angiopose::core {
 
-/// Which of the tree the contrast medium fills. Where it does not come to, all that it feeds stays empty: neighbouring
-/// pieces are alike unless the image speaks against it, and every change along the tree costs (ALGORITHMS §6.17).
+/// Determines which parts of the tree are opacified. Contrast agent that does not reach a piece does not reach anything
+/// downstream either: neighboring pieces have the same state unless the image contradicts it, and every change along
+/// the tree has a cost (ALGORITHMS §6.17).
 class VesselFilling {
 public:
     explicit VesselFilling(const TreeSamples& tree);
 
-    /// The piece of every tree point.
+    /// Piece index of every tree point.
     const std::vector<int>& pieceOfPoint() const { return pieceOfPoint_; }
     const std::vector<BranchPiece>& pieces() const { return parts_.pieces; }
 
-    /// 1 for each piece that is most likely filled, by how much more each piece looks filled than empty (any sign; in
-    /// the unit of `changeCost`, mm of vessel). Exact: dynamic programme over the tree.
+    /// Returns 1 for each piece that is most likely opacified. `filledGain` is the evidence that a piece is opacified
+    /// rather than unopacified (any sign; in the unit of `changeCost`, mm of vessel). Exact: dynamic programming over
+    /// the tree.
     std::vector<std::uint8_t> likeliest(std::span<const double> filledGain, double changeCost) const;
 
-    /// Connected empty stretches of at least `minMm`.
+    /// Number of connected unopacified stretches of at least `minMm`.
     int emptyTerritories(std::span<const std::uint8_t> isOpacified, double minMm) const;
 
-    /// Junctions at which at least three filled pieces meet.
+    /// Number of junctions at which at least three opacified pieces meet.
     int forks(std::span<const std::uint8_t> isOpacified) const;
 
     double lengthMm(std::size_t piece) const { return lengthMm_[piece]; }
 
 private:
-    /// Pieces first, then junctions; every node after the one it hangs on.
+    /// Pieces first, then junctions; every node follows its parent.
     struct Node {
         int number;
-        int above;   ///< the node it hangs on; −1: none
+        int above;   ///< parent node; −1: none
     };
 
     BranchPieces parts_;

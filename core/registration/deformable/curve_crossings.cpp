@@ -11,10 +11,10 @@ namespace angiopose::core {
 namespace {
 
 constexpr double crossingCellPx = 12.0;
-constexpr double sameCrossingPx = 2.0;   // a curve that wavers over the line meets it once
+constexpr double sameCrossingPx = 2.0;   // a curve that wavers across the line counts as one crossing
 
-/// Least-squares parabola over seven points (Savitzky and Golay 1964), five or three near the ends: takes out the steps
-/// of whole pixels, keeps the bends.
+/// Least-squares parabola over seven points (Savitzky and Golay 1964), five or three near the ends: removes the pixel
+/// steps and keeps the curvature.
 Eigen::Vector2d smoothedPoint(const std::vector<Eigen::Vector2d>& points, std::size_t first, std::size_t last,
                               std::size_t at)
 {
@@ -111,7 +111,7 @@ void CurveCrossings::find(const CrossingQuery& query, double greatestTurn, std::
 {
     crossings.clear();
     const double minCosine = std::cos(greatestTurn);
-    // Bands of cells along the longer axis of the line; pieces reach at most one cell beyond their own.
+    // Bands of cells along the longer axis of the line; pieces extend at most one cell beyond their own.
     const bool isSteep = std::abs(query.normal.y()) > std::abs(query.normal.x());
     const int bands = isSteep ? rows_ : columns_;
     const int lanes = isSteep ? columns_ : rows_;

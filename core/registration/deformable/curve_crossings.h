@@ -9,38 +9,39 @@
 
 namespace angiopose::core {
 
-/// Where a line across a projected vessel meets a traced curve.
+/// Crossing of a traced curve with a line across a projected vessel.
 struct CurveCrossing {
-    double offsetPx = 0.0;   ///< along the line, from the place it was drawn through
-    double turn = 0.0;   ///< between the directions of vessel and curve, rad, 0…π/2
+    double offsetPx = 0.0;   ///< along the line, measured from the point through which it is drawn
+    double turn = 0.0;   ///< angle between the directions of vessel and curve, rad, 0…π/2
     int curve = -1;
 };
 
-/// A line of the image to look along.
+/// Line in the image along which to search.
 struct CrossingQuery {
     Eigen::Vector2d placePx;
-    Eigen::Vector2d normal;   ///< unit: along the line
-    double reachPx = 0.0;   ///< to either side
+    Eigen::Vector2d normal;   ///< unit vector along the line
+    double reachPx = 0.0;   ///< search length on either side
 };
 
-/// The traced curves, smoothed below the pixel grid and sorted into cells, to find where lines meet them.
+/// Traced curves, smoothed to subpixel accuracy and binned into cells, for finding their crossings with lines.
 class CurveCrossings {
 public:
     CurveCrossings(const TargetSamples& target, const ProjectionCamera& camera);
 
-    /// False where no two target points are joined to a curve.
+    /// False if no two target points are connected by a curve.
     bool hasCurves() const { return !pieces_.empty(); }
 
-    /// Crossings within reach whose direction differs by less than `greatestTurn` (rad), nearest first, at most `most`.
+    /// Finds the crossings within reach whose direction differs by less than `greatestTurn` (rad), nearest first, at
+    /// most `most`.
     void find(const CrossingQuery& query, double greatestTurn, std::size_t most,
               std::vector<CurveCrossing>& crossings) const;
 
 private:
-    /// Straight piece between neighbouring points of a curve.
+    /// Straight segment between neighboring points of a curve.
     struct Piece {
         Eigen::Vector2d from;
         Eigen::Vector2d along;
-        Eigen::Vector2d direction;   ///< unit, of the curve around it
+        Eigen::Vector2d direction;   ///< unit vector, direction of the surrounding curve
         int curve = -1;
     };
 
@@ -48,8 +49,8 @@ private:
     void meet(const Piece& piece, const CrossingQuery& query, double minCosine,
               std::vector<CurveCrossing>& crossings) const;
 
-    std::vector<Piece> pieces_;   ///< by cell
-    std::vector<std::int32_t> starts_;   ///< of each cell among the pieces, row by row, and the end
+    std::vector<Piece> pieces_;   ///< sorted by cell
+    std::vector<std::int32_t> starts_;   ///< index of the first piece of each cell, row by row, and the end
     int columns_ = 0;
     int rows_ = 0;
 };

@@ -17,15 +17,16 @@ constexpr double gateDeviations = 3.0;
 constexpr double greatestTurn = 40.0 / 180.0 * std::numbers::pi;
 constexpr double turnDeviation = 20.0 / 180.0 * std::numbers::pi;
 constexpr std::size_t maxCandidates = 6;
-constexpr double evidenceShare = 0.4;   // of a candidate: neighbours repeat each other
+constexpr double evidenceShare = 0.4;   // evidence of a candidate counts only in part, because neighbors are correlated
 constexpr double robustDeviations = 2.5;
-constexpr double independentMm = 4.0;   // along a vessel: errors of a traced curve are alike over less
+constexpr double independentMm = 4.0;   // along a vessel; errors of a traced curve are correlated over shorter lengths
 constexpr double minRowWeight = 0.03;
 constexpr double minNoisePx = 0.2;
 constexpr double greatestNoisePx = 4.0;
-// Share of the squared residuals that the weights let through for Gaussian ones, over their share of the weights.
+// Fraction of the squared residuals kept by the weights for Gaussian residuals, divided by the fraction of the weights
+// kept.
 constexpr double robustBias = 0.67;
-// Standard deviations over length of the tree at a strain of 1: of the motions in space, and along the tree.
+// Standard deviation of each motion at a strain of 1, mm: three motions in space, then the one along the tree.
 constexpr std::array<double, motionCount> motionPerStrainMm{30.0, 20.0, 10.0, 12.0};
 
 double robustWeight(double residualMm, double deviationMm)
@@ -138,7 +139,7 @@ double DeformationFit::foundMm(const MotionRow& row) const
            row.byPose.dot(state_.poseStep) + geometry;
 }
 
-/// The candidates of a knot as one row, or none.
+/// Combines the candidates of a knot into one row, or none.
 void DeformationFit::addRow(const KnotLook& look, const KnotChoice& choice, std::size_t view,
                             const DeformationStep& step)
 {

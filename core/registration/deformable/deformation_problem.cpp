@@ -15,7 +15,7 @@ std::size_t viewNumber(std::span<const DeformableView> views, std::size_t index)
     return views[index].number > 0 ? views[index].number : index + 1;
 }
 
-/// The target of a view and where the first view's camera lies; fails where the view cannot be used.
+/// Builds the target of a view and its camera position relative to the first view; fails if the view is unusable.
 Result<DeformationView> makeDeformationView(const DeformableView& view, const RigidTransform& firstPose)
 {
     RegistrationInput input = view.input;
@@ -38,7 +38,7 @@ Matrix6d independentVariances(double turnDeg, double shiftMm)
     return deviations.cwiseAbs2().asDiagonal();
 }
 
-/// What the start pose tells of the step from the rigid pose to the true one.
+/// Belief about the step from the rigid pose to the true one according to the initial pose.
 LinearBelief stepByStart(const CentroidPose& rigid, const RegistrationInput& input, const DeformableOptions& options)
 {
     Vector6d deviations;

@@ -7,11 +7,12 @@
 
 namespace angiopose::core {
 
-/// What the fit of these views starts from; fails where views or options cannot be used.
+/// Builds the deformation problem for these views; fails if views or options are unusable.
 Result<DeformationProblem> makeDeformationProblem(std::span<const DeformableView> views,
                                                   const DeformableOptions& options);
 
-/// The same tree in another image, or from another rigid pose: knots and kernel stay. As it was where that fails.
+/// Replaces the image or the rigid pose and keeps the tree, its knots and the kernel. Leaves the problem unchanged on
+/// failure.
 Status lookElsewhere(DeformationProblem& problem, const DeformableView& view, const DeformableOptions& options);
 
 }   // namespace angiopose::core

@@ -6,16 +6,17 @@
 
 namespace angiopose::core {
 
-/// Follows bent vessels through the frames of a run (ALGORITHMS §11.6): each frame starts from the bend of the one
-/// before and needs a few steps where a cold start takes three runs. Where little of the tree finds its vessel that
-/// way, the frame is bent from nothing.
+/// Tracks deformed vessels through the frames of a run (ALGORITHMS §11.6): each frame starts from the deformation of
+/// the previous one and needs a few steps where a cold start takes three fits. If only little of the tree finds a
+/// matching vessel that way, the frame is fitted from scratch.
 class DeformationTracker {
 public:
-    /// Goes on from what bending found in one frame, `known`, in its view alone; fails where that cannot be used.
+    /// Continues from the deformation `known` found in one frame, in that view only; fails if the view is unusable.
     static Result<DeformationTracker> after(const DeformableView& view, DeformableResult known,
                                             const DeformableOptions& options = {});
 
-    /// The bend of the next frame, near its rigid pose; fails where its target cannot be used, and stays as it was.
+    /// Computes the deformation of the next frame near its rigid pose; fails if its target is unusable, leaving the
+    /// tracker unchanged.
     Result<DeformableResult> next(const DeformableView& view, const IterationObserver& observe = {});
 
 private:
@@ -27,8 +28,8 @@ private:
     DeformableOptions options_;
     DeformationProblem problem_;
     DeformableResult last_;
-    RigidTransform lastRigid_;   ///< of the frame of `last_`
-    std::optional<MotionVariances> variances_;   ///< as the last frame taught them
+    RigidTransform lastRigid_;   ///< rigid pose of the frame of `last_`
+    std::optional<MotionVariances> variances_;   ///< variances estimated in the last frames
 };
 
 }   // namespace angiopose::core

@@ -11,9 +11,9 @@ namespace angiopose::core {
 namespace {
 
 constexpr double convincingGain = 10.0;   // log evidence
-constexpr double greatestSpreadMm = 0.5;   // runs that differ more follow other branches
-constexpr double minExplained = 0.4;   // of the visible tree
-constexpr double greatestResidualPx = 1.2;   // beyond what tracing explains: motion that was not followed
+constexpr double greatestSpreadMm = 0.5;   // larger differences mean that the runs match different branches
+constexpr double minExplained = 0.4;   // fraction of the visible tree
+constexpr double greatestResidualPx = 1.2;   // more than tracing noise explains: motion that was not captured
 
 Message sideWord(const Eigen::Vector3d& direction)
 {

@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// Decides between rigid, bent and unsure by evidence, spread and what was seen, and says in words what moved
-/// (ALGORITHMS §11.4). A rigid verdict puts the rigid poses back.
+/// Decides between rigid, bent and unsure from the evidence, the spread and the visible share, and describes the motion
+/// in messages (ALGORITHMS §11.4). A rigid verdict restores the rigid poses.
 void judgeDeformation(std::span<const DeformableView> views, DeformableResult& result);
 
 }   // namespace angiopose::core

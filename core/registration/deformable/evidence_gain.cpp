@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::array<double, 7> noiseFactorsTried{1.0, 1.4, 2.0, 2.8, 4.0, 8.0, 16.0};
 
-/// What rows say about pose and geometry where there is no motion: few parameters, so that their evidence is cheap.
+/// Information of the rows about pose and geometry without motion: few parameters, which makes their evidence cheap to
+/// compute.
 class RigidRows {
 public:
     RigidRows(const MotionPrior& prior, const std::vector<MotionRow>& rows)
@@ -27,7 +28,7 @@ public:
         reported_ = Eigen::MatrixXd::Zero(size, size);
         pull_ = Eigen::VectorXd::Zero(size);
         for (const MotionRow& row : rows) {
-            Eigen::VectorXd steps = Eigen::VectorXd::Zero(size);   // scaled by the roots of their prior
+            Eigen::VectorXd steps = Eigen::VectorXd::Zero(size);   // scaled by the square roots of their prior
             steps.head<6>() = poseRoot.transpose() * row.byPose;
             if (row.view > 0) {
                 steps.segment<6>(6 * static_cast<Eigen::Index>(row.view)) = geometryRoot.cwiseProduct(row.byGeometry);
@@ -40,7 +41,7 @@ public:
         count_ = static_cast<double>(rows.size());
     }
 
-    /// log N(values; 0, covariance), every row's deviation `factor` times as large (Woodbury).
+    /// log N(values; 0, covariance) with the deviation of every row scaled by `factor` (Woodbury).
     double logEvidence(double factor) const
     {
         const double f2 = factor * factor;
@@ -73,7 +74,7 @@ double logEvidenceGain(const DeformationProblem& problem, const DeformationFit& 
     for (const double factor : noiseFactorsTried) {
         const double evidence = rigid.logEvidence(factor);
         if (evidence < best) {
-            break;   // beyond the noise that suits it
+            break;   // past the best-fitting noise
         }
         best = evidence;
     }

@@ -4,8 +4,8 @@
 
 namespace angiopose::core {
 
-/// By how much a bent tree explains the rows of a fit better than a rigid one, as log evidence (ALGORITHMS §11.4). The
-/// rigid tree may have noise of its own, as large as suits it.
+/// Log evidence of a deformed tree over a rigid one for the rows of a fit (ALGORITHMS §11.4). The rigid tree may use
+/// its own best-fitting noise.
 double logEvidenceGain(const DeformationProblem& problem, const DeformationFit& fit);
 
 }   // namespace angiopose::core

@@ -10,7 +10,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double variancePullMm2 = 0.003;   // the weak pull of learned variances: γ = 0 gives 0.01 mm²
+constexpr double variancePullMm2 = 0.003;   // weak prior on the learned variances: γ = 0 gives 0.01 mm²
 constexpr double countPull = 0.3;
 
 Eigen::Index rowAt(std::size_t number)
@@ -18,7 +18,7 @@ Eigen::Index rowAt(std::size_t number)
     return static_cast<Eigen::Index>(number);
 }
 
-/// Of a lower triangle, in place, by halves: what is zero is not multiplied.
+/// Inverts a lower triangle in place by recursive halving; skips multiplication by zeros.
 void invertLowerTriangle(Eigen::Ref<Eigen::MatrixXf> lower)
 {
     const Eigen::Index count = lower.rows();
@@ -38,7 +38,7 @@ void invertLowerTriangle(Eigen::Ref<Eigen::MatrixXf> lower)
     last.triangularView<Eigen::StrictlyUpper>().setZero();
 }
 
-/// The lower triangle of VᵀV for a lower triangle V, block by block: what is zero is not multiplied.
+/// Lower triangle of VᵀV for a lower triangle V, computed in blocks; skips multiplication by zeros.
 Eigen::MatrixXf lowerOfSquare(const Eigen::MatrixXf& lower)
 {
     constexpr Eigen::Index blockSize = 64;
@@ -128,7 +128,7 @@ Eigen::VectorXd FieldPosterior::variances() const
 
 FieldPosterior::RowBasis FieldPosterior::basisOf(const std::vector<MotionRow>& rows) const
 {
-    std::size_t lastView = 0;   // of these rows and of the given ones: either may lack the views of the other
+    std::size_t lastView = 0;   // over these rows and the given ones: either may lack views of the other
     for (const auto* each : {&rows, &rows_}) {
         for (const MotionRow& row : *each) {
             lastView = std::max(lastView, row.view);
@@ -156,7 +156,7 @@ Eigen::VectorXf FieldPosterior::covariances(const MotionRow& row, const Eigen::V
     for (std::size_t r = 0; r < rows_.size(); ++r) {
         alike[rowAt(r)] *= combined_(rowAt(rows_[r].knot), rowAt(row.knot));
     }
-    // The geometry of a view without a given row is independent of all of them.
+    // The geometry of a view without a given row is independent of all given rows.
     alike.noalias() += basis_.steps.transpose() * steps.head(basis_.steps.rows());
     return alike;
 }
@@ -211,7 +211,7 @@ std::vector<Eigen::Matrix3d> FieldPosterior::placeCovariances(const std::vector<
 LinearBelief FieldPosterior::beliefWithPose(const Eigen::Matrix<float, 6, Eigen::Dynamic>& byMotion,
                                             const LinearBelief& pose) const
 {
-    // Covariances of the functions with the motion of every knot, three columns each.
+    // Covariances of the functions with the motion of every knot, three columns per knot.
     const Eigen::Index knots = combined_.cols();
     Eigen::Matrix<float, 6, Eigen::Dynamic> withMotion(6, 3 * knots);
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -224,7 +224,7 @@ LinearBelief FieldPosterior::beliefWithPose(const Eigen::Matrix<float, 6, Eigen:
             withMotion.col(3 * k + axis) = ofAxis.col(k);
         }
     }
-    // What rows say of the functions by motion, of the pose, and their values; whitened.
+    // Whitened information of the rows about the functions (through motion) and the pose, with the row values.
     Eigen::Matrix<float, Eigen::Dynamic, 13> reported(rowAt(rows_.size()), 13);
     for (std::size_t r = 0; r < rows_.size(); ++r) {
         reported.row(rowAt(r))
@@ -246,7 +246,7 @@ LinearBelief FieldPosterior::beliefWithPose(const Eigen::Matrix<float, 6, Eigen:
 
 MotionVariances FieldPosterior::learnedVariances() const
 {
-    // Sums over pairs of rows, gathered over pairs of their knots.
+    // Sums over pairs of rows, accumulated over pairs of their knots.
     const auto count = rowAt(rows_.size());
     const Eigen::Index knots = combined_.cols();
     const Eigen::MatrixXf inverse = lowerOfSquare(inverseFactor_);

@@ -11,11 +11,12 @@
 namespace angiopose::core {
 namespace {
 
-// Residuals beyond this are motion that the field did not follow, alike along a vessel: they do not average out.
+// Larger residuals are motion that the field did not capture; they are correlated along a vessel and do not average
+// out.
 constexpr double tracingNoisePx = 0.6;
-constexpr double rivalLogLikelihood = 20.0;   // runs this much less likely count a third
+constexpr double rivalLogLikelihood = 20.0;   // runs with a log likelihood lower by this count one third
 
-/// Every other knot of each branch and its last one: covariances change slowly along a branch.
+/// Every other knot of each branch, plus its last one: covariances change slowly along a branch.
 std::vector<std::size_t> everyOther(const TreeKnots& knots)
 {
     std::vector<std::size_t> asked;
@@ -52,7 +53,7 @@ std::vector<Eigen::Matrix3d> covariancesOf(const DeformationProblem& problem, co
     return covariances;
 }
 
-/// Mean over the runs of d dᵀ, d from the best one.
+/// Mean over the runs of d dᵀ, where d is the displacement from the best run.
 std::vector<Eigen::Matrix3d> spreadOfRuns(const std::vector<KnotPlaces>& places,
                                           const std::vector<DeformationFit>& runs, std::size_t best)
 {
@@ -78,7 +79,7 @@ double rmsInPlane(const std::vector<Eigen::Matrix3d>& spread, const std::vector<
     return total > 0.0 ? std::sqrt(sum / total) : 0.0;
 }
 
-/// Values of knots carried to the points of a branch by arc length.
+/// Interpolates knot values to the points of a branch by arc length.
 template <class Value>
 std::vector<Value> atPoints(const VesselBranch& branch, const Value* first, std::size_t count)
 {
@@ -117,7 +118,7 @@ std::vector<double> seenShares(const DeformationProblem& problem, const Deformat
     return shares;
 }
 
-/// Motion in the image plane of the only view, or in space.
+/// Motion in the image plane for a single view, otherwise in space.
 double seenMotionMm(const Eigen::Vector3d& motion, const RigidTransform& pose, std::size_t viewCount)
 {
     return viewCount == 1 ? (pose.rotation * motion).head<2>().norm() : motion.norm();

@@ -10,11 +10,11 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::array<double, 7> cutsTried{0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8};
-constexpr double maxLeftOver = 0.35;   // of the squares of the motion, by two rigid parts
+constexpr double maxLeftOver = 0.35;   // fraction of the squared motion left unexplained by two rigid parts
 constexpr double minPartShiftMm = 2.0;
 constexpr double samplesMm = 5.0;
 
-/// Places before and after, evenly spaced.
+/// Evenly spaced positions before and after the motion.
 struct MovedSamples {
     std::vector<Eigen::Vector3d> before;
     std::vector<Eigen::Vector3d> after;

@@ -8,9 +8,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minBranchMm = 10.0;   // shorter ones are not named
-// Share of a motion that the model does not follow: sliding along vessels, second order, other forms than its own.
-// Measured on made-up trees (bent_trust_table --family development).
+constexpr double minBranchMm = 10.0;   // shorter branches are not reported
+// Fraction of a motion that the model does not capture: sliding along vessels, second-order effects, other forms of
+// motion. Measured on synthetic trees (bent_trust_table --family development).
 constexpr double notFollowedShare = 0.06;
 
 using StepOfPlaces = Eigen::Matrix<double, 6, Eigen::Dynamic>;
@@ -23,7 +23,7 @@ StepsOfPlace byStep(const Eigen::Vector3d& fromCentroid)
     return moved;
 }
 
-/// The rigid tree in the camera of the first view, from its centroid.
+/// Rigid tree in the camera of the first view, relative to its centroid.
 std::vector<Eigen::Vector3d> rigidArms(const DeformationProblem& problem)
 {
     std::vector<Eigen::Vector3d> arms;
@@ -33,8 +33,8 @@ std::vector<Eigen::Vector3d> rigidArms(const DeformationProblem& problem)
     return arms;
 }
 
-/// The step that lays the rigid tree nearest to places which moved a little, as a linear function of these moves: three
-/// columns for each knot, camera axes.
+/// Step that best aligns the rigid tree with slightly moved positions, as a linear function of these displacements:
+/// three columns per knot, camera axes.
 StepOfPlaces nearestStep(const std::vector<Eigen::Vector3d>& arms, const std::vector<double>& weights)
 {
     Matrix6d squares = Matrix6d::Zero();
@@ -47,7 +47,8 @@ StepOfPlaces nearestStep(const std::vector<Eigen::Vector3d>& arms, const std::ve
     return squares.ldlt().solve(pulls);
 }
 
-/// Of the nearest step under the rows of a run, from the start pose's prior instead of the fit's own.
+/// Belief about the nearest step given the rows of a run, using the prior of the initial pose instead of that of the
+/// fit.
 LinearBelief beliefAboutStep(const DeformationProblem& problem, const DeformationFit& fit, const StepOfPlaces& nearest)
 {
     MotionPrior prior = problem.prior;
@@ -58,16 +59,17 @@ LinearBelief beliefAboutStep(const DeformationProblem& problem, const Deformatio
     for (Eigen::Index k = 0; 3 * k < nearest.cols(); ++k) {
         byMotion.middleCols<3>(3 * k) = nearest.middleCols<3>(3 * k) * problem.start.rotation;
     }
-    return posterior.beliefWithPose(byMotion.cast<float>(), problem.startStep);   // a rigid step is its own nearest one
+    return posterior.beliefWithPose(byMotion.cast<float>(),
+                                    problem.startStep);   // the nearest step to a rigid step is that step
 }
 
-/// In the image plane of the only view, at the depth of the places, or in space.
+/// Shift in the image plane at the depth of the points for a single view, otherwise in space.
 double shiftMm(const DeformationProblem& problem, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
 {
     return problem.views.size() > 1 ? (to - from).norm() : (to.head<2>() - to.z() / from.z() * from.head<2>()).norm();
 }
 
-/// Sizes of the offset, from where the rigid pose has the knots to where they are.
+/// Computes the size of the offset between the knots at the rigid pose and their actual positions.
 void measureShifts(const VesselTree& tree, const DeformationProblem& problem, const KnotPlaces& from,
                    const KnotPlaces& to, RigidOffset& offset)
 {

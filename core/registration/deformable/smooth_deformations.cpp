@@ -9,20 +9,20 @@ namespace angiopose::core {
 namespace {
 
 constexpr int learningRounds = 4;
-constexpr double firstStepMm2 = 0.25;   // variance of a point's step from one frame to the next, per axis
+constexpr double firstStepMm2 = 0.25;   // initial variance of a point's step from one frame to the next, per axis
 constexpr double minStepMm2 = 1e-4;
 constexpr double minNoiseMm2 = 1e-4;
 
-/// Where one point of the vessels was seen in every frame, patient axes of that frame's rigid pose, mm.
+/// Observed positions of one vessel point over the frames, patient axes at the rigid pose of each frame, mm.
 struct PointTrack {
     std::vector<Eigen::Vector3d> seen;
     std::vector<Eigen::Matrix3d> covariance;
 };
 
-/// The same, smoothed, and what it says of the steps.
+/// Smoothed point track and its statistics of the steps.
 struct SmoothTrack {
     std::vector<Eigen::Vector3d> place;
-    double squaredSteps = 0.0;   ///< expected, per axis and frame of time, summed up
+    double squaredSteps = 0.0;   ///< expected squared steps per axis and unit of frame time, summed
 };
 
 SmoothTrack smoothed(const PointTrack& track, const std::vector<double>& apart, double stepMm2)
@@ -81,7 +81,7 @@ std::vector<PointTrack> tracksOf(const std::vector<DeformationInTime>& deformati
     return tracks;
 }
 
-/// Frames from the one before, 1 for a run without gaps.
+/// Number of frames since the previous one; 1 for a run without gaps.
 std::vector<double> framesApart(const std::vector<DeformationInTime>& deformations)
 {
     std::vector<double> apart{0.0};
@@ -91,7 +91,7 @@ std::vector<double> framesApart(const std::vector<DeformationInTime>& deformatio
     return apart;
 }
 
-/// By expectation and maximization over all points.
+/// Step variance estimated by expectation maximization over all points.
 double learnedStep(const std::vector<PointTrack>& tracks, const std::vector<double>& apart)
 {
     double step = firstStepMm2;
@@ -106,7 +106,7 @@ double learnedStep(const std::vector<PointTrack>& tracks, const std::vector<doub
     return step;
 }
 
-/// The result with its points at other places, patient axes at the rigid pose.
+/// Result with its points moved to other positions, patient axes at the rigid pose.
 std::shared_ptr<const DeformableResult> movedTo(const DeformationInTime& deformation, const VesselTree& tree,
                                                 const std::vector<SmoothTrack>& tracks, std::size_t time)
 {

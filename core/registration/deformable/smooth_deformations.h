@@ -8,17 +8,17 @@
 
 namespace angiopose::core {
 
-/// A frame in which bent vessels were found.
+/// Frame in which deformed vessels were found.
 struct DeformationInTime {
     int frame = 0;
-    RigidTransform rigidCameraFromPatient;   ///< that frame's
+    RigidTransform rigidCameraFromPatient;   ///< rigid pose of that frame
     std::shared_ptr<const DeformableResult> deformed;
 };
 
-/// The same bends, smooth in time (ALGORITHMS §11.6): beside the rigid pose of its frame every point of the vessels
-/// walks at random from frame to frame, as far as the frames themselves tell, and each frame saw it with its own
-/// covariance (Rauch, Tung and Striebel 1965). Covariances stay those of the single frames: what is off in one of them,
-/// is off in its neighbours likewise.
+/// Smooths deformations over time (ALGORITHMS §11.6): relative to the rigid pose of its frame, every vessel point
+/// performs a random walk from frame to frame, with a step variance estimated from the frames; each frame observes it
+/// with its own covariance (Rauch, Tung and Striebel 1965). The covariances remain those of the single frames, because
+/// errors are correlated between neighboring frames.
 std::vector<DeformationInTime> smoothInTime(const VesselTree& tree, const std::vector<DeformationInTime>& deformations);
 
 }   // namespace angiopose::core

@@ -8,11 +8,11 @@ namespace angiopose::core {
 namespace {
 
 constexpr double unseenCost = 1.8;   // an unseen knot costs as much as a candidate at the gate
-constexpr double greatestDifferenceCost = 6.0;   // neighbours may part ways: crossing vessels, wrong candidates
-constexpr double appearCost = 2.0;   // neighbours of which only one is seen
-constexpr double otherCurveCost = 0.3;   // curves break at crossings
+constexpr double greatestDifferenceCost = 6.0;   // neighbors may differ: crossing vessels, wrong candidates
+constexpr double appearCost = 2.0;   // cost when only one of two neighbors is seen
+constexpr double otherCurveCost = 0.3;   // cost of switching curves; curves break at crossings
 
-/// Messages are likelihoods over the states of a knot: unseen, then its candidates.
+/// Messages are likelihoods over the states of a knot: unseen, followed by its candidates.
 using StateLikelihoods = Eigen::VectorXd;
 
 StateLikelihoods ownLikelihoods(const KnotChoice& choice)
@@ -43,7 +43,7 @@ Eigen::MatrixXd pairLikelihoods(const KnotChoice& parent, const KnotChoice& chil
         for (Eigen::Index c = 1; c < columns; ++c) {
             const KnotCandidate& there = child.candidates[static_cast<std::size_t>(c) - 1];
             const double difference = here.offsetMm - sign * there.offsetMm;
-            // Where the vessel bends, each normal sees another part of the motion.
+            // Where the vessel curves, each normal sees a different component of the motion.
             const double squares = 0.5 * (here.offsetMm * here.offsetMm + there.offsetMm * there.offsetMm);
             const double spread = 2.0 * (variance + squares * turnSquared);
             const double cost = std::min(greatestDifferenceCost, difference * difference / spread) +

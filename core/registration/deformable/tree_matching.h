@@ -7,28 +7,29 @@
 
 namespace angiopose::core {
 
-/// A curve that a knot may belong to.
+/// Curve that a knot may belong to.
 struct KnotCandidate {
-    double offsetMm = 0.0;   ///< across the vessel, from where the model expects it
-    double cost = 0.0;   ///< negative log of how likely it is by itself
+    double offsetMm = 0.0;   ///< across the vessel, from the predicted position
+    double cost = 0.0;   ///< negative log likelihood of the candidate on its own
     int curve = -1;
-    double probability = 0.0;   ///< by all knots together: the answer
+    double probability = 0.0;   ///< posterior given all knots: the output
 };
 
-/// What is known of one knot in one view before matching; one without candidates is not seen.
+/// Observations of one knot in one view before matching; a knot without candidates is unseen.
 struct KnotChoice {
-    Eigen::Vector2d normal = Eigen::Vector2d::Zero();   ///< of the projected vessel
+    Eigen::Vector2d normal = Eigen::Vector2d::Zero();   ///< normal of the projected vessel
     std::vector<KnotCandidate> candidates;
 };
 
-/// How alike the offsets of neighbours are.
+/// Similarity of the offsets of neighboring knots.
 struct NeighborModel {
     double noiseMm = 0.1;   ///< 1-σ of one offset
     double strain = 0.15;   ///< 1-σ of the change per mm along the tree
 };
 
-/// Who belongs to whom, by sum-product along the tree (ALGORITHMS §11.3): for every knot the probabilities of its
-/// candidates; what is left to 1 is the probability that the image does not show it. Exact, as the links are a forest.
+/// Matches knots and curves by sum-product along the tree (ALGORITHMS §11.3): computes for every knot the probabilities
+/// of its candidates; the remainder to 1 is the probability that the image does not show it. Exact, because the links
+/// form a forest.
 void matchAlongTree(const TreeKnots& knots, const NeighborModel& model, std::vector<KnotChoice>& choices);
 
 }   // namespace angiopose::core

@@ -5,9 +5,10 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minSeenShare = 0.25;   // of a vessel's length: what runs along the ray has no direction in the image
+constexpr double minSeenShare =
+    0.25;   // fraction of a vessel's length: a vessel along the ray has no direction in the image
 
-/// Tangent of the bent branch at a knot, patient axes; not unit.
+/// Tangent of the deformed branch at a knot, patient axes; not normalized.
 Eigen::Vector3d deformedTangent(const TreeKnots& knots, const DeformedTree& deformed, std::size_t branch,
                                 std::size_t knot)
 {

@@ -11,33 +11,33 @@
 
 namespace angiopose::core {
 
-/// How one knot looks in one view, and what moves it across its own vessel there.
+/// Observation geometry of one knot in one view, and the parameters that move it across its vessel.
 struct KnotLook {
     std::size_t knot = 0;
     Eigen::Vector2d placePx;
-    Eigen::Vector2d normal;   ///< unit, across the projected vessel
-    double mmPerPx = 0.0;   ///< at its depth
-    double seenMm = 0.0;   ///< length across the ray of what the knot stands for
+    Eigen::Vector2d normal;   ///< unit vector across the projected vessel
+    double mmPerPx = 0.0;   ///< at the depth of the knot
+    double seenMm = 0.0;   ///< length across the ray represented by the knot
     Eigen::Vector3d byMotion;   ///< mm across the vessel per mm of motion, patient axes
-    Vector6d byPose;   ///< the same per step (rad, mm) of the first view's pose about the centroid
-    Vector6d byGeometry;   ///< the same per correction of this view's geometry
+    Vector6d byPose;   ///< same per step (rad, mm) of the first view's pose about the centroid
+    Vector6d byGeometry;   ///< same per correction of this view's geometry
 };
 
-/// The bent tree as it is for the moment.
+/// Current state of the deformed tree.
 struct DeformedTree {
-    RigidTransform cameraFromPatient;   ///< of the first view
-    Eigen::Matrix3Xd motionMm;   ///< of each knot, patient axes
+    RigidTransform cameraFromPatient;   ///< pose in the first view
+    Eigen::Matrix3Xd motionMm;   ///< motion of each knot, patient axes
 };
 
-/// One view as the fit of a bent tree needs it.
+/// View data needed by the fit of a deformed tree.
 struct DeformableSight {
     ProjectionCamera camera;
-    RigidTransform cameraFromFirst;   ///< corrected
+    RigidTransform cameraFromFirst;   ///< with the correction applied
     Eigen::Vector3d centroidInPatient = Eigen::Vector3d::Zero();
     const CurveCrossings* curves = nullptr;
 };
 
-/// Nothing for a knot of an excluded branch, behind the source, or whose vessel runs along the ray.
+/// Returns nullopt for knots of an excluded branch, behind the source, or on a vessel that runs along the ray.
 std::vector<std::optional<KnotLook>> lookAt(const TreeKnots& knots, const DeformedTree& deformed,
                                             const DeformableSight& sight);
 

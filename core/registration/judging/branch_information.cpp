@@ -10,8 +10,8 @@
 namespace angiopose::core {
 namespace {
 
-// Noise of neighbouring traced points with correlation exp(-1/10): the variance of means is 20 times that of
-// independent points.
+// Noise of neighboring traced points with correlation exp(-1/10): the variance of means is 20 times that of independent
+// points.
 constexpr double unitVariancePx2 = 20.0;
 constexpr double worthwhileGain = 0.05;
 
@@ -21,7 +21,7 @@ bool isInside(const ProjectionCamera& camera, const Eigen::Vector2d& pixel)
            pixel.y() <= camera.height - 0.5;
 }
 
-/// Length in px of a piece whose both ends are in the image; 0 otherwise.
+/// Length in px of a piece with both ends in the image; 0 otherwise.
 double visibleLengthPx(const ProjectionCamera& camera, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
 {
     const auto fromPx = project(camera, from);
@@ -49,7 +49,7 @@ Matrix6d sumOf(const std::vector<BranchInformation>& branches)
     return sum;
 }
 
-/// The branch outside `chosen` that scores highest, or null.
+/// Highest-scoring branch outside `chosen`, or null.
 template <class Score>
 const BranchInformation* best(const std::vector<BranchInformation>& branches, const std::vector<int>& chosen,
                               const Score& score)
@@ -74,7 +74,7 @@ Matrix6d pieceInformation(const ProjectionCamera& camera, const Eigen::Vector3d&
     const auto fromPx = project(camera, fromInCamera);
     const auto toPx = project(camera, toInCamera);
     const Eigen::Vector2d along = fromPx && toPx ? Eigen::Vector2d(*toPx - *fromPx) : Eigen::Vector2d::Zero();
-    const double lengthPx = along.norm();   // as many traced points
+    const double lengthPx = along.norm();   // equals the number of traced points
     if (lengthPx < 1e-9) {
         return Matrix6d::Zero();
     }
@@ -141,7 +141,7 @@ std::vector<int> bestInformedBranches(const std::vector<BranchInformation>& bran
 {
     Matrix6d known = priorInformation(priorStd);
     const Vector6d wanted = tolerance * stdOf(known + sumOf(branches));
-    // Radians and millimetres differ in size; scaling by the prior keeps the determinants in range.
+    // Radians and millimeters differ in magnitude; scaling by the prior keeps the determinants in range.
     const Matrix6d scale = priorStd.asDiagonal();
     std::vector<int> chosen;
     while ((stdOf(known).array() > wanted.array()).any()) {

@@ -8,14 +8,14 @@ namespace angiopose::core {
 namespace {
 
 constexpr double disagreeingMm = 1.0;
-constexpr double seenEnough = 0.5;   ///< of a branch's length
+constexpr double seenEnough = 0.5;   ///< fraction of a branch's length
 
 bool isReportedUnopacified(const RegistrationResult& result, int branchId)
 {
     return std::ranges::find(result.unopacified, branchId, &UnopacifiedBranch::branchId) != result.unopacified.end();
 }
 
-/// Whether the vessels were found bent, and this branch of them in the image.
+/// Whether the vessels were found to be deformed and the image shows this branch at its deformed position.
 bool isExplainedByDeformation(const RegistrationResult& result, int branchId)
 {
     if (!result.deformed || result.deformed->verdict != DeformationVerdict::Deformed) {
@@ -26,7 +26,7 @@ bool isExplainedByDeformation(const RegistrationResult& result, int branchId)
     });
 }
 
-/// Whether nothing of this branch is expected in the image: a wire takes other ones.
+/// Whether this branch is not expected in the image because a wire follows other branches.
 bool isBesideWire(const RegistrationResult& result, int branchId)
 {
     return !result.wirePaths.empty() && std::ranges::count(result.wirePaths.front().branchIds, branchId) == 0;

@@ -6,14 +6,15 @@
 
 namespace angiopose::core {
 
-/// Branches that the traced vessels do not show where a pose puts them.
+/// Branches whose projection does not match the traced vessels at a pose.
 struct DisagreeingBranches {
     std::vector<int> branchIds;   ///< in the tree's order
-    double worstMm = 0.0;   ///< largest median of one of them, at the vessels
+    double worstMm = 0.0;   ///< largest median of these branches, at the vessels
 };
 
-/// Those with a median above 1 mm that the run does not call unfilled, that no bend explains and that lie on the way of
-/// a wire, where there is one: perhaps unfilled all the same, or moved. A pose may be right beside them, and trusted.
+/// Branches with a median above 1 mm that the registration does not report as unopacified, that no deformation explains
+/// and, if there is a wire, that lie on its path: they may still be unopacified, or have moved. A pose with such
+/// branches may be correct and reliable.
 DisagreeingBranches disagreeingBranches(const RegistrationResult& result, double millimetersPerPixel);
 
 }   // namespace angiopose::core

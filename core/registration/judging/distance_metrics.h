@@ -5,13 +5,13 @@
 
 namespace angiopose::core {
 
-/// Agreement that counts as "on the vessel".
+/// Distance that counts as "on the vessel".
 inline constexpr double agreementPx = 3.0;
 
-/// Where the tree points stand in the image under one pose. Distances are to the curves, not to their sample points.
+/// Projection of the tree points under one pose. Distances are to the curves, not to their sample points.
 struct ProjectedTree {
     std::vector<Eigen::Vector2d> pointsPx;   ///< one per tree point; NaN where the point does not project
-    std::vector<double> distancePx;   ///< to the target; where nothing projects, the image diagonal
+    std::vector<double> distancePx;   ///< distance to the target; the image diagonal where a point does not project
     std::vector<std::uint8_t> isInView;   ///< 1: inside the image
 };
 
@@ -19,7 +19,7 @@ struct ProjectedTree {
 ProjectedTree projectTree(const RegistrationProblem& problem, const RigidTransform& cameraFromPatient,
                           const GridIndex& target);
 
-/// Both directions of ALGORITHMS §4.5. A point that leaves the view keeps its full distance.
+/// Distances in both directions of ALGORITHMS §4.5. A point that leaves the view keeps its full distance.
 DistanceMetrics distanceMetrics(const RegistrationProblem& problem, const RigidTransform& cameraFromPatient,
                                 const ProjectedTree& projected);
 

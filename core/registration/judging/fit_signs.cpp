@@ -22,9 +22,9 @@ double agreementOf(const PoseInImage& seen, const RigidTransform& pose)
     return AgreementScore(seen.problem, seen.target).of(aboutCentroid(pose, seen.problem.tree.centroid));
 }
 
-constexpr int maxOfPath = 4;   // branches: a tree of which more is followed is no single path
+constexpr int maxOfPath = 4;   // branches: a tree with more matched branches is not a single path
 
-/// Whether what lies on vessels of a connected tree forks nowhere: a wire, a catheter, one vessel.
+/// Whether the matched part of a connected tree has no bifurcation, as with a wire, a catheter or a single vessel.
 bool isSinglePath(const PoseInImage& seen)
 {
     const BranchPieces parts = branchPieces(seen.problem.tree);

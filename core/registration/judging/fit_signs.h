@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// A pose and where it puts the tree.
+/// Pose with the resulting projection of the tree.
 struct PoseInImage {
     const RegistrationProblem& problem;
     const TargetLines& target;
@@ -14,7 +14,7 @@ struct PoseInImage {
     const PoseUncertainty& uncertainty;
 };
 
-/// What tells how far the pose of a solution may be off.
+/// Computes the signs from which the error of a solution's pose is estimated.
 FitSigns fitSigns(const PoseInImage& seen, const RegistrationOptions& options, const MethodSolution& solution);
 
 }   // namespace angiopose::core

@@ -8,9 +8,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int bridgedPoints = 2;   // a run goes on over so many points that disagree
+constexpr int bridgedPoints = 2;   // maximum gap of mismatched points within a matched stretch
 
-/// One branch, walked along.
+/// Walk along one branch.
 class BranchWalk {
 public:
     void step(double lengthMm, bool isInView, bool agrees)
@@ -62,7 +62,7 @@ FollowedVessels followedVessels(const RegistrationProblem& problem, const Target
                                 const RigidTransform& cameraFromPatient, const ProjectedTree& projected)
 {
     const TreeSamples& tree = problem.tree;
-    std::vector<double> residuals;   // NaN: no vessel near in a like direction
+    std::vector<double> residuals;   // NaN: no vessel with a similar direction nearby
     Alignment(alignmentPoints(tree), problem.camera, target)
         .collectResiduals(aboutCentroid(cameraFromPatient, tree.centroid), agreementPx, residuals);
     FollowedVessels sum;

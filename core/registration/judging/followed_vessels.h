@@ -5,20 +5,20 @@
 
 namespace angiopose::core {
 
-/// How a tree runs along the traced vessels: unbroken, or only where it happens to cross them.
+/// Measures whether the tree follows the traced vessels continuously or only crosses them.
 struct FollowedVessels {
-    double inViewMm = 0.0;   ///< length of the tree inside the image
-    double followedMm = 0.0;   ///< of it in runs along traced vessels, each at least `shortestRunMm` long
-    int branchesInView = 0;   ///< with at least one such length inside the image
-    int branchesFollowed = 0;   ///< of them, those that are followed over half of it
+    double inViewMm = 0.0;   ///< tree length inside the image
+    double followedMm = 0.0;   ///< part of it in stretches along traced vessels, each at least `shortestRunMm` long
+    int branchesInView = 0;   ///< branches with at least one such length inside the image
+    int branchesFollowed = 0;   ///< those matched over more than half of it
 
     double share() const { return inViewMm > 0.0 ? followedMm / inViewMm : 0.0; }
 };
 
 inline constexpr double shortestRunMm = 20.0;
 
-/// Topology after convergence (ALGORITHMS §6.9): a branch whose matched vessel is connected is followed point by point,
-/// within `agreementPx` and in its direction; a branch that lies across other vessels is not.
+/// Checks the topology after convergence (ALGORITHMS §6.9): follows each branch point by point along a connected
+/// vessel, within `agreementPx` and in its direction; a branch that crosses other vessels does not count.
 FollowedVessels followedVessels(const RegistrationProblem& problem, const TargetLines& target,
                                 const RigidTransform& cameraFromPatient, const ProjectedTree& projected);
 

@@ -13,7 +13,7 @@ namespace angiopose::core {
 
 namespace {
 
-constexpr double settledMm = 0.3;   // a pose that slides farther says nothing about its camera
+constexpr double settledMm = 0.3;   // a pose that slides farther carries no information about its camera
 
 bool anyIsOpacified(const MethodSolution& solution)
 {

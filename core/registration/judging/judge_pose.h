@@ -5,7 +5,8 @@
 
 namespace angiopose::core {
 
-/// Everything a result says about a pose: distances, branches, uncertainty, trust. Touches neither method nor history.
+/// Computes all parts of a result that describe a pose: distances, branches, uncertainty, confidence. Leaves method and
+/// history unchanged.
 RegistrationResult judgePose(const RegistrationProblem& problem, const RegistrationOptions& options,
                              const MethodSolution& solution);
 

@@ -11,10 +11,10 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t minPairs = 20;
-constexpr double minRatio = 0.67;   // a wire fills less of a vessel that it passes
+constexpr double minRatio = 0.67;   // a wire is narrower than this fraction of the vessel it passes
 constexpr double maxRatio = 1.5;
 constexpr double likeTheTree = 0.7;
-constexpr double minChange = 0.1;   // σ of the logarithms: less is one width, as catheters have
+constexpr double minChange = 0.1;   // σ of the log widths; less means a constant width, as of catheters
 
 struct WidthPair {
     double seenMm;
@@ -48,7 +48,7 @@ double middle(const std::vector<WidthPair>& pairs, double (*value)(const WidthPa
     return medianOf(std::move(values));
 }
 
-/// Pearson's, of the logarithms.
+/// Pearson correlation of the log widths.
 double correlationOf(const std::vector<WidthPair>& pairs)
 {
     const double count = static_cast<double>(pairs.size());

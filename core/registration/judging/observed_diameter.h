@@ -7,19 +7,19 @@
 
 namespace angiopose::core {
 
-/// How the widths of the traced vessels go with those of the tree that lies on them.
+/// Relation between the widths of the traced vessels and those of the tree projected onto them.
 struct ObservedDiameter {
-    std::size_t pairs = 0;   ///< tree points on vessels, both widths known
-    double ratio = 0.0;   ///< seen over expected; the median
-    double correlation = 0.0;   ///< of the logarithms of both along the vessels; 0 where one of them does not change
+    std::size_t pairs = 0;   ///< tree points on vessels with both widths known
+    double ratio = 0.0;   ///< median of observed over expected width
+    double correlation = 0.0;   ///< of the log widths along the vessels; 0 if one of them is constant
 };
 
-/// `projected` is the tree at that pose. No pairs where tree or target have no widths.
+/// `projected` is the tree at that pose. Contains no pairs if tree or target has no widths.
 ObservedDiameter observedDiameter(const RegistrationProblem& problem, const TargetLines& target,
                                   const RigidTransform& cameraFromPatient, const ProjectedTree& projected);
 
-/// Whether these are vessels filled with contrast medium, not a wire or catheter that lies in them: about as wide as
-/// they should be, and narrow and wide where the tree is, as no device is (ALGORITHMS §6.16).
+/// Whether these are opacified vessels instead of a wire or catheter inside them: roughly as wide as expected, and wide
+/// and narrow where the tree is, unlike any device (ALGORITHMS §6.16).
 bool isLumen(const ObservedDiameter& diameter);
 
 }   // namespace angiopose::core

@@ -23,8 +23,8 @@ double meanShiftMm(const TreeSamples& tree, const RigidTransform& a, const Rigid
     return sum / static_cast<double>(tree.size());
 }
 
-/// The trace of J C Jᵀ over the points, J = [−[a]× | I] without its last row: quadratic in the arm a, so that the
-/// arms' first and second moments are enough.
+/// Trace of J C Jᵀ over the points, J = [−[a]× | I] without its last row: quadratic in the arm a; the first and second
+/// moments of the arms are therefore sufficient.
 double expectedShiftMm(const RegistrationProblem& problem, const RigidTransform& pose,
                        const PoseUncertainty& uncertainty)
 {

@@ -5,19 +5,19 @@
 
 namespace angiopose::core {
 
-/// How far apart two poses put the tree, seen along the rays: mean over its points of the shift across the camera's z,
-/// mm. About the reprojection distance of ALGORITHMS §4.5, blind to depth like it.
+/// Displacement of the tree between two poses as seen along the rays: mean over its points of the shift perpendicular
+/// to the camera's z axis, mm. Approximates the reprojection distance of ALGORITHMS §4.5 and, like it, ignores depth.
 double meanShiftMm(const TreeSamples& tree, const RigidTransform& a, const RigidTransform& b);
 
-/// The same to be expected from a covariance: root mean square over the tree's points, 1-σ. An error of the camera
-/// moves tree and rays alike and does not count.
+/// Expected shift for a covariance: root mean square over the tree's points, 1-σ. Excludes camera errors, which move
+/// tree and rays together.
 double expectedShiftMm(const RegistrationProblem& problem, const RigidTransform& pose,
                        const PoseUncertainty& uncertainty);
 
-/// How far the tree's centroid is from where the start has it along the ray, mm; farther is positive.
+/// Distance of the tree's centroid from its initial position along the ray, mm; positive is farther from the source.
 double depthShiftMm(const RegistrationProblem& problem, const RigidTransform& cameraFromPatient);
 
-/// How far the pose slides when it is refined where it is: large when the vessels fit better close by.
+/// Distance the pose slides when refined in place: large if the vessels fit better nearby.
 double settlingShiftMm(const RegistrationProblem& problem, const TargetLines& target, const RigidTransform& pose,
                        const RegistrationOptions& options);
 

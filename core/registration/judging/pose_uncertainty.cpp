@@ -20,14 +20,14 @@ Alignment informativeAlignment(const RegistrationProblem& problem, const TargetL
     return {informativePoints(problem.tree, millimetersPerPixel(problem.camera, depthMm)), problem.camera, target};
 }
 
-/// Inverse among the free steps, zero across them.
+/// Inverse restricted to the free steps, zero in the locked ones.
 Matrix6d inverseAmong(const StepBasis& free, const Matrix6d& information)
 {
     const UpToSix reduced = free.transpose() * information * free;
     return free * inverseOf(reduced) * free.transpose();
 }
 
-/// Carries steps about one place of the body to steps about another, `armInCamera` away.
+/// Converts steps about one point of the body to steps about another, `armInCamera` away.
 Matrix6d aboutOther(const Eigen::Vector3d& armInCamera)
 {
     Matrix6d carry = Matrix6d::Identity();
@@ -66,7 +66,7 @@ PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const Matrix
     const Matrix6d carry = aboutOther(pose.rotation * (problem.wholeTreeCentroid - problem.tree.centroid));
     PoseUncertainty uncertainty;
     uncertainty.covariance = carry * covarianceByCameras * carry.transpose();
-    // A hint of prior keeps the inverse finite where the image tells nothing.
+    // A weak prior keeps the inverse finite where the image carries no information.
     const Matrix6d imageAlone = inverseAmong(free, imageInformation + 1e-6 * priorInformation);
     for (int k = 0; k < 6; ++k) {
         uncertainty.observed[static_cast<std::size_t>(k)] =

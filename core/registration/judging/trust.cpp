@@ -9,22 +9,24 @@
 namespace angiopose::core {
 namespace {
 
-// Measured on simulated angiograms through the real tracing, for several methods (ALGORITHMS §4.4): what separates
-// poses within 2 mm from others.
+// Thresholds that separate poses within 2 mm from others, measured on simulated angiograms through the full tracing
+// pipeline for several methods (ALGORITHMS §4.4).
 constexpr double minAgreement = 0.37;   // harmonic mean of the shares of tree and vessels that explain each other
-// The same of the parts of a tree that look filled: chosen by agreement, they must agree better. Measured on made-up
-// trees (foreign_targets_table --family development).
+// Same for the apparently opacified parts of a tree: they are selected by agreement and must therefore agree better.
+// Measured on synthetic trees (foreign_targets_table --family development).
 constexpr double minFilledAgreement = 0.55;
 constexpr int minFilledForks = 2;   // a catheter or a single vessel fits in many places
 constexpr double maxSettlingMm = 1.3;
 constexpr double maxExpectedErrorMm = 1.2;
-constexpr double maxRivalMm = 2.0;   // nearer alternatives change nothing for the user
-constexpr double minInView = 0.4;   // of the tree's points
-// Wrong poses follow up to 0.3 of the tree inside the image, right ones of trees that the image cuts off 0.47 and more.
+constexpr double maxRivalMm = 2.0;   // closer alternatives make no difference to the user
+constexpr double minInView = 0.4;   // fraction of the tree's points
+// Wrong poses match up to 0.3 of the tree inside the image; correct poses of trees cropped by the image match 0.47 or
+// more.
 constexpr double convincingShare = 0.4;
 constexpr int convincingBranches = 4;
-constexpr double wellFollowedShare = 0.8;   // of the tree: little agreement then comes from the vessels of the image
-constexpr double stayedInDepthMm = 5.0;   // what is called close to the start pose
+constexpr double wellFollowedShare =
+    0.8;   // fraction of the tree: low agreement is then caused by other vessels in the image
+constexpr double stayedInDepthMm = 5.0;   // depth change that counts as close to the initial pose
 constexpr double maxRotationStdDeg = 3.0;
 constexpr double maxInPlaneStdMm = 3.0;
 
@@ -33,14 +35,14 @@ Quantity percent(double share)
     return {100.0 * share, 0, "%"};
 }
 
-/// A tree that lies on vessels, but is a speck among them, is another tree or in another unit.
+/// Warning for a tree that lies on vessels but covers only a tiny part of them: a different tree or a wrong unit.
 Message littleAgreement(double shareOfTree, double shareOfVessels)
 {
     return shareOfTree >= wellFollowedShare ? says::trustLittleExplained(percent(shareOfVessels))
                                             : says::trustLittleAgreement(percent(shareOfTree), percent(shareOfVessels));
 }
 
-/// What the image shows of the tree runs along traced vessels, however much lies outside.
+/// Whether the visible part of the tree runs along traced vessels, however much lies outside the image.
 bool followsVessels(const FitSigns& signs)
 {
     return signs.followedShare >= convincingShare && signs.followedBranches >= convincingBranches;
@@ -69,7 +71,7 @@ void judgeFit(const FitSigns& signs, double coverage, Messages& reasons)
     }
 }
 
-/// What an error of the camera adds is told, but speaks against no fit.
+/// Reports the contribution of camera errors, which does not count against a fit.
 void judgeUncertainty(const PoseUncertainty& uncertainty, Messages& reasons)
 {
     const auto& observed = uncertainty.observed;

@@ -6,11 +6,11 @@ namespace angiopose::core {
 
 struct Trust {
     bool isTrustworthy = true;
-    Messages warnings;   ///< reasons against trust first, then what one view cannot tell
+    Messages warnings;   ///< reasons for low confidence first, then the quantities that one view cannot determine
 };
 
-/// Says in a clinician's words why a pose may be wrong; silent when nothing speaks against it. Metrics, uncertainty,
-/// stop reason and signs of `result` are filled in.
+/// Explains in clinical terms why a pose may be wrong; gives no messages when all checks pass. Metrics, uncertainty,
+/// stop reason and signs of `result` must be filled in.
 Trust judgeTrust(const RegistrationProblem& problem, const RegistrationResult& result);
 
 }   // namespace angiopose::core

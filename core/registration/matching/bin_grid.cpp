@@ -44,7 +44,7 @@ void BinGrid::fill(const std::vector<Eigen::Vector2d>& pointsPx, double cellPx)
     }
 }
 
-/// May lie beside the grid, by at most one cell so that no number overflows.
+/// May lie outside the grid, but by at most one cell to avoid overflow.
 Eigen::Vector2i BinGrid::cellOf(const Eigen::Vector2d& placePx) const
 {
     const Eigen::Vector2d cell = (placePx - origin_) / cellPx_;

@@ -10,14 +10,15 @@
 
 namespace angiopose::core {
 
-/// Points of an image sorted into square cells, to visit those near a place. Filled anew without allocating once large
-/// enough.
+/// Image points sorted into square cells for visiting those near a place. Refilling does not allocate once the buffers
+/// are large enough.
 class BinGrid {
 public:
-    /// Points must be finite; cells of `cellPx`, the reach of `visitNear`.
+    /// Fills the grid with finite points; `cellPx` is the cell size and the search radius of `visitNear`.
     void fill(const std::vector<Eigen::Vector2d>& pointsPx, double cellPx);
 
-    /// Calls `visit(number)` for all points in the nine cells around a place: all within `cellPx` and some more.
+    /// Calls `visit(number)` for all points in the nine cells around a place: all points within `cellPx` and some
+    /// farther ones.
     template <class Visit>
     void visitNear(const Eigen::Vector2d& placePx, const Visit& visit) const
     {
@@ -42,7 +43,7 @@ private:
     double cellPx_ = 1.0;
     int columns_ = 0;
     int rows_ = 0;
-    std::vector<std::int32_t> starts_;   ///< of each cell, row by row, and the end
+    std::vector<std::int32_t> starts_;   ///< first entry of each cell, row by row, and the end
     std::vector<std::int32_t> numbers_;
 };
 

@@ -11,10 +11,10 @@ namespace {
 
 constexpr int mapMarginPx = 8;
 constexpr std::int32_t noFeature = -1;
-constexpr std::int16_t far = 20000;   // cells; its square still fits 32 bits
+constexpr std::int16_t far = 20000;   // cells; its square still fits in 32 bits
 
-/// How many rows away the nearest seed of the same column is; `far` where the column has none. Two bytes a cell and no
-/// branches: compilers make wide instructions of it.
+/// Number of rows to the nearest seed in the same column, `far` if the column has none. Two bytes per cell and no
+/// branches, which lets compilers vectorize it.
 std::vector<std::int16_t> rowsToSeed(const std::vector<std::int32_t>& seeds, std::size_t columns)
 {
     std::vector<std::int16_t> away(seeds.size());
@@ -35,7 +35,7 @@ std::vector<std::int16_t> rowsToSeed(const std::vector<std::int32_t>& seeds, std
     return away;
 }
 
-/// Lower envelope of the parabolas (squared distance) of one row's columns.
+/// Lower envelope of the parabolas (squared distance) of the columns of one row.
 class RowSweep {
 public:
     explicit RowSweep(int columns)
@@ -50,8 +50,7 @@ public:
         }
     }
 
-    /// Calls `fill(from, to, column)` for the cells from … to − 1 that are nearest to the seed of `column`, all along
-    /// the row.
+    /// Calls `fill(from, to, column)` for the cells from … to − 1 nearest to the seed of `column`, along the whole row.
     template <class Fill>
     void run(const std::int16_t* rowsAway, const Fill& fill)
     {
@@ -73,13 +72,14 @@ public:
 private:
     static constexpr std::int32_t farSquared = far * far;
 
-    /// Columns that are nearest to any cell as far as the columns beside them can tell: most drop out without a branch.
+    /// Finds columns that may be nearest to some cell, judging only by their neighbors: most are eliminated without a
+    /// branch.
     std::size_t findCandidates()
     {
         std::size_t count = 0;
         for (int k = 0; k < columns_; ++k) {
             const std::int32_t* const here = &squared_[static_cast<std::size_t>(k) + 1];
-            const std::int32_t first = (here[0] - here[-1]) >> 1;   // cells from here on, counted from the column
+            const std::int32_t first = (here[0] - here[-1]) >> 1;   // number of the cell, counted from the column
             const std::int32_t last = (here[1] - here[0] + 1) >> 1;
             candidates_[count] = k;
             count += static_cast<std::size_t>(here[0] < farSquared) & static_cast<std::size_t>(first <= last);
@@ -108,17 +108,17 @@ private:
         }
     }
 
-    /// A column's seed, and from which cell on it is the nearest of the row.
+    /// Seed of a column, and the first cell for which it is the nearest in the row.
     struct Parabola {
         double from;
         std::int32_t column;
-        std::int32_t offset;   ///< squared rows and squared column
+        std::int32_t offset;   ///< squared row distance plus squared column
     };
     int columns_;
-    std::vector<std::int32_t> squared_;   ///< rows to the seed; one column more on both sides
+    std::vector<std::int32_t> squared_;   ///< row distance to the seed; one extra column on both sides
     std::vector<double> halfInverse_;
     std::vector<int> candidates_;
-    std::vector<Parabola> envelope_;   ///< room for all columns
+    std::vector<Parabola> envelope_;   ///< allocated for all columns
     std::size_t size_ = 0;
 };
 
@@ -134,7 +134,7 @@ FeatureMap::FeatureMap(std::vector<Eigen::Vector2d> pointsPx, int imageWidth, in
     const auto width = static_cast<std::size_t>(columns_);
     std::vector<std::int32_t> seeds(width * static_cast<std::size_t>(rows_), noFeature);
     for (std::size_t i = 0; i < points_.size(); ++i) {
-        // Points outside the table stand at its border, the nearest place that still leads to them.
+        // Points outside the table are assigned to the nearest border cell, which still leads to them.
         seeds[cellOf(points_[i].x(), points_[i].y())] = static_cast<std::int32_t>(i);
     }
     const std::vector<std::int16_t> rowsAway = rowsToSeed(seeds, width);

@@ -7,25 +7,25 @@
 
 namespace angiopose::core {
 
-/// Nearest point by table: Euclidean feature transform (Felzenszwalb, Huttenlocher 2012) on square cells that cover the
-/// image and a margin around it. A cell answers for its centre, so the point found is farther than the nearest by at
-/// most a cell's diagonal; outside the table the border cell answers.
+/// Nearest-point lookup table: Euclidean feature transform (Felzenszwalb, Huttenlocher 2012) on square cells that cover
+/// the image and a margin around it. A cell stores the result for its center; the point found is therefore farther than
+/// the nearest one by at most a cell's diagonal. Outside the table the border cell is used.
 class FeatureMap final : public PointIndex {
 public:
     static constexpr int cellPx = 3;
 
-    /// `pointsPx` finite and not empty.
+    /// `pointsPx` must be finite and not empty.
     FeatureMap(std::vector<Eigen::Vector2d> pointsPx, int imageWidth, int imageHeight);
 
-    /// The best answer of the query's cell and its neighbours: the nearest point itself where one is within a cell.
+    /// Best result of the query's cell and its neighbors: the exact nearest point if one is within a cell.
     std::size_t nearestIndex(const Eigen::Vector2d& queryPx) const override;
     const std::vector<Eigen::Vector2d>& points() const override { return points_; }
 
-    /// The answer of the query's cell alone, for inner loops.
+    /// Result of the query's cell only, for inner loops.
     std::size_t lookUp(double u, double v) const { return static_cast<std::size_t>(nearest_[cellOf(u, v)]); }
 
 private:
-    /// By way of int, which the processor converts faster.
+    /// Converts via int, which is faster on the processor.
     static std::size_t whole(double value) { return static_cast<std::size_t>(static_cast<int>(value)); }
 
     std::size_t cellOf(double u, double v) const
@@ -40,7 +40,7 @@ private:
     double offsetPx_ = 0.0;   ///< from pixel coordinates to the outer edge of the first cell
     int columns_ = 0;
     int rows_ = 0;
-    std::vector<std::int32_t> nearest_;   ///< per cell, row-major
+    std::vector<std::int32_t> nearest_;   ///< nearest point per cell, row-major
 };
 
 }   // namespace angiopose::core

@@ -9,9 +9,9 @@ namespace angiopose::core {
 namespace {
 
 constexpr double usualCellPx = 4.0;
-constexpr double usualPoints = 4000.0;   // more of them in the same image stand closer: cells shrink with them
-constexpr double usualCells = 256.0;   // per axis; far outliers must not ask for a huge table
-constexpr int widestRows = 31;   // looked at for any point near by
+constexpr double usualPoints = 4000.0;   // more points in the same image are denser: cells shrink accordingly
+constexpr double usualCells = 256.0;   // per axis; distant outliers must not cause a huge table
+constexpr int widestRows = 31;   // rows searched for any nearby point
 
 }   // namespace
 
@@ -50,13 +50,13 @@ GridIndex::GridIndex(std::vector<Eigen::Vector2d> pointsPx) : points_(std::move(
     }
 }
 
-/// What is known of the nearest point while the search goes on.
+/// Current best point of a search.
 struct GridIndex::Best {
     std::size_t number = 0;
     double squared = std::numeric_limits<double>::infinity();
 };
 
-/// Looks at the points of one row of cells within `reachPx` of the query, and some more.
+/// Checks the points of one row of cells within `reachPx` of the query, and some farther ones.
 void GridIndex::searchRow(int row, double reachPx, const Eigen::Vector2d& queryPx, Best& best) const
 {
     const double middle = queryPx.x() - origin_.x();
@@ -72,7 +72,7 @@ void GridIndex::searchRow(int row, double reachPx, const Eigen::Vector2d& queryP
     }
 }
 
-/// Improves on `best`, row by row away from the query as far as a point could be nearer.
+/// Improves `best` row by row away from the query as long as a closer point is possible.
 void GridIndex::searchWithin(const Eigen::Vector2d& queryPx, Best& best) const
 {
     const double place = (queryPx.y() - origin_.y()) * perCell_;
@@ -95,7 +95,8 @@ void GridIndex::searchWithin(const Eigen::Vector2d& queryPx, Best& best) const
 
 std::size_t GridIndex::nearestIndex(const Eigen::Vector2d& queryPx) const
 {
-    // The first point found in wider and wider rows limits the search; far from all, any point does.
+    // The first point found in increasingly wide rows limits the search; far from all points, any point serves as the
+    // limit.
     const double place = (queryPx.y() - origin_.y()) * perCell_;
     const auto middle = static_cast<int>(std::clamp(place, 0.0, rows_ - 1.0));
     Best best;

@@ -6,15 +6,15 @@
 
 namespace angiopose::core {
 
-/// Exact nearest point by buckets of a few pixels: built in microseconds, quick for queries close to the points.
+/// Exact nearest point by buckets of a few pixels: built in microseconds, fast for queries close to the points.
 class GridIndex final : public PointIndex {
 public:
-    /// `pointsPx` finite and not empty.
+    /// `pointsPx` must be finite and not empty.
     explicit GridIndex(std::vector<Eigen::Vector2d> pointsPx);
 
     std::size_t nearestIndex(const Eigen::Vector2d& queryPx) const override;
 
-    /// The same, the sooner the nearer point `guess` already is.
+    /// Same; faster the closer the point `guess` already is.
     std::size_t nearestIndex(const Eigen::Vector2d& queryPx, std::size_t guess) const;
 
     const std::vector<Eigen::Vector2d>& points() const override { return points_; }
@@ -30,8 +30,8 @@ private:
     double perCell_ = 1.0;
     int columns_ = 1;
     int rows_ = 1;
-    std::vector<std::int32_t> cellStart_;   ///< one more than cells
-    std::vector<std::int32_t> members_;   ///< point numbers, cell after cell
+    std::vector<std::int32_t> cellStart_;   ///< one entry more than cells
+    std::vector<std::int32_t> members_;   ///< point indices, cell by cell
 };
 
 }   // namespace angiopose::core

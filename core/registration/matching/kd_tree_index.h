@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// KD-tree over points of the image, at least one: exact for any query, O(log M) each. The reproduction mode of
+/// KD-tree over at least one image point: exact for any query, O(log M) each. Used by the reproduction mode of
 /// ALGORITHMS §1.
 std::unique_ptr<PointIndex> makeKdTreeIndex(std::vector<Eigen::Vector2d> pointsPx);
 

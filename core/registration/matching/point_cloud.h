@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// What nanoflann wants to know about points of an image.
+/// Adaptor that gives nanoflann access to image points.
 struct PointCloud {
     std::vector<Eigen::Vector2d> points;
 

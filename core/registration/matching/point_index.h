@@ -6,17 +6,17 @@
 
 namespace angiopose::core {
 
-/// Finds the nearest of a fixed set of points in the image. Looking up never allocates, and may run on many threads.
+/// Finds the nearest of a fixed set of image points. Lookups never allocate and are thread-safe.
 class PointIndex {
 public:
     virtual ~PointIndex() = default;
 
-    /// Number of the point nearest to a finite pixel.
+    /// Index of the point nearest to a finite pixel.
     virtual std::size_t nearestIndex(const Eigen::Vector2d& queryPx) const = 0;
 
     virtual const std::vector<Eigen::Vector2d>& points() const = 0;
 
-    /// The point nearest to a finite pixel.
+    /// Point nearest to a finite pixel.
     const Eigen::Vector2d& nearest(const Eigen::Vector2d& queryPx) const { return points()[nearestIndex(queryPx)]; }
 };
 

@@ -5,18 +5,18 @@
 
 namespace angiopose::core {
 
-/// The target as short lines, looked up by pixel; built once per image (ALGORITHMS §6.2, §6.15).
+/// Target as short line segments with lookup by pixel; built once per image (ALGORITHMS §6.2, §6.15).
 class TargetLines {
 public:
     struct Line {
-        double x, y;   ///< a point of the curve, px
-        double tx, ty;   ///< unit tangent there
-        bool hasPrevious, hasNext;   ///< the neighbouring line belongs to the same curve
+        double x, y;   ///< point of the curve, px
+        double tx, ty;   ///< unit tangent at that point
+        bool hasPrevious, hasNext;   ///< whether the neighboring line belongs to the same curve
     };
 
     TargetLines(const TargetSamples& target, const ProjectionCamera& camera);
 
-    /// The line nearest to a pixel: from the map, then along its curve.
+    /// Nearest line to a pixel: from the map, then refined along its curve.
     const Line& nearest(double u, double v) const
     {
         const Line* line = &lines_[map_.lookUp(u, v)];

@@ -16,15 +16,15 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t finalistPoses = 3;
-constexpr double worthRefining = 0.9;   // of the best rough score
+constexpr double worthRefining = 0.9;   // fraction of the best rough score
 constexpr double nearlyAsGood = 0.95;   // ALGORITHMS §6.10
 constexpr double distinctSigmas = 3.0;
 
-// Shares of the progress bar.
+// Fractions of the progress bar.
 constexpr double searchEnds = 0.4;
 constexpr double roughEnds = 0.8;
 
-/// Median distance to the target for reports, found anew when the pose is another.
+/// Median distance to the target for progress reports, recomputed only when the pose changes.
 class DistanceOfPose {
 public:
     double of(const CentroidPose& pose, PoseRanking& ranking)
@@ -41,7 +41,7 @@ private:
     double distancePx_ = 0.0;
 };
 
-/// One registration under way: hypotheses → rough poses, ranked → finalists → winner.
+/// Current registration: hypotheses → rough poses, ranked → finalists → winner.
 class AngioPose {
 public:
     AngioPose(const RegistrationProblem& problem, const RegistrationOptions& options, ProgressLog& progress);
@@ -81,8 +81,8 @@ private:
     PoseSearch search_;
     PoseRanking ranking_;
     DistanceOfPose reportedDistance_;
-    std::vector<ScoredPose> refined_;   ///< the finalists, best first; empty until then
-    bool isMovedByChoice_ = false;   ///< the answer is not where all branches would have it
+    std::vector<ScoredPose> refined_;   ///< finalists, best first; empty until then
+    bool isMovedByChoice_ = false;   ///< whether the auxiliary branches changed the pose from the fit of all branches
 };
 
 AngioPose::AngioPose(const RegistrationProblem& problem, const RegistrationOptions& options, ProgressLog& progress)
@@ -97,7 +97,7 @@ AngioPose::AngioPose(const RegistrationProblem& problem, const RegistrationOptio
 {
 }
 
-/// Always of the best pose so far.
+/// Always reports the best pose so far.
 Verdict AngioPose::report(std::string_view stage, double progress, double scalePx)
 {
     IterationReport report;
@@ -109,7 +109,7 @@ Verdict AngioPose::report(std::string_view stage, double progress, double scaleP
     return progress_.report(report);
 }
 
-/// Rough pose from the start; often all that is needed.
+/// Refines the initial pose roughly; often sufficient.
 void AngioPose::tryStart()
 {
     if (report("search", 0.0, PoseRanking::schedule.startScalePx) == Verdict::Continue) {
@@ -118,7 +118,7 @@ void AngioPose::tryStart()
     }
 }
 
-/// Looks around, farther and farther, until something explains the image.
+/// Searches increasingly wide ranges until a pose explains the image.
 void AngioPose::searchFurther()
 {
     if (options_.angiopose.search && !ranking_.isConclusive()) {
@@ -152,7 +152,7 @@ void AngioPose::search(Search reach, const CentroidPose& start, double progress)
     }
 }
 
-/// Perhaps the contrast medium fills only a part of the tree.
+/// Searches for a partly opacified tree.
 void AngioPose::searchTerritories()
 {
     if (!progress_.isStopped()) {
@@ -174,7 +174,8 @@ void AngioPose::refineRoughly(const std::vector<CentroidPose>& hypotheses, Filin
     }
 }
 
-/// {p'} solved alone: chosen branches are searched for, nodes are refined from the best pose so far.
+/// Poses from the auxiliary branches {p'} alone: branches chosen by the user are searched for, nodes are refined from
+/// the best pose so far.
 std::vector<CentroidPose> AngioPose::auxiliaryHypotheses()
 {
     std::vector<CentroidPose> hypotheses;
@@ -196,7 +197,7 @@ std::vector<CentroidPose> AngioPose::auxiliaryHypotheses()
     return hypotheses;
 }
 
-/// What the image does not show of the tree is left out, as a user would exclude it.
+/// Excludes the parts of the tree that the image does not show, as a user would.
 ScoredPose AngioPose::refineFinely(const ScoredPose& candidate, FinalRefinement& ofWholeTree)
 {
     const auto observe = [&](const RefinementStep& step) {
@@ -241,7 +242,7 @@ std::vector<std::uint8_t> AngioPose::filledPoints() const
     return refined_.empty() ? std::vector<std::uint8_t>() : refined_.front().isOpacified;
 }
 
-/// Where branches are chosen, they are solved once more; the result says what the fit of all was.
+/// Solves the user's auxiliary branches once more, if any; the messages compare with the fit of all branches.
 Messages AngioPose::fitChosen()
 {
     const double weight = options_.angiopose.auxiliaryWeight;
@@ -252,7 +253,7 @@ Messages AngioPose::fitChosen()
     const std::optional<RegistrationProblem> filled =
         best.isOpacified.empty() ? std::nullopt : std::optional(partOf(problem_, best.isOpacified));
     const RegistrationProblem& problem = filled ? *filled : problem_;
-    if (!problem.auxiliaryIsChosen) {   // they look empty
+    if (!problem.auxiliaryIsChosen) {   // the auxiliary branches appear unopacified
         return {};
     }
     const ChosenFit fit = fitChosenBranches(problem, *target_, prior_, best.pose, weight);

@@ -9,14 +9,14 @@
 namespace angiopose::core {
 namespace {
 
-/// Up to rounding.
+/// Equality up to rounding.
 bool areSame(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen::Vector2d>& b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](const auto& p, const auto& q) { return (p - q).squaredNorm() < 1e-12; });
 }
 
-/// Matches and solves in turns; the solve knows no start, so rotation alone cannot be asked of it.
+/// Alternates matching and solving; the solver takes no initial pose, so rotation cannot be solved for alone.
 class RepeatedPnp final : public PointSolver {
 public:
     explicit RepeatedPnp(int maxIterations) : maxIterations_(maxIterations) {}
@@ -27,7 +27,7 @@ public:
     bool canTurn() const override { return false; }
 
 private:
-    /// Pairs of all points that project, at the pose that was measured.
+    /// Collects pairs for all points that project, at the pose last measured.
     void collectPairs(const KernelProblem& problem);
 
     int maxIterations_;

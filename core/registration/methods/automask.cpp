@@ -19,19 +19,20 @@
 namespace angiopose::core {
 namespace {
 
-// In px of half the resolution. The source has one stage; a blurred one first reaches farther. Each draws its own mask.
+// Stage of the search; lengths in px at half resolution. The source has a single stage; a preceding blurred stage has a
+// wider capture range. Each stage draws its own mask.
 struct MaskStage {
     double blurPx = 0.0;
-    double depthHold = 0.0;   ///< cost of an offset of depthStdMm along the ray, which a blurred view does not show
-    double share = 1.0;   ///< of the evaluations
+    double depthHold = 0.0;   ///< cost of a shift by depthStdMm along the ray, which a blurred view does not constrain
+    double share = 1.0;   ///< fraction of the evaluations
 };
 constexpr std::array<MaskStage, 2> maskStages{{{8.0, 0.05, 0.3}, {0.0, 0.01, 0.7}}};
 constexpr double maskDepthStdMm = 30.0;
 constexpr std::size_t fewestPixels = 2000;
-constexpr double minGain = 1e-3;   // of the correlation, by a simplex
-constexpr double settledSimplex = 0.005;   // of the first simplex: 0.02°, 0.04 mm
+constexpr double minGain = 1e-3;   // gain in correlation by one simplex
+constexpr double settledSimplex = 0.005;   // relative to the first simplex: 0.02°, 0.04 mm
 
-/// Numbers of the pixels that something covers, and a margin around them.
+/// Indices of the covered pixels and a margin around them.
 std::vector<std::size_t> around(const ImageF& covered, double marginPx)
 {
     Mask2d mask(covered.width, covered.height);
@@ -47,7 +48,7 @@ std::vector<std::size_t> around(const ImageF& covered, double marginPx)
     return pixels;
 }
 
-/// Similarity of image and radiographs over a fixed draw of mask pixels.
+/// Similarity of image and simulated radiographs over a fixed random sample of mask pixels.
 class MaskedSimilarity {
 public:
     MaskedSimilarity(const RegistrationProblem& problem, const RegistrationOptions& options)
@@ -55,7 +56,8 @@ public:
     {
     }
 
-    /// Compares blurred images from now on; the mask becomes what the vessels cover at the given poses, and a margin.
+    /// Starts comparing blurred images; sets the mask to the area that the vessels cover at the given poses, plus a
+    /// margin.
     void beginStage(double blurPx, const std::vector<RigidTransform>& poses);
 
     double of(const RigidTransform& pose) const
@@ -87,7 +89,7 @@ void MaskedSimilarity::beginStage(double blurPx, const std::vector<RigidTransfor
     const double share = std::max(0.01 * options_.automask.sample,
                                   static_cast<double>(fewestPixels) / static_cast<double>(mask.size() + 1));
     pixels_.clear();
-    // Whether a pixel is drawn depends on nothing but its number: growing the mask keeps the draw.
+    // A pixel is drawn by its index only: the sample is preserved when the mask grows.
     const CounterRandom random(static_cast<std::uint64_t>(options_.randomSeed));
     for (const std::size_t pixel : mask) {
         if (random.fork(pixel).uniform() < share) {
@@ -111,11 +113,11 @@ struct SimplexDescent {
     double blurPx = 0.0;
     double depthHold = 0.0;
     double firstStep = 1.0;
-    int budget = 0;   ///< evaluations
+    int budget = 0;   ///< maximum number of evaluations
 };
 
-/// Simplex after simplex, each where the last one ended with the mask drawn anew there, until one brings nothing: a
-/// simplex that has collapsed is a poor judge of being at the top. True when that is what ended it.
+/// Runs simplex after simplex, each starting at the previous result with a newly drawn mask, until one brings no gain:
+/// a collapsed simplex alone does not prove a maximum. Returns true if it ended for lack of gain.
 bool descend(const RegistrationProblem& problem, MaskedSimilarity& similarity, const SimplexDescent& descent,
              PoseTrials& search)
 {

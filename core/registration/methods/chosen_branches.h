@@ -5,17 +5,17 @@
 
 namespace angiopose::core {
 
-/// The fit of the branches that the user chose as auxiliary, beside the fit of all.
+/// Fit of the user's auxiliary branches, compared with the fit of all branches.
 struct ChosenFit {
     CentroidPose pose;
-    double medianPx = 0.0;   ///< of the chosen branches' points to the traced vessels
-    double medianBeforePx = 0.0;   ///< the same in the fit of all
+    double medianPx = 0.0;   ///< distance of the auxiliary branches' points to the traced vessels
+    double medianBeforePx = 0.0;   ///< same distance in the fit of all branches
 };
 
-/// {p'} solved alone from the fit of all: Σ r² of the chosen branches + sᵀ H s / weight for the step s away from that
-/// fit, H what all branches and the start pose tell (ALGORITHMS §6). So the chosen branches decide what they can tell,
-/// and the others hold the rest. The fit of all stays where the chosen branches would lie no better. Only where
-/// branches are chosen.
+/// Solves {p'} starting from the fit of all branches: minimizes Σ r² of the auxiliary branches + sᵀ H s / weight for
+/// the step s away from that fit, where H is the information of all branches and the initial pose (ALGORITHMS §6). The
+/// auxiliary branches thereby determine the directions they constrain, and the others constrain the rest. Keeps the fit
+/// of all branches if the auxiliary branches would not fit better. Requires that the user chose auxiliary branches.
 ChosenFit fitChosenBranches(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior,
                             const CentroidPose& fitOfAll, double weight);
 

@@ -11,11 +11,12 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int stepsAtFirstScale = 30;   // of the source
-constexpr double longestFlowStep = 0.5;   // ℓ; beyond it four terms of the series say little
+constexpr int stepsAtFirstScale = 30;   // from the source
+constexpr double longestFlowStep = 0.5;   // in units of ℓ; beyond it a four-term series is inaccurate
 constexpr double settledFlowPx = 1e-3;
 
-/// The gradient by the metric in which a turn counts as the shift it makes at the tree's spread, among the free steps.
+/// Gradient in the metric that counts a rotation as the shift it causes at the tree's spread, restricted to the free
+/// steps.
 Vector6d uphill(const RegistrationProblem& problem, const Vector6d& gradient, const CentroidPose& pose)
 {
     const double turnMm = problem.tree.spreadMm * problem.tree.spreadMm;
@@ -25,7 +26,7 @@ Vector6d uphill(const RegistrationProblem& problem, const Vector6d& gradient, co
     return problem.freedom.dampedStep(metric, 0.0, pose);
 }
 
-/// Where the series is first highest, at most 1.
+/// First maximum of the series, at most 1.
 double firstTop(const PowerSeries& series)
 {
     constexpr int stretches = 64;

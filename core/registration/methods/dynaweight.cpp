@@ -6,7 +6,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Kernel PnP in each problem; only all points feel the prior of the preset (ALGORITHMS §3.2).
+/// Kernel PnP in each problem; only the problem of all points uses the prior of the preset (ALGORITHMS §3.2).
 class KernelSolver final : public PointSolver {
 public:
     explicit KernelSolver(const SeedProblem& seed) : seed_(seed) {}
@@ -24,7 +24,7 @@ public:
         return KernelPnp(problem, {}, schedule).solve(start, observe);
     }
 
-    /// Each problem anneals to the end: shorter runs (ALGORITHMS §3.2) stop at a wide kernel when ℓ starts at d².
+    /// Anneals each problem to the end: shorter runs (ALGORITHMS §3.2) stop at a wide kernel when ℓ starts at d².
     int maxIterations(SearchStage) const override { return seed_.schedule.maxIterations; }
 
 private:

@@ -13,11 +13,11 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int evaluationsPerRound = 60;   // six line searches of about ten
+constexpr int evaluationsPerRound = 60;   // six line searches of about ten evaluations
 constexpr double minGradientCosine = 0.7071;   // 45°
 constexpr double unknownWallRadiusMm = 1.0;
 
-/// Agreement of wall directions and image gradients. Both walls of every vessel as the detector sees it.
+/// Agreement of wall directions and image gradients, for both walls of every vessel as projected on the detector.
 class WallAgreement {
 public:
     WallAgreement(const RegistrationProblem& problem, double scalePx)
@@ -55,7 +55,7 @@ double WallAgreement::of(const RigidTransform& pose) const
     return sum / weights;
 }
 
-/// Share of the gradient that points inwards, less as it turns away and nothing from 45° on.
+/// Share of the gradient that points inward, decreasing with the angle and zero from 45° on.
 double WallAgreement::atWall(const Eigen::Vector3d& wall, const Eigen::Vector3d& inwards) const
 {
     const auto pixel = project(problem_.camera, wall);

@@ -20,7 +20,7 @@ constexpr std::size_t pairsPerBranch = 12;
 constexpr double branchHeadingMm = 12.0;
 constexpr double pathHeadingPx = 20.0;
 constexpr double minLikeCosine = 0.5;   // 60°
-constexpr double undirectedPx = 3.0;   // a branch this short in the image runs any way
+constexpr double undirectedPx = 3.0;   // a branch shorter than this in the image has no direction
 constexpr double graphRotationStd = 0.15;   // rad
 constexpr double graphShiftStdMm = 30.0;
 constexpr double graphPairStdMm = 1.0;
@@ -28,19 +28,19 @@ constexpr int graphFitSteps = 3;
 constexpr std::size_t graphFinalists = 3;
 constexpr double distinctFinalistsMm = 3.0;
 
-/// A branch of the tree that waits to be found among the traced vessels that leave a node of theirs.
+/// Branch of the tree still to be matched to one of the traced vessels at its matched node.
 struct OpenBranch {
     EdgeEnd branch;
     int tracedNode = 0;
 };
 
-/// A sequence of matched branches, and the pose that follows from it.
+/// Sequence of matched branches and the resulting pose.
 struct Matched {
     CentroidPose pose;
     double score = 0.0;
     std::vector<PlacePair> pairs;
-    std::set<int> branches;   ///< edges of the tree that were decided upon
-    std::set<int> traced;   ///< edges of the image that are taken
+    std::set<int> branches;   ///< decided edges of the tree
+    std::set<int> traced;   ///< used edges of the image
     std::deque<OpenBranch> open;
 };
 
@@ -56,7 +56,7 @@ class GraphSearch {
 public:
     GraphSearch(const RegistrationProblem& problem, const RegistrationOptions& options, ProgressLog& progress);
 
-    /// Matches until nothing is open or the budget is spent.
+    /// Expands states until none is open or the budget is spent.
     void run();
     void refine();
     MethodSolution solution() const { return search_.solution(StopReason::Converged); }
@@ -70,7 +70,7 @@ private:
     int budget() const { return options_.graph.hypotheses + static_cast<int>(graphFinalists) * kernelFinishIterations; }
     const TreeSamples& tree() const { return problem_.tree; }
     std::size_t pointAt(const EdgeEnd& branch, std::size_t step) const;
-    Eigen::Vector3d nodePlace(int node) const;   ///< mm from the centroid
+    Eigen::Vector3d nodePlace(int node) const;   ///< mm, relative to the centroid
     Eigen::Vector2d tracedPlace(int node) const;
     std::optional<Eigen::Vector2d> pixelOf(const Eigen::Vector3d& fromCentroid, const CentroidPose& pose) const;
     std::vector<Eigen::Vector2d> projected(const EdgeEnd& branch, const CentroidPose& pose) const;
@@ -125,7 +125,7 @@ std::optional<Eigen::Vector2d> GraphSearch::pixelOf(const Eigen::Vector3d& fromC
     return project(problem_.camera, pose.rotation * fromCentroid + pose.centroidInCamera);
 }
 
-/// Empty where a point does not project.
+/// Empty if a point does not project.
 std::vector<Eigen::Vector2d> GraphSearch::projected(const EdgeEnd& branch, const CentroidPose& pose) const
 {
     const std::size_t count = branches_.edges[static_cast<std::size_t>(branch.edge)].size();
@@ -140,7 +140,7 @@ std::vector<Eigen::Vector2d> GraphSearch::projected(const EdgeEnd& branch, const
     return pixels;
 }
 
-/// The start pose, shifted across the ray so that the nodes meet.
+/// Initial pose shifted across the ray to make the two nodes coincide.
 CentroidPose GraphSearch::laidOn(int node, int tracedNode) const
 {
     CentroidPose pose = search_.start();
@@ -150,8 +150,8 @@ CentroidPose GraphSearch::laidOn(int node, int tracedNode) const
     return problem_.freedom.held(pose);
 }
 
-/// Pairs of nodes of the same kind, bifurcations or ends, near enough at the start; those that suit the whole tree
-/// best.
+/// Pairs of nodes of the same kind (bifurcations or ends) that are close enough at the initial pose; those that fit the
+/// whole tree best.
 std::vector<GraphSearch::Root> GraphSearch::roots()
 {
     struct Near {
@@ -209,7 +209,7 @@ bool GraphSearch::runAlike(const EdgeEnd& branch, const TracedPath& path, const 
     return heading.norm() < undirectedPx || heading.dot(other) > minLikeCosine * heading.norm() * other.norm();
 }
 
-/// One branch more, on the way that leaves its node; nothing where they run differently.
+/// Extends the match by one branch along this edge; nullopt if their courses differ.
 std::optional<Matched> GraphSearch::extended(const Matched& rest, const OpenBranch& open, const EdgeEnd& way) const
 {
     const std::vector<Eigen::Vector2d> seen = projected(open.branch, rest.pose);
@@ -242,7 +242,7 @@ std::optional<Matched> GraphSearch::extended(const Matched& rest, const OpenBran
     return next;
 }
 
-/// Every way to decide upon the first open branch, last that the image does not show it.
+/// All decisions for the first open branch, the last being that the image does not show it.
 std::vector<Matched> GraphSearch::successors(const Matched& state)
 {
     Matched rest = state;
@@ -271,7 +271,7 @@ void GraphSearch::run()
     search_.changeCost("graph", GraphScore::scalePx, -score_.of(search_.start()));
     search_.tick();
     std::vector<Matched> states;
-    std::set<std::pair<double, std::size_t>> queue;   // the best first, of equals the eldest
+    std::set<std::pair<double, std::size_t>> queue;   // best first; the oldest among equals
     const auto add = [&](Matched state) {
         queue.emplace(-state.score, states.size());
         tried_.emplace_back(state.score, state.pose);

@@ -6,11 +6,11 @@
 
 namespace angiopose::core {
 
-/// Kernel PnP (ALGORITHMS §3.1) on all points from each of the poses, to its end; the pose of the least loss at the
-/// final scale stays, that of `search` among them.
+/// Runs kernel PnP (ALGORITHMS §3.1) on all points from each of the poses to its end; keeps the pose with the least
+/// loss at the final scale, including the current pose of `search`.
 void refineByKernel(const RegistrationProblem& problem, std::span<const CentroidPose> poses, double finalScalePx,
                     PoseTrials& search);
 
-inline constexpr int kernelFinishIterations = 30;   ///< for each pose at most
+inline constexpr int kernelFinishIterations = 30;   ///< limit for each pose
 
 }   // namespace angiopose::core

@@ -16,11 +16,11 @@ namespace {
 constexpr double branchReachDecay = 0.8;
 constexpr double shortestBranchReachPx = 5.0;
 constexpr int evaluationsPerFit = 60;
-constexpr int usualEvaluations = 15;   // for the progress
+constexpr int usualEvaluations = 15;   // estimate for the progress display
 constexpr std::size_t minBranchPairs = 6;
 constexpr double settledBranchesMm = 1e-3;
 
-/// Mean square of the pairs' distances, px², and its gradient for steps about the pose.
+/// Mean squared distance of the pairs, px², and its gradient for steps about the pose.
 double pairCost(const RegistrationProblem& problem, const std::vector<BranchPair>& pairs, const CentroidPose& pose,
                 Vector6d& gradient)
 {
@@ -44,7 +44,7 @@ double pairCost(const RegistrationProblem& problem, const std::vector<BranchPair
     return sum / count;
 }
 
-/// The pose that lays the pairs onto each other, Euler angles and shift by L-BFGS; `search` keeps it.
+/// Finds the pose that aligns the pairs, with Euler angles and shift by L-BFGS; stores it in `search`.
 void layOnto(const RegistrationProblem& problem, const std::vector<BranchPair>& pairs, PoseTrials& search)
 {
     MinimizeOptions lbfgs;
@@ -71,7 +71,8 @@ Message whatMoved(const PairDeformation& deformation)
         .as(Severity::Note);
 }
 
-/// What the tree does when it may leave the rigid pose, in words; nothing when stopped, or when nothing moves.
+/// Describes in messages how the tree deforms when it may leave the rigid pose; empty when stopped or when nothing
+/// moves.
 Messages lettingMove(const RegistrationProblem& problem, const BranchMatching& matching, double reachPx,
                      PoseTrials& search)
 {

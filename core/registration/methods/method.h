@@ -9,21 +9,21 @@
 
 namespace angiopose::core {
 
-/// Solves a checked problem. Reports every iteration to `progress` and returns at once when told to stop.
+/// Solves a validated problem. Reports every iteration to `progress` and returns immediately on a stop request.
 using MethodSolver = MethodSolution(const RegistrationProblem& problem, const RegistrationOptions& options,
                                     ProgressLog& progress);
 
-/// One row of the table of methods.
+/// Row of the method table.
 struct Method {
     MethodInfo info;
     MethodSolver* solve = nullptr;
-    bool respectsLocks = true;   ///< can leave locked degrees of freedom as they are
+    bool respectsLocks = true;   ///< whether locked degrees of freedom are kept unchanged
 };
 
-/// Every method that runs, the default first.
+/// All methods that can be run, the default first.
 std::span<const Method> methods();
 
-/// The method with this id, or null.
+/// Method with this id, or null.
 const Method* findMethod(std::string_view id);
 
 }   // namespace angiopose::core

@@ -9,17 +9,17 @@
 
 namespace angiopose::core {
 
-/// A method as users meet it.
+/// Description of a method for users.
 struct MethodInfo {
     std::string_view id;   ///< FORMATS §5
     std::string_view label;   ///< "AngioPose", "DynaWeightPnP", …
-    std::string_view summary;   ///< one sentence: what it minimises, its source
+    std::string_view summary;   ///< one sentence: what it minimizes, and its source
 };
 
-/// Every method that runs, the default first.
+/// All methods that can be run, the default first.
 std::span<const MethodInfo> methodInfos();
 
-/// The first setting that makes no sense, in words for the user; empty when all do.
+/// User message about the first invalid setting; nullopt when all are valid.
 std::optional<Message> findProblem(const RegistrationOptions& options);
 
 }   // namespace angiopose::core

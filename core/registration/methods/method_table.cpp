@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-/// A new method is one more row, the default first.
+/// Add a new method as one more row; the default comes first.
 const std::vector<Method>& table()
 {
     static const std::vector<Method> rows{

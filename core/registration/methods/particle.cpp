@@ -72,7 +72,7 @@ private:
     PoseTrials search_;
 };
 
-/// Particles scatter, climb a little, and are drawn anew by likelihood, ever closer together.
+/// Particles are scattered, improved by a few ascent steps and resampled by likelihood, with decreasing spread.
 std::vector<Scored> ParticleSearch::filterParticles()
 {
     CounterRandom random(static_cast<std::uint64_t>(options_.randomSeed));
@@ -100,7 +100,7 @@ std::vector<Scored> ParticleSearch::filterParticles()
     return particles;
 }
 
-/// Systematic resampling: one draw, evenly spaced from there.
+/// Systematic resampling: one random draw, then even spacing.
 std::vector<Scored> ParticleSearch::survivors(const std::vector<Scored>& particles, CounterRandom& random) const
 {
     double best = 0.0;
@@ -136,8 +136,9 @@ CentroidPose ParticleSearch::solvedInPlane(CentroidPose pose)
     return pose;
 }
 
-/// Local optima lie mostly along the out-of-plane turns: cells over these, from the start outwards, each solved for the
-/// rest; only cells that beat all before let the walk go on to their neighbours.
+/// Local optima differ mainly in the out-of-plane rotations: visits cells over these, from the initial pose outward,
+/// and solves the remaining parameters in each; the walk continues to the neighbors of a cell only if it beats all
+/// previous cells.
 std::vector<Scored> ParticleSearch::walkOutOfPlane()
 {
     constexpr int across = 2 * cellsToEachSide + 1;
@@ -180,7 +181,7 @@ std::vector<Scored> ParticleSearch::walkOutOfPlane()
     return solved;
 }
 
-/// The best few by all points, each to its end; the one that fits best stays.
+/// Refines the best few with all points to the end; keeps the best fit.
 void ParticleSearch::refine(const std::vector<Scored>& best)
 {
     std::vector<CentroidPose> finalists;

@@ -35,7 +35,7 @@ RigidTransform PoseTrials::inPatient(const CentroidPose& pose) const
 double PoseTrials::note(const CentroidPose& pose, double cost)
 {
     if (progress_.isStopped()) {
-        return cost;   // what was reported stays the answer
+        return cost;   // the reported pose remains the result
     }
     if (cost < bestCost_) {
         bestCost_ = cost;

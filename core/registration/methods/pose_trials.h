@@ -6,22 +6,23 @@
 
 namespace angiopose::core {
 
-/// The book-keeping of a method that tries poses: keeps the one of least cost, reports every few, knows when to stop.
+/// Bookkeeping for methods that test poses: keeps the one with the lowest cost, reports at intervals and knows when to
+/// stop.
 class PoseTrials {
 public:
-    /// `budget`: how many poses will be tried at most, for the progress.
+    /// `budget` is the maximum number of poses to be tested, for the progress.
     PoseTrials(const RegistrationProblem& problem, int budget, ProgressLog& progress);
 
     const CentroidPose& start() const { return start_; }
     RigidTransform inPatient(const CentroidPose& pose) const;
 
-    /// Notes a tried pose; returns its cost.
+    /// Records a tested pose; returns its cost.
     double note(const CentroidPose& pose, double cost);
 
-    /// Counts work that tries no pose by itself, so that progress goes on and a stop is heard.
+    /// Counts work that tests no pose, which keeps progress and stop requests responsive.
     void tick();
 
-    /// From here on costs mean something else: the best pose stays, until a better one by the new cost comes.
+    /// Switches to a new cost: the best pose is kept until a better one by the new cost is found.
     void changeCost(std::string_view stage, double scalePx, double costOfBest);
 
     bool isStopped() const { return progress_.isStopped(); }
@@ -44,7 +45,7 @@ private:
     int reportEvery_;
     std::string_view stage_ = "search";
     double scalePx_ = 0.0;
-    std::vector<Eigen::Vector3d> probes_;   ///< tree points the reported distance is measured with
+    std::vector<Eigen::Vector3d> probes_;   ///< tree points used to measure the reported distance
     std::vector<double> distances_;
 };
 

@@ -20,13 +20,13 @@ constexpr double shortestReachMm = 1.0;
 constexpr double settledGradientMm = 0.01;
 constexpr std::size_t maxSites = 5000;
 constexpr std::size_t scoringSites = 600;
-constexpr double gradientDepthStdMm = 30.0;   // one view leaves the depth to this
+constexpr double gradientDepthStdMm = 30.0;   // prior of the depth, which one view does not determine
 constexpr double lateralStdMm = 30.0;
 constexpr double rotationStd = 0.15;   // rad
 constexpr double pairStdMm = 1.0;
 constexpr int fitSteps = 3;
 
-/// A wall site and the edge found for it.
+/// Wall site and the edge found for it.
 using Correspondence = PlacePair;
 
 class Rgbr {
@@ -90,7 +90,7 @@ MethodSolution Rgbr::run()
     return search_.solution(reason);
 }
 
-/// The best agreement along each site's normal, within reach.
+/// Finds the best agreement along each site's normal within the search range.
 std::vector<Correspondence> Rgbr::findEdges(const CentroidPose& pose, double reachMm) const
 {
     std::vector<Correspondence> pairs;
@@ -101,7 +101,7 @@ std::vector<Correspondence> Rgbr::findEdges(const CentroidPose& pose, double rea
         double best = 0.0;
         int bestStep = 0;
         for (int k = 0; k <= 2 * steps; ++k) {
-            const int step = k % 2 == 0 ? -k / 2 : (k + 1) / 2;   // nearest first: of equals it stays
+            const int step = k % 2 == 0 ? -k / 2 : (k + 1) / 2;   // nearest first: the nearest wins among equals
             const double agreement = gradients_.agreement(place + stepMm * step * normal, normal);
             if (agreement > best) {
                 best = agreement;
@@ -115,7 +115,8 @@ std::vector<Correspondence> Rgbr::findEdges(const CentroidPose& pose, double rea
     return pairs;
 }
 
-/// Poses of three pairs each compete by the gradients of all walls, not by the pairs; the winner's inliers refine it.
+/// Poses from three pairs each compete by the gradients of all walls, not by the pairs; the inliers of the winner
+/// refine it.
 CentroidPose Rgbr::chooseByRansac(const std::vector<Correspondence>& pairs, const CentroidPose& from, double reachMm)
 {
     const auto inliersOf = [&](const CentroidPose& pose) {
@@ -134,7 +135,7 @@ CentroidPose Rgbr::chooseByRansac(const std::vector<Correspondence>& pairs, cons
         }
         const double area = (three[1].place - three[0].place).cross(three[2].place - three[0].place).norm();
         if (area < 0.25 * spreadMm_ * spreadMm_) {
-            continue;   // too close together, or in a line
+            continue;   // too close together or collinear
         }
         const CentroidPose pose = fit(three, from);
         const double score = gradients_.score(fewSites_, pose);
@@ -148,7 +149,8 @@ CentroidPose Rgbr::chooseByRansac(const std::vector<Correspondence>& pairs, cons
     return gradients_.score(fewSites_, refined) >= bestScore ? refined : best;
 }
 
-/// Least distances to the edges' rays, held to where it comes from as far as one view leaves the pose open.
+/// Minimizes the distances to the rays of the edges, with a prior at `from` for the parameters that one view leaves
+/// undetermined.
 CentroidPose Rgbr::fit(std::span<const Correspondence> pairs, const CentroidPose& from) const
 {
     Vector6d std;

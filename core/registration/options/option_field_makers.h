@@ -5,12 +5,12 @@
 #include <cmath>
 #include <type_traits>
 
-// How the rows of the option table are written down.
+// Helpers for defining the rows of the option table.
 namespace angiopose::core::option_fields {
 
 using Options = RegistrationOptions;
 
-/// The member at the end of a path of members.
+/// Member at the end of a path of members.
 template <auto First, auto... Rest, class Object>
 auto& at(Object& object)
 {
@@ -52,7 +52,7 @@ void write(Options& options, const OptionValue& value)
     }
 }
 
-/// Key, label and help of a row.
+/// Key, label and help text of a row.
 struct Words {
     std::string_view key, label, help;
 };

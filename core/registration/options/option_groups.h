@@ -2,46 +2,46 @@
 
 #include "core/registration/options/option_fields.h"
 
-// The table of options in parts, one per family of methods.
+// Option table in parts, one per family of methods.
 namespace angiopose::core::option_fields {
 
-/// What every method or several read.
+/// Options of all methods or several of them.
 std::vector<OptionField> commonFields();
 
-/// The seed's methods, and what those built like them share.
+/// Options of the DynaWeightPnP methods and of those built like them.
 std::vector<OptionField> seedFields();
 
-/// Matching and the alternating search.
+/// Options of matching and the alternating search.
 std::vector<OptionField> alternatingFields();
 
-/// Our own solver.
+/// Options of AngioPose's own solver.
 std::vector<OptionField> solverFields();
 
-/// What is known of the camera.
+/// Options of the camera geometry and its errors.
 std::vector<OptionField> geometryFields();
 
-/// Iterated closest points.
+/// Options of iterated closest points.
 std::vector<OptionField> icpFields();
 
-/// Gradient ascent on kernels.
+/// Options of gradient ascent on kernels.
 std::vector<OptionField> nicpFields();
 
-/// Methods that read the image.
+/// Options of intensity-based methods.
 std::vector<OptionField> imageFields();
 
-/// Mixtures and searches.
+/// Options of mixtures and global searches.
 std::vector<OptionField> globalFields();
 
-/// Flow of a correlation.
+/// Options of the correlation flow.
 std::vector<OptionField> flowFields();
 
-/// Branches of tree and image as graphs.
+/// Options of graph-based branch matching.
 std::vector<OptionField> graphFields();
 
-/// A wire or catheter alone.
+/// Options of registering a single wire or catheter.
 std::vector<OptionField> wireFields();
 
-/// Chance.
+/// Options of random numbers.
 std::vector<OptionField> closingFields();
 
 }   // namespace angiopose::core::option_fields

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Whether the number stays what it is in this option: counts would round it.
+/// Whether the option stores the number exactly; integer options would round it.
 bool holdsNumber(const OptionField& field, const OptionValue& number)
 {
     RegistrationOptions kept;

@@ -7,10 +7,10 @@
 
 namespace angiopose::core {
 
-/// Value of an option given as text: a number in its range, or one of its values by name.
+/// Parses the text of an option: a number in its range, or the name of one of its values.
 Result<OptionValue> optionValue(const OptionField& field, const std::string& text);
 
-/// Sets one option from "key=value"; fails naming the unknown key or the impossible value.
+/// Sets one option from "key=value"; fails with a message that names the unknown key or the invalid value.
 Status setOption(RegistrationOptions& options, const std::string& assignment);
 
 }   // namespace angiopose::core

@@ -11,15 +11,16 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double wideningShare = 1.5;   // of the radius: the mask reaches a little beyond the vessel
+constexpr double wideningShare = 1.5;   // fraction of the radius: the mask extends slightly beyond the vessel
 constexpr double unknownTubeRadiusMm = 1.5;
 constexpr std::size_t maxBodyVoxels = 700'000;
 constexpr double airHu = -1000.0;
-constexpr double minAirHu = -500.0;   // a scan that reaches below has air in it, so its values are HU
-constexpr double minDenseHu = 300.0;   // above air: less is the lung's, and a scan of it has many such voxels
-constexpr double tissueHu = 150.0;   // what is denser holds contrast medium
+constexpr double minAirHu = -500.0;   // a scan with lower values contains air and is therefore in HU
+constexpr double minDenseHu =
+    300.0;   // above air; lower values belong to the lung, and a lung scan has many such voxels
+constexpr double tissueHu = 150.0;   // denser voxels contain contrast agent
 
-/// Adds to the four pixels around a place, by how near they are.
+/// Adds a value to the four pixels around a place with bilinear weights.
 void splat(ImageF& image, const Eigen::Vector2d& place, float value)
 {
     const double x = std::floor(place.x());

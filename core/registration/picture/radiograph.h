@@ -8,24 +8,24 @@
 
 namespace angiopose::core {
 
-/// Voxels that X-rays pass, each for itself.
+/// Set of voxels for projecting one by one.
 struct XrayedVoxels {
     struct Voxel {
         Eigen::Vector3d place;   ///< patient LPS mm
         float brightness = 0.0F;
     };
     std::vector<Voxel> voxels;
-    double spacingMm = 0.0;   ///< widest side of a voxel
+    double spacingMm = 0.0;   ///< longest side of a voxel
 
-    /// Every voxel adds its brightness where it projects, spread over the pixels it covers.
+    /// Adds the brightness of every voxel at its projection, spread over the pixels it covers.
     ImageF from(const ProjectionCamera& camera, const RigidTransform& cameraFromPatient) const;
 };
 
-/// What a CT shows to X-rays, all of the body: line integrals of a reduced scan, dense bright on 0. Of values that are
-/// no HU, what lies above the darkest.
+/// Simulated radiographs of the whole body in a CT: line integrals of a reduced scan, dense tissue bright on 0. If the
+/// values are not HU, uses the part above the darkest value.
 class BodyRadiograph {
 public:
-    /// `longestSidePx`: of the radiographs, which show what the camera sees.
+    /// `longestSidePx` is the size of the radiographs, which cover the camera's field of view.
     BodyRadiograph(const Volume& scan, const ProjectionCamera& camera, int longestSidePx);
 
     ImageF from(const RigidTransform& cameraFromPatient) const { return body_.from(camera_, cameraFromPatient); }
@@ -35,22 +35,22 @@ private:
     XrayedVoxels body_;
 };
 
-/// Makes digitally reconstructed radiographs of the vessels at half the image's resolution: line integrals of the CTA
-/// inside the widened tree, or of tubes where there is no CTA (ALGORITHMS §3.7).
+/// Renders digitally reconstructed radiographs of the vessels at half the image's resolution: line integrals of the CTA
+/// inside the dilated tree, or of tubes without a CTA (ALGORITHMS §3.7).
 class Radiograph {
 public:
     explicit Radiograph(const RegistrationProblem& problem);
 
     ImageF from(const RigidTransform& cameraFromPatient) const;
 
-    const ProjectionCamera& camera() const { return camera_; }   ///< of the radiographs
+    const ProjectionCamera& camera() const { return camera_; }   ///< camera of the radiographs
 
 private:
     void collectVoxels(const Volume& volume);
 
     const TreeSamples& tree_;
     ProjectionCamera camera_;
-    XrayedVoxels vessels_;   ///< none without a CTA
+    XrayedVoxels vessels_;   ///< empty without a CTA
 };
 
 }   // namespace angiopose::core

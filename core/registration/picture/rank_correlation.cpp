@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t grayBins = 256;
 
-/// Mean ranks, less the mean of all ranks.
+/// Tie-averaged ranks minus the mean of all ranks.
 std::vector<double> centerdRanks(const std::vector<float>& values)
 {
     const auto [low, high] = std::minmax_element(values.begin(), values.end());

@@ -6,32 +6,34 @@
 
 namespace angiopose::core {
 
-/// Aylward's model-to-image metric (ALGORITHMS §3.4): centrelines lie on ridges of the image at each vessel's own
-/// width, wide vessels count more. As in the later code of the source the kernel does not answer to flat brightness: a
-/// Gaussian of the width less one twice as wide, so that thin vessels gain nothing on top of wide ones.
+/// Aylward's model-to-image metric (ALGORITHMS §3.4): centerlines lie on ridges of the image at each vessel's own
+/// width; wide vessels count more. As in the later code of the source, the kernel does not respond to constant
+/// brightness: a Gaussian of the vessel's width minus one twice as wide, which keeps thin vessels from gaining on top
+/// of wide ones.
 class VesselBrightness {
 public:
-    /// Uses every third tree point where they are many.
+    /// Uses every third tree point if there are many.
     explicit VesselBrightness(const RegistrationProblem& problem);
 
-    /// Weighted mean ridge brightness under the tree, widths times `widening`; points off the image count as dark.
+    /// Weighted mean ridge brightness under the tree, with widths scaled by `widening`; points outside the image count
+    /// as dark.
     double of(const CentroidPose& pose, double widening) const;
 
-    /// Half the negative gradient of `of` for steps (rad, mm) about the pose, brightness moving points only across
-    /// their vessel; the matrix is the bias matrix that evens out how often directions occur.
+    /// Half the negative gradient of `of` for steps (rad, mm) about the pose, using only the brightness change across
+    /// each vessel; the matrix is the bias matrix that compensates for the frequency of directions.
     NormalEquations pull(const CentroidPose& pose, double widening) const;
 
 private:
     struct Point {
         Eigen::Vector3d fromCentroid;   ///< mm, patient axes
-        Eigen::Vector3d tangent;   ///< unit
+        Eigen::Vector3d tangent;   ///< unit vector
         double radiusMm = 0.0;
         double weight = 0.0;
     };
-    /// Where a width lies between the levels.
+    /// Position of a width between two levels.
     struct Level {
         std::size_t finer = 0;
-        double share = 0.0;   ///< of the coarser
+        double share = 0.0;   ///< share of the coarser level
     };
     Level levelOf(const Eigen::Vector3d& pointInCamera, double radiusMm) const;
     double brightnessAt(const Eigen::Vector2d& pixel, const Level& level) const;
@@ -40,7 +42,7 @@ private:
     ProjectionCamera camera_;
     std::vector<Point> points_;
     double weightSum_ = 0.0;
-    std::vector<ImageF> levels_;   ///< ridges of doubling width, finest first
+    std::vector<ImageF> levels_;   ///< ridges at doubling widths, finest first
 };
 
 }   // namespace angiopose::core

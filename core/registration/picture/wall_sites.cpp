@@ -46,7 +46,7 @@ double BackprojectedGradients::agreement(const Eigen::Vector3d& place, const Eig
         return 0.0;
     }
     const Eigen::Vector2d gradient = gradientAt(picture_, *pixel);
-    // Image axes in the camera frame; a mirrored image turns the first.
+    // Image axes in the camera frame; a mirrored image flips the first axis.
     const Eigen::Vector3d inDetector(std::copysign(gradient.x(), gradient.x() * camera_.fx),
                                      std::copysign(gradient.y(), gradient.y() * camera_.fy), 0.0);
     const Eigen::Vector3d ray = place.normalized();

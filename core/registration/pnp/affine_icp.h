@@ -9,9 +9,10 @@ struct AffineOptions {
     int maxIterations = 100;
 };
 
-/// Iterated closest points with an affine map of the camera frame that leaves depths alone (8 numbers, linear least
-/// squares), from `start`; then the rigid pose that projects the points nearest to where the map takes them
-/// (ALGORITHMS §3.6, option `affine`). The observer sees `start`: until the end there is no better rigid pose.
+/// Runs iterated closest points from `start` with an affine map of the camera frame that keeps depths unchanged (8
+/// parameters, linear least squares), then finds the rigid pose whose projection is closest to the mapped points
+/// (ALGORITHMS §3.6, option `affine`). The observer receives `start`, because there is no better rigid pose until the
+/// end.
 KernelPnpResult rigidPartOfAffineIcp(const KernelProblem& problem, const RigidTransform& start,
                                      const AffineOptions& options, const KernelObserver& observe);
 

@@ -12,7 +12,7 @@ constexpr int maxRounds = 5;
 constexpr double goodEnoughPx = 1.0;   // ξ, decision 3
 constexpr double sameShare = 0.001;   // decision 1
 
-// Shares of the progress: the turn, then each round's auxiliary and full problem.
+// Shares of the progress: the rotation, then each round's auxiliary and full problem.
 constexpr double turnShare = 0.2;
 constexpr double auxiliaryShareOfRound = 1.0 / 3.0;
 
@@ -23,7 +23,7 @@ struct Stage {
     double progressTo = 0.0;
 };
 
-/// A step of the paper per function. Poses are cameraFromStart.
+/// Has one function per step of the paper. Poses are cameraFromStart.
 class AlternatingSearch {
 public:
     AlternatingSearch(const RegistrationProblem& problem, const SeedProblem& seed, PointSolver& solver,
@@ -54,10 +54,11 @@ private:
     double finalScalePx_;
     ProgressLog& progress_;
     KernelProblem full_;
-    RigidTransform pose_;   ///< where the search stands
-    RigidTransform best_;   ///< by E_data at the final ℓ; until the first round ends, the latest of the full problem
+    RigidTransform pose_;   ///< current pose of the search
+    RigidTransform
+        best_;   ///< by E_data at the final ℓ; until the end of the first round, the latest pose of the full problem
     std::optional<double> bestLoss_;
-    std::optional<double> lastMedianPx_;   ///< of the round before
+    std::optional<double> lastMedianPx_;   ///< of the previous round
     KernelDistances distances_;
     std::vector<double> scratch_;
 };
@@ -96,7 +97,7 @@ MethodSolution AlternatingSearch::run(Alternation alternation)
     return solution;
 }
 
-/// Step 0: the rotation only; the shift of the source stays (decision 4).
+/// Step 0: rotation only; the position of the source is fixed (decision 4).
 void AlternatingSearch::turnAboutSource(const Stage& stage)
 {
     const auto observe = [&](const KernelIteration& step) {
@@ -106,7 +107,8 @@ void AlternatingSearch::turnAboutSource(const Stage& stage)
     pose_ = solver_.solve(full_, SearchStage::Turn, pose_, observe).pose;
 }
 
-/// Step A: {p'} with the matches it has now, held. Held matches push the pose out of a local optimum of the full set.
+/// Step A: {p'} with its current matches held fixed. Fixed matches push the pose out of a local optimum of the full
+/// set.
 void AlternatingSearch::solveAuxiliary(const Stage& stage)
 {
     std::vector<Eigen::Vector3d> points;
@@ -126,7 +128,7 @@ void AlternatingSearch::solveAuxiliary(const Stage& stage)
     pose_ = solver_.solve(held, SearchStage::Auxiliary, pose_, observe).pose;
 }
 
-/// Step B: all points with fresh matches.
+/// Step B: all points with updated matches.
 StopReason AlternatingSearch::solveFull(const Stage& stage)
 {
     const KernelPnpResult result = solver_.solve(full_, SearchStage::Full, pose_, [&](const KernelIteration& step) {
@@ -137,8 +139,9 @@ StopReason AlternatingSearch::solveFull(const Stage& stage)
     return result.stopReason;
 }
 
-/// Decision 1: why the loop ends here, if it does. A round that ends worse than the last goes on: held matches of the
-/// new place often push the pose out in the next. One that ends where the last did would repeat itself.
+/// Decision 1: reason to end the loop, if any. A round that ends worse than the previous one does not end it, because
+/// the fixed matches at the new pose often push it out in the next round. A round that ends where the previous one did
+/// would repeat itself.
 std::optional<StopReason> AlternatingSearch::closeRound()
 {
     measure(full_, pose_, distances_);
@@ -167,7 +170,7 @@ Verdict AlternatingSearch::reportStep(const Stage& stage, const KernelIteration&
     return progress_.report(report);
 }
 
-/// Only poses measured with all points compete, each by its nearest partners.
+/// Only poses measured with all points compete, each with its nearest partners.
 void AlternatingSearch::keepIfBest(const KernelIteration& step)
 {
     if (bestLoss_) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double curvesTouchPx = 5.0;
 
-/// Numbers of groups, by the order in which they begin; members within reach of one another belong together.
+/// Group indices in the order of first members; members within reach of one another form a group.
 class Grouping {
 public:
     explicit Grouping(std::size_t count) : leader_(count) { std::iota(leader_.begin(), leader_.end(), std::size_t{0}); }
@@ -28,7 +28,7 @@ public:
         std::vector<int> numbers(leader_.size());
         int next = 0;
         for (std::size_t i = 0; i < leader_.size(); ++i) {
-            const std::size_t leader = leaderOf(i);   // never behind i
+            const std::size_t leader = leaderOf(i);   // never after i
             numbers[i] = leader == i ? next++ : numbers[leader];
         }
         return numbers;
@@ -47,7 +47,7 @@ private:
     std::vector<std::size_t> leader_;
 };
 
-/// Two for each edge: where its first point and where the point after its last one lies, if the curve goes on there.
+/// Two ends per edge: its first point, and the point after its last one if the curve continues.
 std::vector<Eigen::Vector3d> endsOf(const std::vector<BranchPiece>& pieces, const std::vector<Eigen::Vector3d>& points,
                                     const std::vector<int>& curveIndex)
 {

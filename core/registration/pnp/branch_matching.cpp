@@ -10,13 +10,13 @@ constexpr std::size_t samplesPerEdge = 24;
 constexpr double visitedReaches = 2.5;
 constexpr double minCloseness = 0.05;   // of a candidate, 0…1
 constexpr std::size_t maxCurvesPerEdge = 6;
-constexpr double closenessOfNone = 0.1;   // a curve must run nearer than this to be preferred to none
+constexpr double closenessOfNone = 0.1;   // closeness a curve must exceed to be preferred to none
 constexpr int relaxations = 8;
-constexpr double ownSay = 0.25;   // of an edge beside its neighbours
+constexpr double ownSay = 0.25;   // weight of an edge relative to its neighbors
 constexpr double supportOfNone = 0.25;
 constexpr double pairedReaches = 3.0;
 constexpr double minPairCosine = 0.5;
-constexpr double shortestSeen = 1e-3;   // of the length across the ray: seen end-on
+constexpr double shortestSeen = 1e-3;   // fraction of the length across the ray: seen end-on
 
 std::vector<std::vector<int>> neighborsIn(const BranchGraph& graph)
 {
@@ -106,7 +106,7 @@ BranchMatching::Candidates BranchMatching::closenessOf(const BranchEdge& edge, c
 
 BranchMatching::Candidates BranchMatching::candidatesOf(const Candidates& closeness)
 {
-    std::vector<std::pair<double, int>> ranked;   // the nearest first
+    std::vector<std::pair<double, int>> ranked;   // nearest first
     for (const auto& [curve, mean] : closeness) {
         if (mean >= minCloseness) {
             ranked.emplace_back(-mean, curve);
@@ -125,8 +125,8 @@ BranchMatching::Candidates BranchMatching::candidatesOf(const Candidates& closen
     return candidates;
 }
 
-/// Mean over the neighbours of how likely each is shown by a curve that meets this one; unseen, it says as much as for
-/// none.
+/// Mean over the neighbors of the probability that a curve meeting this one shows them; an unseen neighbor contributes
+/// the support of no curve.
 double BranchMatching::supportOf(int curve, const std::vector<int>& neighbors,
                                  const std::vector<Candidates>& candidates) const
 {
@@ -192,7 +192,7 @@ std::vector<int> BranchMatching::match(const CentroidPose& pose, double reachPx)
     return matched;
 }
 
-/// Nothing beyond the ends of the curve: what lies farther along is not shown by it.
+/// Returns nullopt beyond the ends of the curve, which does not show anything farther along.
 std::optional<Eigen::Vector2d> BranchMatching::partnerOf(const Seen& seen, const Stretch& curve, double reachPx) const
 {
     const TargetSamples& target = problem_.target;

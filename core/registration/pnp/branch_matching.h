@@ -11,36 +11,35 @@
 
 namespace angiopose::core {
 
-/// A tree point and the traced point that it belongs to.
+/// Tree point and the matching traced point.
 struct BranchPair {
-    std::size_t point = 0;   ///< number of the tree point
+    std::size_t point = 0;   ///< index of the tree point
     Eigen::Vector2d pixel;
 };
 
-/// Which traced curve shows which stretch of the tree, by graph matching: how near a stretch runs to a curve, and
-/// whether what meets in the tree meets in the image, relaxed together (Rosenfeld, Hummel, Zucker 1976;
-/// ALGORITHMS §3.9).
+/// Assigns traced curves to stretches of the tree by graph matching: relaxes the closeness of a stretch to a curve
+/// together with the consistency of junctions in tree and image (Rosenfeld, Hummel, Zucker 1976; ALGORITHMS §3.9).
 class BranchMatching {
 public:
     static constexpr int noCurve = -1;
 
-    /// `problem` outlives it.
+    /// `problem` must outlive the matching.
     explicit BranchMatching(const RegistrationProblem& problem);
 
     const BranchGraph& tree() const { return tree_; }
 
-    /// The curve of each edge of the tree's graph, or noCurve; `reachPx`: 1-σ of how far the image may be off.
+    /// Curve matched to each edge of the tree's graph, or noCurve; `reachPx` is the 1-σ misalignment of the image.
     std::vector<int> match(const CentroidPose& pose, double reachPx) const;
 
-    /// Nearest points on the matched curves, within three times the reach and in a like direction.
+    /// Nearest points on the matched curves, within three times the search radius and with a similar direction.
     std::vector<BranchPair> pairs(const CentroidPose& pose, double reachPx) const;
 
 private:
-    using Candidates = std::map<int, double>;   ///< how likely each curve is; the rest to 1: none
+    using Candidates = std::map<int, double>;   ///< probability of each curve; the remainder to 1 is that of no curve
 
     struct Seen {
         Eigen::Vector2d pixel;
-        Eigen::Vector2d direction;   ///< unit
+        Eigen::Vector2d direction;   ///< unit vector
     };
     struct Stretch {
         std::size_t from, to;   ///< target points of one curve
@@ -55,8 +54,8 @@ private:
 
     const RegistrationProblem& problem_;
     BranchGraph tree_;
-    std::vector<std::vector<int>> neighbors_;   ///< edges that share a node with each edge
-    std::set<std::pair<int, int>> meetings_;   ///< of curves
+    std::vector<std::vector<int>> neighbors_;   ///< for each edge, the edges that share a node with it
+    std::set<std::pair<int, int>> meetings_;   ///< pairs of curves that meet
     std::map<int, Stretch> curves_;
 };
 

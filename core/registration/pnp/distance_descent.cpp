@@ -14,16 +14,16 @@ namespace angiopose::core {
 namespace {
 
 constexpr int descentTriesPerStep = 8;
-constexpr double settledDescentShare = 1e-6;   // of the cost, §3.6
-constexpr double wholeSquares = 1e9;   // px: Huber's loss that never turns linear
+constexpr double settledDescentShare = 1e-6;   // relative to the cost, §3.6
+constexpr double wholeSquares = 1e9;   // px; keeps Huber's loss quadratic everywhere
 
-/// The points under one pose.
+/// Evaluation of the points at one pose.
 struct HuberLook {
     KernelDistances distances;
     double loss = 0.0;
 };
 
-/// Huber's loss of the nearest distances, matches fresh at every look.
+/// Huber's loss of the nearest distances, with matches updated at every evaluation.
 class HuberSquares : public SourceSteps {
 public:
     using Look = HuberLook;
@@ -63,8 +63,8 @@ double spreadOf(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& 
     return std::max(1e-6, std::sqrt(squares / static_cast<double>(points.size())));
 }
 
-/// From steps about the source to steps about the centroid: turning about the centroid c' is turning about the source
-/// and shifting by c' × ω.
+/// Converts steps about the source to steps about the centroid: a rotation about the centroid c' is a rotation about
+/// the source plus a shift by c' × ω.
 Vector6d aboutPivot(const Vector6d& gradient, const Eigen::Vector3d& pivot)
 {
     Vector6d moved = gradient;
@@ -122,7 +122,7 @@ KernelPnpResult DistanceDescent::descend(const KernelProblem& problem, Freedom f
     return result;
 }
 
-/// L-BFGS on Σ d², whose gradient is that of the held matches wherever it exists.
+/// L-BFGS on Σ d², whose gradient equals that of the fixed matches wherever it exists.
 KernelPnpResult DistanceDescent::descendSmoothly(const KernelProblem& problem, const RigidTransform& start,
                                                  const KernelObserver& observe) const
 {
@@ -161,8 +161,8 @@ KernelPnpResult DistanceDescent::descendSmoothly(const KernelProblem& problem, c
     return result;
 }
 
-/// The affine map bends towards the target as far as it can; the rigid pose nearest to it in the image, refined, is
-/// kept if it fits better than the one there is.
+/// Fits the affine map to the target as far as possible; then refines the rigid pose closest to it in the image and
+/// keeps it if it fits better than the current one.
 void DistanceDescent::tryAffine(const KernelProblem& problem, const KernelObserver& observe,
                                 KernelPnpResult& result) const
 {

@@ -11,8 +11,8 @@ struct DescentOptions {
     bool hasAffineStage = false;
 };
 
-/// Lowers the distances to the nearest target points (ALGORITHMS §3.6). Nothing keeps the tree from shrinking onto
-/// part of the target: that is the method's.
+/// Minimizes the distances to the nearest target points (ALGORITHMS §3.6). Nothing prevents the tree from shrinking
+/// onto part of the target, which is a property of the published method.
 class DistanceDescent final : public PointSolver {
 public:
     explicit DistanceDescent(const DescentOptions& options) : options_(options) {}

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t graphScorePoints = 200;
 
-/// Rms distance from the mean, at least 1.
+/// RMS distance from the mean, at least 1.
 double spreadPxOf(const TargetSamples& target)
 {
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
@@ -40,7 +40,7 @@ GraphScore::GraphScore(const RegistrationProblem& problem, double spreadWeight)
     }
 }
 
-/// Mean of exp(−d/σ) over the tree, less λ (P/Q + Q/P) of the spreads of tree and image.
+/// Mean of exp(−d/σ) over the tree minus λ (P/Q + Q/P) of the spreads of tree and image.
 double GraphScore::of(const CentroidPose& pose) const
 {
     double near = 0.0;

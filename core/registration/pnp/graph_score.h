@@ -9,16 +9,16 @@
 
 namespace angiopose::core {
 
-/// How well a pose suits a traced image as graph matching ranks its hypotheses (ALGORITHMS §3.17): the nearer the tree
-/// comes to the traced vessels the better, less what keeps it from collapsing upon few of them.
+/// Score by which graph matching ranks its hypotheses (ALGORITHMS §3.17): closeness of the tree to the traced vessels,
+/// minus a penalty that keeps the tree from collapsing onto few of them.
 class GraphScore {
 public:
-    static constexpr double scalePx = 5.0;   ///< a point this far off counts 0.37
+    static constexpr double scalePx = 5.0;   ///< distance at which a point counts 0.37
 
-    /// `spreadWeight`: λ of what keeps the tree from collapsing.
+    /// `spreadWeight` is λ of the penalty against collapse.
     GraphScore(const RegistrationProblem& problem, double spreadWeight);
 
-    /// At most 1; minus infinity where nothing projects.
+    /// At most 1; minus infinity if nothing projects.
     double of(const CentroidPose& pose) const;
 
 private:
@@ -26,7 +26,7 @@ private:
     double spreadWeight_;
     FeatureMap target_;
     double targetSpreadPx_;
-    std::vector<Eigen::Vector3d> probes_;   ///< tree points, mm from the centroid
+    std::vector<Eigen::Vector3d> probes_;   ///< tree points, mm relative to the centroid
 };
 
 }   // namespace angiopose::core

@@ -10,7 +10,7 @@ constexpr int scaleCount = 3;
 constexpr double armijo = 1e-4;
 constexpr double settledAscentPx = 1e-3;
 
-/// Ascent at one kernel width. The cost is 2σ² (N − E_data) + prior: what the kernel-weighted squares majorise.
+/// Ascent at one kernel width. The cost is 2σ² (N − E_data) + prior, which the kernel-weighted squares majorize.
 class OneScale {
 public:
     OneScale(const KernelProblem& problem, const PosePrior& prior, double scalePx)
@@ -18,7 +18,7 @@ public:
     {
     }
 
-    /// Stands on this pose.
+    /// Starts at this pose.
     void begin(const RigidTransform& pose)
     {
         pose_ = pose;
@@ -27,7 +27,8 @@ public:
         motionPx_ = 0.5 * scalePx_;
     }
 
-    /// One step against the gradient, turns and shifts weighed by `metric`; false when none lowers the cost.
+    /// Takes one step against the gradient, with rotations and shifts weighted by `metric`; returns false if no step
+    /// lowers the cost.
     bool step(const Vector6d& metric, Freedom freedom);
 
     const RigidTransform& pose() const { return pose_; }
@@ -45,7 +46,7 @@ private:
     double scalePx_;
     RigidTransform pose_;
     double cost_ = 0.0;
-    double motionPx_ = 0.0;   ///< largest motion of a point tried first
+    double motionPx_ = 0.0;   ///< initial step length as the largest motion of a point
     KernelDistances current_;
     KernelDistances trial_;
 };
@@ -88,7 +89,7 @@ double OneScale::largestMotionPx(const Vector6d& step) const
     return largest;
 }
 
-/// How far a step goes in each direction for the same slope.
+/// Step length per direction for the same slope.
 Vector6d weightsOf(StepMetric metric, SearchStage stage, double depthMm)
 {
     Vector6d weights = Vector6d::Ones();
@@ -101,7 +102,8 @@ Vector6d weightsOf(StepMetric metric, SearchStage stage, double depthMm)
     return weights;
 }
 
-/// Shorter where a prior bends the cost more than the points do, or the ascent crosses its valley to and fro.
+/// Weights reduced where a prior has a higher curvature than the data, or where the ascent oscillates across its
+/// valley.
 Vector6d shortenedBy(const PosePrior& prior, const KernelProblem& problem, double depthMm, Vector6d weights)
 {
     const double pixelsPerMm = problem.camera.fx / depthMm;

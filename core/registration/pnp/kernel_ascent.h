@@ -9,11 +9,11 @@ struct AscentOptions {
     double finalScalePx = 3.0;
     int iterationsPerScale = 300;
     StepMetric metric = StepMetric::Balanced;
-    PosePrior prior;   ///< of the full problem
+    PosePrior prior;   ///< prior of the full problem
 };
 
-/// First-order ascent of Σ exp(−d²/2σ²) at three widths σ from coarse to fine, with Armijo backtracking and fresh
-/// partners at every look (ALGORITHMS §3.3).
+/// First-order ascent of Σ exp(−d²/2σ²) at three widths σ from coarse to fine, with Armijo backtracking and partners
+/// updated at every evaluation (ALGORITHMS §3.3).
 class KernelAscent final : public PointSolver {
 public:
     KernelAscent(const AscentOptions& options, double depthMm) : options_(options), depthMm_(depthMm) {}

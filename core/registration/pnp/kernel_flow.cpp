@@ -7,10 +7,10 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minKernel = 6e-4;   // of the source: pairs below it are left out
+constexpr double minKernel = 6e-4;   // from the source: pairs below it are ignored
 constexpr double flowReachInScales = 3.8517;   // √(−2 ln 6e-4)
 constexpr double flowSamplesPerScale = 4.0;
-constexpr double endOnInFlow = 1e-3;   // of the length that the vessel would have across the ray
+constexpr double endOnInFlow = 1e-3;   // relative to the length of the vessel across the ray
 
 }   // namespace
 
@@ -53,7 +53,7 @@ void KernelFlow::look(const CentroidPose& pose)
     }
 }
 
-/// The square of the cosine stands for the product of colours: either way round counts alike.
+/// The squared cosine replaces the product of colors; both orientations count the same.
 double KernelFlow::labelOf(const Seen& seen, std::size_t target) const
 {
     if (!options_.directions || seen.direction.isZero()) {
@@ -100,7 +100,7 @@ PowerSeries KernelFlow::along(const Vector6d& step) const
     PowerSeries v;
     std::int32_t projected = -1;
     for (const Pair& pair : pairs_) {
-        if (pair.seen != projected) {   // pairs come sample by sample
+        if (pair.seen != projected) {   // pairs are grouped by sample
             projected = pair.seen;
             const Seen& seen = seen_[static_cast<std::size_t>(projected)];
             std::array<PowerSeries, 3> place;

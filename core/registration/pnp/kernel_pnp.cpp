@@ -9,19 +9,19 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int kernelTriesPerStep = 7;   // the first, and six with more damping
+constexpr int kernelTriesPerStep = 7;   // the first, and six with increased damping
 constexpr double settledKernelMm = 1e-5;
 constexpr double kernelReachInScales = 3.0;
 
-/// The points under one pose.
+/// Evaluation of the points at one pose.
 struct KernelLook {
     KernelDistances distances;
-    double loss = 0.0;   ///< N − E_data at the present ℓ
-    double pull = 0.0;   ///< of the prior
-    bool isInDepth = false;   ///< the pose keeps to the depth guard
+    double loss = 0.0;   ///< N − E_data at the current ℓ
+    double pull = 0.0;   ///< cost of the prior
+    bool isInDepth = false;   ///< whether the pose respects the depth limits
 };
 
-/// Kernel-weighted squares at one ℓ, and the prior's. A step is taken unless E_data falls, whatever the prior says.
+/// Kernel-weighted squares at one ℓ plus the prior. A step is accepted unless E_data falls, whatever the prior.
 class KernelAtScale : public SourceSteps {
 public:
     using Look = KernelLook;
@@ -52,7 +52,7 @@ public:
         if (!there.isInDepth || !(there.loss <= here.loss)) {
             return {};
         }
-        // 2ℓ²(1 − exp(−d²/2ℓ²)) is the loss that the weighted squares majorise.
+        // 2ℓ²(1 − exp(−d²/2ℓ²)) is the loss that the weighted squares majorize.
         return 2.0 * scalePx_ * scalePx_ * (here.loss - there.loss) + here.pull - there.pull;
     }
 
@@ -62,10 +62,10 @@ public:
 private:
     const PosePrior& prior_;
     const KernelSchedule& schedule_;
-    double scalePx_ = 0.0;   ///< ℓ; 0: only the nearest partners are looked for
+    double scalePx_ = 0.0;   ///< ℓ; 0: search only for the nearest partners
 };
 
-/// ℓ at first: the largest distance, see StartScale.
+/// Initial ℓ: the largest distance, see StartScale.
 double startScalePx(const KernelProblem& problem, const KernelSchedule& schedule, const KernelDistances& distances)
 {
     const double largestPx = largestDistancePx(distances);
@@ -87,7 +87,7 @@ KernelPnpResult KernelPnp::solve(const RigidTransform& start, const KernelObserv
         atScale.setScale(scalePx);
         if (problem_.neighbors == Neighbors::Radius) {
             descent.lookAgain();
-        } else {   // the same partners, weighed otherwise
+        } else {   // same partners with different weights
             descent.look().loss = kernelLoss(descent.look().distances, scalePx);
             descent.relinearize();
         }

@@ -10,20 +10,21 @@
 
 namespace angiopose::core {
 
-/// How one kernel PnP run goes (ALGORITHMS §3.1).
+/// Schedule of kernel PnP (ALGORITHMS §3.1).
 struct KernelSchedule {
     int maxIterations = 60;   ///< accepted steps
-    double finalScalePx = 1.0;   ///< ℓ ends here
+    double finalScalePx = 1.0;   ///< final ℓ
     StartScale startScale = StartScale::Largest;
     Decay decay = Decay::Halving;
     Freedom freedom = Freedom::Full;
-    double nearestMm = 0.0;   ///< the points' centroid may not come nearer to the source than this, …
-    double farthestMm = std::numeric_limits<double>::infinity();   ///< … nor go farther away
+    double nearestMm = 0.0;   ///< smallest distance of the points' centroid from the source
+    double farthestMm =
+        std::numeric_limits<double>::infinity();   ///< largest distance of the points' centroid from the source
 };
 
-/// An accepted step.
+/// Accepted step.
 struct KernelIteration {
-    int iteration = 0;   ///< from 1
+    int iteration = 0;   ///< starts at 1
     double scalePx = 0.0;
     RigidTransform pose;
     const KernelDistances* distances = nullptr;   ///< at `pose`
@@ -38,8 +39,8 @@ struct KernelPnpResult {
     double scalePx = 0.0;   ///< ℓ of the last step
 };
 
-/// DynaWeightPnP*: maximises E_data = Σ exp(−d²/2ℓ²) under the pull of `prior` by reweighted least squares with
-/// ℓ annealed from the largest distance. A step that lowers E_data at its ℓ is never taken. ALGORITHMS §3.1.
+/// DynaWeightPnP*: maximizes E_data = Σ exp(−d²/2ℓ²) together with `prior` by reweighted least squares, annealing ℓ
+/// from the largest distance. Never accepts a step that lowers E_data at its ℓ. ALGORITHMS §3.1.
 class KernelPnp {
 public:
     KernelPnp(const KernelProblem& problem, const PosePrior& prior, const KernelSchedule& schedule)

@@ -7,33 +7,34 @@
 namespace angiopose::core {
 
 struct MixtureOptions {
-    double scalePx = 15.0;   ///< σ of the places
+    double scalePx = 15.0;   ///< σ of the positions
     double orientation = 0.3;   ///< σ of the unit directions
     double selfWeight = 1.0;
 };
 
-/// L2 distance of two mixtures of Gaussians over place and direction: the projected tree P and the traced vessels Q, up
-/// to the constant ⟨Q,Q⟩ (ALGORITHMS §3.12). Directions count alike either way round.
+/// L2 distance of two mixtures of Gaussians over position and direction: the projected tree P and the traced vessels Q,
+/// up to the constant ⟨Q,Q⟩ (ALGORITHMS §3.12). Opposite directions count as equal.
 class OrientedMixture {
 public:
-    /// Samples are thinned to what the scale can tell apart.
+    /// Thins the samples to the resolution of the scale.
     OrientedMixture(const RegistrationProblem& problem, const MixtureOptions& options);
 
-    /// w⟨P,P⟩ − 2⟨P,Q⟩ and its gradient for steps (rad, mm) about the pose, directions included.
+    /// w⟨P,P⟩ − 2⟨P,Q⟩ and its gradient for steps (rad, mm) about the pose, including the directions.
     double distance(const CentroidPose& pose, Vector6d& gradient);
 
 private:
     struct Sample {
         Eigen::Vector3d fromCentroid;   ///< mm, patient axes
-        Eigen::Vector3d tangent;   ///< unit
+        Eigen::Vector3d tangent;   ///< unit vector
     };
-    /// A sample as it is projected; the derivative of a cost for place and direction goes back through it.
+    /// Projected sample, through which the derivative of a cost with respect to position and direction is propagated
+    /// back.
     struct Projected {
         Eigen::Vector3d inCamera;
         Eigen::Vector3d tangent;   ///< camera axes
-        double directionLength = 0.0;   ///< of the direction before it is a unit
+        double directionLength = 0.0;   ///< length of the direction before normalization
     };
-    /// A kernel between two oriented points: value, and half derivatives for the first.
+    /// Kernel between two oriented points: its value, and half its derivatives with respect to the first point.
     struct Pair {
         double value = 0.0;
         Eigen::Vector2d byPlace = Eigen::Vector2d::Zero();
@@ -47,11 +48,11 @@ private:
 
     MixtureOptions options_;
     ProjectionCamera camera_;
-    double reachPx_;   ///< beyond which kernels are not evaluated
+    double reachPx_;   ///< kernel cutoff
     std::vector<Sample> samples_;
-    std::vector<Projected> projected_;   ///< those in front of the source
-    std::vector<Eigen::Vector2d> places_;   ///< of the projected samples
-    std::vector<Eigen::Vector2d> directions_;   ///< unit
+    std::vector<Projected> projected_;   ///< samples in front of the source
+    std::vector<Eigen::Vector2d> places_;   ///< positions of the projected samples
+    std::vector<Eigen::Vector2d> directions_;   ///< unit vectors
     std::vector<Eigen::Vector2d> targetPlaces_;
     std::vector<Eigen::Vector2d> targetDirections_;
     BinGrid targetGrid_;

@@ -15,7 +15,7 @@ constexpr double settledDeformationMm = 1e-4;
 constexpr double settledDeformationShare = 1e-7;
 constexpr double shortestLinkMm = 1e-6;
 
-/// Two tree points that belong together.
+/// Two linked tree points.
 struct Link {
     std::size_t a, b;
     double lengthMm;
@@ -46,9 +46,9 @@ std::vector<Link> linksOf(const TreeSamples& tree, const BranchGraph& graph)
     return links;
 }
 
-/// The energy of all motions at once, three numbers per tree point.
+/// Energy of all motions together, three values per tree point.
 class DeformationEnergy {
-    /// The three numbers of one point.
+    /// The three values of one point.
     template <class Vector>
     static auto part(Vector& all, std::size_t point)
     {
@@ -84,7 +84,7 @@ public:
         return sum;
     }
 
-    /// Of the pairs, px; infinite when most do not project.
+    /// Median distance of the pairs, px; infinite if most do not project.
     double medianPx(const Eigen::VectorXd& motion) const
     {
         std::vector<double> distances;

@@ -4,24 +4,24 @@
 
 namespace angiopose::core {
 
-/// The problems of the alternating search (ALGORITHMS §3.2): turning about the source, the auxiliary points with held
-/// partners, all points with fresh ones.
+/// Problems of the alternating search (ALGORITHMS §3.2): rotation about the source, auxiliary points with fixed
+/// partners, all points with updated partners.
 enum class SearchStage { Turn, Auxiliary, Full };
 
-/// A method that lays points onto matched points, as the alternating search drives it. Poses are motions of the points'
+/// Interface of methods that fit points to matched points, for the alternating search. Poses are motions of the points'
 /// own frame.
 class PointSolver {
 public:
     virtual ~PointSolver() = default;
 
-    /// Solves one problem from `start`, telling `observe` of every step, and returns at once when told to stop.
+    /// Solves one problem from `start`, reports every step to `observe`, and returns immediately on a stop request.
     virtual KernelPnpResult solve(const KernelProblem& problem, SearchStage stage, const RigidTransform& start,
                                   const KernelObserver& observe) = 0;
 
-    /// Steps that `solve` takes at most.
+    /// Maximum number of steps of `solve`.
     virtual int maxIterations(SearchStage stage) const = 0;
 
-    /// Whether it can move the rotation alone.
+    /// Whether the solver can change the rotation alone.
     virtual bool canTurn() const { return true; }
 };
 

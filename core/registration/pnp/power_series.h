@@ -6,10 +6,10 @@
 
 namespace angiopose::core {
 
-/// A function of s by its Taylor coefficients about 0, up to s⁴.
+/// Function of s given by its Taylor coefficients about 0, up to s⁴.
 struct PowerSeries {
     static constexpr std::size_t terms = 5;
-    std::array<double, terms> at{};   ///< at[k]: of sᵏ
+    std::array<double, terms> at{};   ///< at[k]: coefficient of sᵏ
 
     PowerSeries& operator+=(const PowerSeries& other)
     {
@@ -42,7 +42,7 @@ inline PowerSeries operator*(const PowerSeries& a, const PowerSeries& b)
     return product;
 }
 
-/// `b` does not vanish at 0.
+/// `b` must not vanish at 0.
 inline PowerSeries operator/(const PowerSeries& a, const PowerSeries& b)
 {
     PowerSeries quotient;
@@ -56,7 +56,7 @@ inline PowerSeries operator/(const PowerSeries& a, const PowerSeries& b)
     return quotient;
 }
 
-/// From e' = a' e.
+/// Uses e' = a' e.
 inline PowerSeries exp(const PowerSeries& a)
 {
     PowerSeries e;

@@ -5,7 +5,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Steps between samples so that they lie `wantedPx` apart, given their mean spacing.
+/// Stride for samples about `wantedPx` apart, given their mean spacing.
 std::size_t strideAt(double wantedPx, double spacingPx)
 {
     return std::max<std::size_t>(1, static_cast<std::size_t>(wantedPx / std::max(spacingPx, 1e-6)));

@@ -6,10 +6,10 @@
 
 namespace angiopose::core {
 
-/// Steps between tree points so that their projections from the start pose lie about `wantedPx` apart; at least 1.
+/// Stride of tree points whose projections at the initial pose are about `wantedPx` apart; at least 1.
 std::size_t treeStride(const RegistrationProblem& problem, double wantedPx);
 
-/// The same for the traced vessels.
+/// Same for the traced vessels.
 std::size_t targetStride(const TargetSamples& target, double wantedPx);
 
 }   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 namespace angiopose::core {
 
-/// Kernel width ℓ from coarse to fine; never below its floor.
+/// Kernel width ℓ, annealed from coarse to fine; never below its minimum.
 class ScaleAnnealing {
 public:
     ScaleAnnealing(Decay decay, double startPx, double finalPx);
@@ -12,10 +12,10 @@ public:
     double scalePx() const { return scalePx_; }
     bool isFinal() const { return scalePx_ <= finalPx_; }
 
-    /// Counts an accepted step after which `pointsInReach` points feel the kernel; shrinks ℓ when it is due.
+    /// Counts an accepted step after which `pointsInReach` points are within reach of the kernel; shrinks ℓ when due.
     void noteStep(int pointsInReach);
 
-    /// Shrinks ℓ at once, as nothing more is to be gained at this one; false when it is final already.
+    /// Shrinks ℓ immediately when no further gain is possible at this width; returns false if it is already final.
     bool sharpen();
 
 private:

@@ -10,22 +10,22 @@
 
 namespace angiopose::core {
 
-/// What the methods that match points start from. Points live in the start camera's frame and the pose is the motion
-/// cameraFromStart, identity at first: only there do the rad² + mm² of the prior mean what they mean in the seed
-/// (ALGORITHMS §1, "perturbation models").
+/// Input of point-matching methods. The points are in the frame of the initial camera and the pose is the motion
+/// cameraFromStart, initially the identity: only in this frame does the rad² + mm² of the prior have its meaning from
+/// DynaWeightPnP (ALGORITHMS §1, "perturbation models").
 struct SeedProblem {
     std::vector<Eigen::Vector3d> points;
-    std::vector<Eigen::Vector3d> auxiliary;   ///< {p'}, by option `auxiliary`
-    PosePrior prior;   ///< of the full problem, by preset
-    KernelSchedule schedule;   ///< of the full problem
-    double nearestMm = 0.0;   ///< the depth guard, for all that runs without a prior
+    std::vector<Eigen::Vector3d> auxiliary;   ///< {p'}, according to option `auxiliary`
+    PosePrior prior;   ///< prior of the full problem, by preset
+    KernelSchedule schedule;   ///< schedule of the full problem
+    double nearestMm = 0.0;   ///< depth limit for all solves without a prior
     double farthestMm = 0.0;
-    std::unique_ptr<PointIndex> target;   ///< by option `index`
-    std::unique_ptr<NeighborSearch> search;   ///< null when only the nearest points count
+    std::unique_ptr<PointIndex> target;   ///< according to option `index`
+    std::unique_ptr<NeighborSearch> search;   ///< null if only the nearest points count
     Neighbors neighbors = Neighbors::Closest;
     SourceFreedom freedom;
 
-    /// All points, matched anew at every look.
+    /// Problem of all points, matched again at every evaluation.
     KernelProblem full(const ProjectionCamera& camera) const
     {
         return {points, camera, target.get(), {}, search.get(), neighbors, freedom};
@@ -34,7 +34,8 @@ struct SeedProblem {
 
 SeedProblem makeSeedProblem(const RegistrationProblem& problem, const RegistrationOptions& options);
 
-/// Whether {p'} can fix a pose: at least four points, spread over 30 % of the tree's own spread (ALGORITHMS §3.2).
+/// Whether {p'} can determine a pose: at least four points, spread over 30 % of the tree's own spread (ALGORITHMS
+/// §3.2).
 bool isSolvableAlone(const std::vector<Eigen::Vector3d>& auxiliary, const std::vector<Eigen::Vector3d>& points);
 
 }   // namespace angiopose::core

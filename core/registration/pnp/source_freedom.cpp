@@ -39,7 +39,7 @@ RigidTransform SourceFreedom::moved(const RigidTransform& pose, const Vector6d& 
     return cameraFromPatient(freedom_.held(core::aboutCentroid(next, centroidInStart_)), centroidInStart_);
 }
 
-/// Turning about the centroid c by ω is turning about the source and shifting by c × ω.
+/// A rotation about the centroid c by ω is a rotation about the source plus a shift by c × ω.
 StepBasis SourceFreedom::freeTwists(const RigidTransform& pose, Freedom freedom) const
 {
     const CentroidPose place = core::aboutCentroid(pose, centroidInStart_);

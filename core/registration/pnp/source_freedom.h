@@ -4,30 +4,30 @@
 
 namespace angiopose::core {
 
-/// What motions about the X-ray source may change: poses are cameraFromStart, steps are twists ξ (rad, mm) with
-/// pose ← exp(ξ) pose.
+/// Allowed motions about the X-ray source: poses are cameraFromStart, steps are twists ξ (rad, mm) with pose ← exp(ξ)
+/// pose.
 class SourceFreedom {
 public:
-    /// All six are free.
+    /// Leaves all six parameters free.
     SourceFreedom() = default;
 
-    /// `freedom`: of cameraFromPatient; `start` and the tree's centroid (patient mm) say where it stands.
+    /// `freedom` refers to cameraFromPatient; `start` and the tree's centroid (patient mm) define the initial position.
     SourceFreedom(const PoseFreedom& freedom, const RigidTransform& start, const Eigen::Vector3d& centroidInPatient);
 
     bool isFull() const { return freedom_.isFull(); }
     const PoseFreedom& aboutCentroid() const { return freedom_; }
     const Eigen::Vector3d& centroidInStart() const { return centroidInStart_; }
 
-    /// The step by core::dampedStep among those allowed. With Freedom::Rotation the tree turns about the source, as far
-    /// as locked shifts let it.
+    /// Damped step by core::dampedStep within the allowed motions. With Freedom::Rotation the tree rotates about the
+    /// source as far as locked shifts allow.
     Vector6d dampedStep(const NormalEquations& equations, double damping, const RigidTransform& pose,
                         Freedom freedom = Freedom::Full) const;
 
-    /// The allowed direction down a gradient, components weighed by `weights` (one for turns, one for shifts).
+    /// Allowed direction of descent, with components weighted by `weights` (one for rotations, one for shifts).
     Vector6d descent(const Vector6d& gradient, const Vector6d& weights, const RigidTransform& pose,
                      Freedom freedom) const;
 
-    /// The pose after a twist; what is locked keeps its value exactly.
+    /// Pose after a twist; locked parameters keep their exact values.
     RigidTransform moved(const RigidTransform& pose, const Vector6d& twist) const;
 
 private:

@@ -4,23 +4,23 @@
 
 namespace angiopose::core {
 
-/// Places and steps of the descents (see DampedDescent) that turn the points about the X-ray source.
+/// States and steps of descents (see DampedDescent) that rotate the points about the X-ray source.
 class SourceSteps {
 public:
     using Place = RigidTransform;
     using Step = Vector6d;
     using Equations = NormalEquations;
 
-    /// `problem` outlives it. At least one point.
+    /// `problem` must outlive this object and have at least one point.
     SourceSteps(const KernelProblem& problem, Freedom freedom);
 
     Vector6d step(const RigidTransform& pose, const NormalEquations& equations, double damping) const;
     RigidTransform moved(const RigidTransform& pose, const Vector6d& step) const;
 
-    /// Rotation counted as the shift it causes at the depth of the points.
+    /// Length of a step, with rotation counted as the shift it causes at the depth of the points.
     double lengthMm(const RigidTransform& pose, const Vector6d& step) const;
 
-    /// Of the points' centroid.
+    /// Depth of the points' centroid.
     double depthMm(const RigidTransform& pose) const { return (pose * centroid_).z(); }
 
 protected:
@@ -32,7 +32,7 @@ private:
     Eigen::Vector3d centroid_;
 };
 
-/// Mean of at least one point.
+/// Mean of the points; requires at least one.
 Eigen::Vector3d meanOf(std::span<const Eigen::Vector3d> points);
 
 }   // namespace angiopose::core

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double damping = 1e-3;
 
-/// Steps about the source as steps about the tree's centroid.
+/// Converts steps about the source to steps about the tree's centroid.
 NormalEquations aboutCentroid(const NormalEquations& equations, const Eigen::Vector3d& centroidInCamera)
 {
     Matrix6d sourceFromCentroid = Matrix6d::Identity();

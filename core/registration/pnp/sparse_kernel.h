@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// Kernel agreement of a few tree points with the target, quick enough to ask of thousands of poses.
+/// Kernel agreement of a few tree points with the target, fast enough to evaluate for thousands of poses.
 class SparseKernel {
 public:
     SparseKernel(const RegistrationProblem& problem, std::size_t most);
@@ -14,8 +14,8 @@ public:
     /// Mean of exp(−d²/2ℓ²), 0…1.
     double agreement(const CentroidPose& pose, double scalePx);
 
-    /// The pose after one Gauss–Newton step on the kernel-weighted squares; with `inPlaneOnly` the turns out of the
-    /// image plane stay.
+    /// Pose after one Gauss–Newton step on the kernel-weighted squares; with `inPlaneOnly` the out-of-plane rotations
+    /// are fixed.
     CentroidPose stepped(const CentroidPose& pose, double scalePx, bool inPlaneOnly);
 
 private:
@@ -23,7 +23,7 @@ private:
 
     ProjectionCamera camera_;
     PoseFreedom freedom_;
-    std::vector<Eigen::Vector3d> points_;   ///< from the centroid: there a centroid pose is a rigid motion
+    std::vector<Eigen::Vector3d> points_;   ///< relative to the centroid, where a centroid pose is a rigid motion
     FeatureMap target_;
     KernelDistances distances_;
 };

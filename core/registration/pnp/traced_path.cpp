@@ -8,10 +8,10 @@ namespace {
 
 constexpr double muchShorter = 0.75;
 constexpr double muchLonger = 1.33;
-constexpr double headingPx = 20.0;   // length over which a direction is taken
+constexpr double headingPx = 20.0;   // length over which a direction is measured
 constexpr double minStraightCosine = 0.7071;   // 45°
 
-/// Unit; nothing of a single place.
+/// Unit vector; nullopt for a single place.
 std::optional<Eigen::Vector2d> headingOf(const std::vector<Eigen::Vector2d>& points)
 {
     const Eigen::Vector2d chord = placeAlong(points, headingPx) - points.front();
@@ -29,7 +29,7 @@ std::vector<Eigen::Vector2d> pointsAlong(const BranchGraph& graph, const TargetS
     return points;
 }
 
-/// The way out of a node that turns least from where the path comes from, up to 45°.
+/// Edge leaving the node with the smallest change of direction from the path, up to 45°.
 std::optional<EdgeEnd> straightOn(const BranchGraph& graph, const TargetSamples& target, const TracedPath& path)
 {
     const std::vector<Eigen::Vector2d> backwards(path.points.rbegin(), path.points.rend());

@@ -5,7 +5,7 @@
 
 namespace angiopose::core {
 
-/// A pose told by the tree's centroid (OBJ parameters, ALGORITHMS §1): turning does not shift the image.
+/// Pose defined relative to the tree's centroid (OBJ parameters, ALGORITHMS §1): rotation does not shift the image.
 /// pointInCamera = rotation (pointInPatient − centroidInPatient) + centroidInCamera.
 struct CentroidPose {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -15,13 +15,13 @@ struct CentroidPose {
 CentroidPose aboutCentroid(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient);
 RigidTransform cameraFromPatient(const CentroidPose& pose, const Eigen::Vector3d& centroidInPatient);
 
-/// The pose after a step (rotation vector rad, shift mm) in camera axes.
+/// Pose after a step (rotation vector rad, shift mm) in camera axes.
 CentroidPose moved(const CentroidPose& pose, const Vector6d& step);
 
-/// Step that leads from one pose to the other; inverse of moved.
+/// Step from one pose to the other; inverse of moved.
 Vector6d stepBetween(const CentroidPose& from, const CentroidPose& to);
 
-/// How far a step moves points that are `spreadMm` from the centroid, at most.
+/// Maximum motion of points that are `spreadMm` from the centroid.
 double stepLengthMm(const Vector6d& step, double spreadMm);
 
 }   // namespace angiopose::core

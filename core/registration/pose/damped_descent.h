@@ -9,58 +9,58 @@
 
 namespace angiopose::core {
 
-/// A least-squares problem as the descent below sees it: a Place where one can stand (a pose, or several), a Step from
-/// one place to the next, and a Look, all that is measured at a place.
+/// Requirements on a least-squares problem for the descent below: a state (one or several poses), a step from one state
+/// to the next, and an evaluation, which holds all quantities computed at a state.
 template <class P>
 concept LeastSquaresProblem = requires(P& problem, const typename P::Place& place, typename P::Look& look,
                                        const typename P::Equations& equations, const typename P::Step& step)
 {
-    /// Measures; false where one cannot stand.
+    /// Evaluates a state; returns false if it is not feasible.
     {
         problem.look(place, look)
         } -> std::same_as<bool>;
-    /// Normal equations for steps about the place, weights frozen; asked for only before a step is taken.
+    /// Normal equations for steps about the state, weights frozen; called only before a step is taken.
     {
         problem.equations(place, look)
         } -> std::convertible_to<typename P::Equations>;
-    /// The damped step among those that are free.
+    /// Damped step along the free directions.
     {
         problem.step(place, equations, 1e-3)
         } -> std::convertible_to<typename P::Step>;
     {
         problem.moved(place, step)
         } -> std::convertible_to<typename P::Place>;
-    /// How much lower the cost is at the second look; nothing where the step is not to be taken.
+    /// Decrease of the cost at the second evaluation; nullopt if the step must not be taken.
     {
         problem.gained(look, look)
         } -> std::same_as<std::optional<double>>;
-    /// How far the step moves the points, mm.
+    /// Distance by which the step moves the points, mm.
     {
         problem.lengthMm(place, step)
         } -> std::convertible_to<double>;
 };
 
 struct StepOptions {
-    int triesPerStep = 1;   ///< each with more damping than the one before
-    double settledMm = 0.0;   ///< a step that moves less settles it
-    double settledGain = 0.0;   ///< so does one that promises to lower the cost by less
+    int triesPerStep = 1;   ///< each with more damping than the previous one
+    double settledMm = 0.0;   ///< a step that moves less ends the descent
+    double settledGain = 0.0;   ///< a step with a smaller predicted decrease also ends it
 };
 
-/// What became of one step. A last, tiny step may be taken and settle it.
+/// Result of one step. A last, tiny step may be both taken and final.
 struct StepOutcome {
     bool isTaken = false;
-    bool isSettled = false;   ///< no further step is worth a try
-    bool isStopped = false;   ///< who was told of it said Stop
+    bool isSettled = false;   ///< no further step is worthwhile
+    bool isStopped = false;   ///< the observer returned Stop
 };
 
-/// What the descent measures at its place and at the next; outlives it, so that buffers are used again.
+/// Evaluations of the descent at its current and next state; must outlive it to allow buffers to be reused.
 template <class Look>
 struct LookPair {
     Look here;
     Look there;
 };
 
-/// Levenberg–Marquardt (ALGORITHMS §1): linearise, take the damped step, stand there if the problem accepts it.
+/// Levenberg–Marquardt (ALGORITHMS §1): linearize, compute the damped step, and accept it if the problem does.
 template <LeastSquaresProblem Problem>
 class DampedDescent {
 public:
@@ -75,12 +75,13 @@ public:
 
     const Place& place() const { return place_; }
     Look& look() { return looks_.here; }
-    bool isStanding() const { return isStanding_; }   ///< false: the start is no place for this problem
+    bool isStanding() const { return isStanding_; }   ///< false: the problem cannot be evaluated at the initial state
 
-    /// After the problem changed, but not what was measured; a look changed by hand counts as measured.
+    /// Call after the problem changed but the evaluation did not; an evaluation modified by the caller counts as
+    /// current.
     void relinearize() { isLinearized_ = false; }
 
-    /// After the problem changed: measures anew.
+    /// Call after the problem changed: evaluates the state again.
     void lookAgain()
     {
         isStanding_ = problem_.look(place_, looks_.here);
@@ -91,8 +92,8 @@ public:
 
     StepOutcome step();
 
-    /// Steps until one settles it, at most `most`; `after` hears the outcome of each and may say Stop. The last
-    /// outcome.
+    /// Steps until convergence, at most `most` times; `after` receives the outcome of each step and may return Stop.
+    /// Returns the last outcome.
     template <class After>
     StepOutcome descend(int most, const After& after)
     {

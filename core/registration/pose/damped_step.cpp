@@ -10,8 +10,8 @@ namespace {
 constexpr double minFactor = 1e-10;
 constexpr double maxFactor = 1e10;
 
-/// Solves in the parameters scaled to unit diagonal: raw radians and millimetres differ by 1e9 in condition.
-/// `hessian` is symmetric, both triangles filled.
+/// Solves in parameters scaled to unit diagonal: raw radians and millimeters differ by 1e9 in condition. `hessian` is
+/// symmetric with both triangles filled.
 template <class Matrix, class Vector>
 Vector solveScaled(Matrix hessian, const Vector& gradient, double damping)
 {

@@ -12,35 +12,35 @@ struct EquationsOf {
     Eigen::Vector<double, Parameters> gradient = Eigen::Vector<double, Parameters>::Zero();
 };
 
-/// About a pose: x = (ω rad, υ mm) or any other six parameters.
+/// Normal equations about a pose: x = (ω rad, υ mm), or any other six parameters.
 using NormalEquations = EquationsOf<6>;
 
-/// Of a pose and of the error of its camera (see CameraError) after it.
+/// Normal equations of a pose, followed by the error of its camera (see CameraError).
 using CameraEquations = EquationsOf<9>;
 
-/// The same of any number of parameters; both triangles of the Hessian are filled.
+/// Normal equations with any number of parameters; both triangles of the Hessian are filled.
 struct StackedEquations {
     Eigen::MatrixXd hessian;
     Eigen::VectorXd gradient;
 };
 
-/// Which parameters may move: all six, or the first three (rotation).
+/// Free parameters: all six, or the first three (rotation).
 enum class Freedom { Rotation, Full };
 
-/// Minimiser of the model damped by μ·diag(H) (scale invariant: units of x do not matter, ALGORITHMS §1).
-/// Parameters that the data do not move at all stay zero.
+/// Minimizer of the model damped by μ·diag(H) (scale invariant: units of x do not matter, ALGORITHMS §1). Parameters
+/// without influence on the data remain zero.
 Vector6d dampedStep(const NormalEquations& equations, double damping, Freedom freedom = Freedom::Full);
 
 /// Allowed steps, one column each.
 using StepBasis = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
 
-/// The same among the combinations of the columns of `basis`, which are independent.
+/// Same, restricted to combinations of the columns of `basis`, which must be independent.
 Vector6d dampedStep(const NormalEquations& equations, double damping, const StepBasis& basis);
 
-/// The same of any number of parameters.
+/// Same for any number of parameters.
 Eigen::VectorXd dampedStep(const StackedEquations& equations, double damping);
 
-/// What the undamped model promises for a step; positive when it lowers the cost.
+/// Decrease predicted by the undamped model for a step; positive if it lowers the cost.
 double predictedDecrease(const NormalEquations& equations, const Vector6d& step);
 double predictedDecrease(const StackedEquations& equations, const Eigen::VectorXd& step);
 

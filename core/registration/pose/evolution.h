@@ -9,18 +9,18 @@ namespace angiopose::core {
 struct EvolveOptions {
     int population = 16;
     int maxEvaluations = 3000;
-    double settledStep = 1e-3;   ///< ends when the search is narrower than this, in units of x
+    double settledStep = 1e-3;   ///< ends when the search distribution is narrower than this, in units of x
     std::uint64_t seed = 1;
 };
 
 using EvolutionCost = std::function<double(const Eigen::VectorXd& x)>;
 using StopCheck = std::function<bool()>;
 
-/// Covariance matrix adaptation with cumulative step-size control, from the normal distribution about 0 with unit
-/// variance (Hansen, "The CMA evolution strategy: a tutorial", 2016). True when the search has narrowed, false when it
-/// ran out of evaluations or was stopped. Of the libraries that have it, Debian 12 packages pagmo2 alone (neither
-/// libcmaes nor ensmallen; NLopt has none): for these hundred lines in one method of comparison it would bring TBB,
-/// Boost.Serialization and problems that must be bounded, and it cannot be stopped within a generation.
+/// Covariance matrix adaptation with cumulative step-size control, starting from the normal distribution about 0 with
+/// unit variance (Hansen, "The CMA evolution strategy: a tutorial", 2016). Returns true if the search converged, false
+/// if it ran out of evaluations or was stopped. Of the libraries that implement it, Debian 12 packages only pagmo2
+/// (neither libcmaes nor ensmallen; NLopt has no implementation): to replace these hundred lines in one comparison
+/// method it would require TBB, Boost.Serialization and bounded problems, and it cannot be stopped within a generation.
 bool evolveByCovariance(const EvolutionCost& cost, Eigen::Index dimensions, const EvolveOptions& options,
                         const StopCheck& isStopped);
 

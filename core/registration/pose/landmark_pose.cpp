@@ -16,26 +16,28 @@ namespace angiopose::core {
 namespace {
 
 constexpr double clickStdPx = 2.0;
-constexpr double minSpreadMm = 1.0;   // rms off a line: below, the turn about it is open
+constexpr double minSpreadMm = 1.0;   // RMS distance from a line; below, the rotation about the line is undetermined
 constexpr double minSpreadPx = 3.0;
 constexpr int maxLandmarkSteps = 60;
 constexpr double settledLandmarksMm = 1e-7;
-constexpr double asGood = 1.5;   // costs within this factor, or within a click, tell nothing
+constexpr double asGood =
+    1.5;   // costs that differ by less than this factor, or by less than a click, are considered equal
 
-// What few pairs leave open stays as it was: turning out of the image costs more than rolling, rolling more than
-// shifting, depth more than shifting sideways.
+// Prior for the parameters that few pairs leave undetermined: out-of-plane rotation costs more than roll, roll more
+// than a shift, depth more than a lateral shift.
 constexpr double priorTurnDeg = 8.0;
 constexpr double priorRollDeg = 60.0;
 constexpr double priorShiftMm = 1000.0;
 constexpr double priorDepthMm = 30.0;
 
-/// What is known of a pose: squared pixels in clicks, and where few pairs need it the pose before.
+/// Evaluation of a pose: squared pixel errors in units of the click error and, where few pairs require it, the prior at
+/// the previous pose.
 struct LandmarkLook {
     double cost = std::numeric_limits<double>::infinity();
     NormalEquations equations;
 };
 
-/// Poses about the landmarks' centroid.
+/// Least-squares problem of poses about the landmarks' centroid.
 class LandmarkSquares {
 public:
     using Place = CentroidPose;
@@ -56,7 +58,7 @@ public:
     }
     const Eigen::Vector3d& centroid() const { return centroid_; }
 
-    /// False where a landmark is not in front of the source.
+    /// Returns false if a landmark is not in front of the source.
     bool look(const CentroidPose& pose, LandmarkLook& look) const
     {
         look = {0.0, {}};
@@ -108,7 +110,7 @@ private:
     const ProjectionCamera& camera_;
     std::optional<StartPrior> prior_;
     Eigen::Vector3d centroid_;
-    double spreadMm_ = 0.0;   ///< of the landmark farthest from the centroid
+    double spreadMm_ = 0.0;   ///< distance of the farthest landmark from the centroid
 };
 
 struct Fit {
@@ -175,7 +177,7 @@ StartPrior priorAt(const CentroidPose& before)
     return independentPrior(before, std);
 }
 
-/// The best of the fits; where `near` is about as good, that.
+/// The better of two fits; `near` if it is about as good.
 const Fit& chosen(const Fit& near, const Fit& other)
 {
     const double showsNothing = asGood * other.cost + 1.0;

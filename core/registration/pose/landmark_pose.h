@@ -12,27 +12,27 @@
 
 namespace angiopose::core {
 
-/// Pairs that fix a pose without knowing one before.
+/// Number of pairs that determine a pose without a previous one.
 inline constexpr std::size_t enoughLandmarks = 4;
 
-/// The pose that lays landmarks onto their pixels, and how much it is to be believed.
+/// Pose that aligns landmarks with their pixels, and its accuracy.
 struct LandmarkPose {
     RigidTransform cameraFromPatient;
-    std::vector<double> errorPx;   ///< what remains of each pair, in the order given
+    std::vector<double> errorPx;   ///< residual of each pair, in input order
     double rmsPx = 0.0;
-    double depthStdMm = 0.0;   ///< 1-σ along the ray when each click is off by clickStdPx
-    double rotationStdDeg = 0.0;   ///< the same about the worst axis
-    bool leansOnPrior = false;   ///< too few pairs: what they leave open is as it was before
+    double depthStdMm = 0.0;   ///< 1-σ along the ray if each click has an error of clickStdPx
+    double rotationStdDeg = 0.0;   ///< same about the worst axis
+    bool leansOnPrior = false;   ///< too few pairs: undetermined parameters keep their previous values
 };
 
 /// Distance between each landmark's projection and its pixel; infinite behind the source.
 std::vector<double> landmarkErrorsPx(std::span<const Landmark> landmarks, const ProjectionCamera& camera,
                                      const RigidTransform& cameraFromPatient);
 
-/// Least-squares pose of four pairs or more: SQPNP (Terzakis & Lourakis, ECCV 2020), then damped Gauss-Newton on the
-/// pixels, also from `before` where there is one; of two equally good ones the nearer to `before`.
-/// With one to three pairs `before` is needed: they shift it, then roll and scale it, then turn it as little as need
-/// be. Fails in words for the user when the pairs fix no pose: too few, all in one place or on one line.
+/// Least-squares pose of four or more pairs: SQPNP (Terzakis & Lourakis, ECCV 2020), followed by damped Gauss-Newton on
+/// the pixels, also from `before` if given; of two equally good poses, returns the one closer to `before`. One to three
+/// pairs require `before`: they shift it, then roll and scale it, then rotate it as little as necessary. Fails with a
+/// user message if the pairs do not determine a pose: too few, all in one place or on one line.
 Result<LandmarkPose> poseFromLandmarks(std::span<const Landmark> landmarks, const ProjectionCamera& camera,
                                        const std::optional<RigidTransform>& before);
 

@@ -9,7 +9,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr unsigned lbfgsMemory = 8;
-constexpr unsigned long powellSeed = 1;   // Brent's form takes random steps where directions become dependent
+constexpr unsigned long powellSeed = 1;   // Brent's version takes random steps where directions become dependent
 
 nlopt_algorithm algorithmOf(Minimizer minimizer)
 {
@@ -24,7 +24,7 @@ nlopt_algorithm algorithmOf(Minimizer minimizer)
     return NLOPT_LN_NELDERMEAD;
 }
 
-/// What NLopt calls back with. It keeps the best x itself: some algorithms return the last.
+/// Callback data for NLopt. Keeps the best x, because some algorithms return the last one.
 struct Evaluation {
     const CostFunction& cost;
     const std::function<bool()>& isStopped;
@@ -37,7 +37,7 @@ double evaluate(unsigned count, const double* x, double* gradient, void* data)
 {
     auto& evaluation = *static_cast<Evaluation*>(data);
     if (nlopt_get_force_stop(evaluation.optimiser) != 0) {
-        return evaluation.best.cost;   // Brent's form finishes its line search first
+        return evaluation.best.cost;   // Brent's version finishes its line search first
     }
     const Eigen::VectorXd point = Eigen::Map<const Eigen::VectorXd>(x, count);
     evaluation.gradient.resize(gradient == nullptr ? 0 : count);

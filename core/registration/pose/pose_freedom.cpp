@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Axis of each coordinate: x tilts cranially, y to LAO, z rolls (see PoseOffset).
+/// Axis of each coordinate: x tilts cranially, y toward LAO, z rolls (see PoseOffset).
 constexpr std::array axisOfCoordinate{PoseAxis::CraCau, PoseAxis::LaoRao, PoseAxis::Roll,
                                       PoseAxis::Right,  PoseAxis::Up,     PoseAxis::AlongRay};
 
@@ -26,7 +26,7 @@ Eigen::Vector3d anglesOf(const Eigen::Matrix3d& turn)
             std::atan2(-turn(0, 1), turn(1, 1))};
 }
 
-/// Turns that a rad of each angle makes, camera axes.
+/// Rotation per rad of each angle, camera axes.
 Eigen::Matrix3d turnsPerAngle(const Eigen::Vector3d& angles)
 {
     const Eigen::Matrix3d roll = Eigen::AngleAxisd(angles.z(), Eigen::Vector3d::UnitZ()).toRotationMatrix();
@@ -47,7 +47,7 @@ PoseFreedom::PoseFreedom(const PoseLocks& locks, const Frame& frame, const Centr
     : locks_(locks), frame_(frame)
 {
     if (!isAnyShiftLocked(locks)) {
-        frame_.pivotFromCentroid.setZero();   // turning about the centroid suits the solvers best
+        frame_.pivotFromCentroid.setZero();   // rotation about the centroid suits the solvers best
     }
     start_ = coordinates(start);
 }
@@ -100,7 +100,7 @@ Matrix6d PoseFreedom::stepsPerCoordinate(const CentroidPose& pose) const
 StepBasis PoseFreedom::freeSteps(const CentroidPose& pose) const
 {
     if (isFull()) {
-        return StepBasis::Identity(6, 6);   // angles far from their reference need not be independent
+        return StepBasis::Identity(6, 6);   // angles far from their reference may be dependent
     }
     const Matrix6d all = stepsPerCoordinate(pose);
     StepBasis free(6, std::count(locks_.begin(), locks_.end(), false));

@@ -5,16 +5,16 @@
 
 namespace angiopose::core {
 
-/// The seed's pull towards a reference pose (ALGORITHMS §1, "prior residual"): cost λ eᵀW²e with
-/// e = log(reference⁻¹ pose), (rad, mm). What W = I means depends on the origin of the posed frame: in the seed this is
-/// the X-ray source.
+/// Prior of DynaWeightPnP at a reference pose (ALGORITHMS §1, "prior residual"): cost λ eᵀW²e with e = log(reference⁻¹
+/// pose), (rad, mm). The meaning of W = I depends on the origin of the posed frame, which in DynaWeightPnP is the X-ray
+/// source.
 struct PosePrior {
     RigidTransform reference;
     Vector6d weights = Vector6d::Ones();   ///< diagonal of W
-    double strength = 0.0;   ///< λ; 0 switches the prior off
+    double strength = 0.0;   ///< λ; 0 disables the prior
 };
 
-/// e, six numbers (rad, mm).
+/// e, six values (rad, mm).
 Vector6d priorResidual(const PosePrior& prior, const RigidTransform& pose);
 
 /// ∂e/∂ξ for pose ← exp(ξ) pose, exact: J_r⁻¹(e) Ad(pose⁻¹).
@@ -23,7 +23,7 @@ Matrix6d priorJacobian(const PosePrior& prior, const RigidTransform& pose);
 /// λ eᵀW²e.
 double priorCost(const PosePrior& prior, const RigidTransform& pose);
 
-/// Adds the linearised prior for pose ← exp(ξ) pose.
+/// Adds the linearized prior for pose ← exp(ξ) pose.
 void addPrior(const PosePrior& prior, const RigidTransform& pose, NormalEquations& equations);
 
 }   // namespace angiopose::core

@@ -8,7 +8,8 @@
 
 namespace angiopose::core {
 
-/// Least-squares pose of points with known pixels, without a start: OpenCV's SQPNP. Nothing when the pairs fix no pose.
+/// Least-squares pose of points with known pixels, without an initial pose: OpenCV's SQPNP. Returns nullopt if the
+/// pairs do not determine a pose.
 std::optional<RigidTransform> solveSqpnp(std::span<const Eigen::Vector3d> points,
                                          std::span<const Eigen::Vector2d> pixels, const ProjectionCamera& camera);
 

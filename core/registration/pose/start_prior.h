@@ -5,17 +5,16 @@
 
 namespace angiopose::core {
 
-/// How far the start pose may be trusted (ALGORITHMS §6.6 a): normal errors of the step that leads from it about the
-/// centroid.
+/// Prior of the initial pose (ALGORITHMS §6.6 a): Gaussian errors of the step from it, about the centroid.
 struct StartPrior {
     CentroidPose start;
     Matrix6d information = Matrix6d::Identity();   ///< inverse covariance of the step (rad, mm)
-    PoseFreedom freedom{};   ///< what is locked is certain
+    PoseFreedom freedom{};   ///< locked parameters are exact
 
     /// 1-σ of each component of the step.
     Vector6d std() const;
 
-    /// sᵀ Λ s of the step s that leads from the start to the pose.
+    /// sᵀ Λ s of the step s from the initial pose to this pose.
     double cost(const CentroidPose& pose) const;
 
     /// Adds `variance` · cost for steps about `pose`.
@@ -28,7 +27,7 @@ struct StartPrior {
 /// Independent errors with these standard deviations (rad, mm).
 StartPrior independentPrior(const CentroidPose& start, const Vector6d& std, const PoseFreedom& freedom = {});
 
-/// The same as the options have it.
+/// Prior with the standard deviations from the options.
 StartPrior startPrior(const CentroidPose& start, const RegistrationOptions& options, const PoseFreedom& freedom = {});
 
 }   // namespace angiopose::core

@@ -6,12 +6,12 @@
 
 namespace angiopose::core {
 
-/// How far a change of pose moves the tree: all its points at once, by their mean and their scatter.
+/// Motion of the whole tree caused by a change of pose, computed from the mean and scatter of its points.
 class TreeShift {
 public:
     explicit TreeShift(const std::vector<Eigen::Vector3d>& pointsInPatient);
 
-    /// Root of the mean squared distance between where the two poses put the points.
+    /// Root mean square distance between the points at the two poses.
     double rmsMm(const RigidTransform& a, const RigidTransform& b) const;
 
 private:

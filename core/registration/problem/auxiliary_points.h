@@ -4,8 +4,8 @@
 
 namespace angiopose::core {
 
-/// Numbers of the tree points {p'} that the alternating search solves by themselves, ascending, by option `auxiliary`.
-/// Random points follow from `randomSeed`. `branchIds` are those the user chose.
+/// Indices of the tree points {p'} of the auxiliary problem in the alternating search, ascending, according to option
+/// `auxiliary`. Random points depend on `randomSeed`. `branchIds` are the branches the user chose.
 std::vector<int> auxiliaryPoints(const TreeSamples& tree, const std::vector<int>& branchIds,
                                  const RegistrationOptions& options);
 

@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// What went wrong in the view of that number; Stop stays Stop.
+/// Adds the view number to an error; Stop remains Stop.
 Error inView(std::size_t number, const Error& error);
 
 }   // namespace angiopose::core

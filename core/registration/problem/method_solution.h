@@ -9,21 +9,25 @@ namespace angiopose::core {
 class TargetLines;
 struct WireFinding;
 
-/// What a method hands back; registerVessels judges the pose.
+/// Result of a method; registerVessels judges the pose.
 struct MethodSolution {
-    RigidTransform cameraFromPatient;   ///< the best pose found, also after a stop
+    RigidTransform cameraFromPatient;   ///< best pose found, also after a stop
     StopReason stopReason = StopReason::IterationLimit;
     int iterations = 0;
-    std::vector<Hypothesis> alternatives;   ///< best first, without the solution; empty when the method seeks none
-    Messages warnings;   ///< what only the method can know
+    std::vector<Hypothesis> alternatives;   ///< best first, without the solution; empty if the method has none
+    Messages warnings;   ///< messages that only the method can provide
     StageTimes time;   ///< totalMs stays 0
-    std::shared_ptr<const TargetLines> targetLines;   ///< if the method built them, for judging
-    std::optional<double> agreement;   ///< of the pose, see AgreementScore; if the method found it, for judging
-    std::vector<std::uint8_t> isOpacified;   ///< 1 for each tree point that the image shows; empty: all, as far as told
-    int filledForks = 0;   ///< of them, places where three filled pieces or more meet
-    std::shared_ptr<const WireFinding> wire;   ///< of the method that follows a wire
-    bool isSettled = false;   ///< refined by the residuals that judge it: it cannot slide to a better place close by
-    bool wantsCare = false;   ///< registerVessels may hold a depth that the image does not tell, and doubt the frame
+    std::shared_ptr<const TargetLines> targetLines;   ///< if built by the method, for reuse in the assessment
+    std::optional<double>
+        agreement;   ///< of the pose, see AgreementScore; if computed by the method, for reuse in the assessment
+    std::vector<std::uint8_t>
+        isOpacified;   ///< 1 for each tree point visible in the image; empty: all, as far as known
+    int filledForks = 0;   ///< number of places where three or more opacified pieces meet
+    std::shared_ptr<const WireFinding> wire;   ///< result of the wire method
+    bool isSettled =
+        false;   ///< already refined by the residuals that judge it: it cannot slide to a better pose nearby
+    bool wantsCare = false;   ///< registerVessels may constrain a depth that the image does not determine, and check
+                              ///< the image orientation
 };
 
 }   // namespace angiopose::core

@@ -5,21 +5,21 @@
 
 namespace angiopose::core {
 
-/// Carries the reports of a method to the observer and keeps them for the convergence plot.
+/// Forwards the reports of a method to the observer and stores them for the convergence plot.
 class ProgressLog {
 public:
-    /// Steps are counted from the problem's start pose.
+    /// Steps are measured from the problem's initial pose.
     ProgressLog(const RegistrationProblem& problem, const IterationObserver& observe)
         : observe_(observe), shift_(problem.tree.points), last_(problem.start)
     {
     }
 
-    /// Numbers and measures the step, keeps the progress from falling, passes the report on. Once the answer was Stop
-    /// it stays Stop.
+    /// Numbers the step, measures it, keeps the progress from decreasing and forwards the report. Once the observer has
+    /// returned Stop, the result remains Stop.
     Verdict report(IterationReport report);
 
-    /// Asks whether to go on while the pose rests: the last report once more, of another stage where one is given; it
-    /// is not kept again.
+    /// Checks for a stop request while the pose is unchanged: sends the last report again, with another stage if given,
+    /// without storing it.
     Verdict askAgain(std::string_view stage = {});
 
     bool isStopped() const { return isStopped_; }
@@ -29,7 +29,7 @@ public:
 private:
     const IterationObserver& observe_;
     TreeShift shift_;
-    RigidTransform last_;   ///< cameraFromPatient of the report before
+    RigidTransform last_;   ///< cameraFromPatient of the previous report
     std::vector<IterationReport> history_;
     double progress_ = 0.0;
     bool isStopped_ = false;

@@ -11,7 +11,7 @@
 namespace angiopose::core {
 namespace {
 
-// Skeletons step from pixel to pixel: directions settle only over several points.
+// Skeletons step from pixel to pixel: directions become stable only over several points.
 constexpr int targetTangentReach = 3;
 
 void reserve(TreeSamples& samples, std::size_t count)
@@ -47,7 +47,7 @@ TreeSamples samplesOf(const VesselTree& tree)
     return samples;
 }
 
-/// Marks the sample nearest to every node, among those of one branch that meets there.
+/// Marks the sample nearest to every node, on one of the branches that meet there.
 void markNodes(const VesselTree& tree, TreeSamples& samples)
 {
     samples.isNode.assign(samples.size(), 0);
@@ -95,7 +95,7 @@ std::optional<Message> findUnknownBranch(const VesselTree& tree, const std::vect
     return {};
 }
 
-/// A start that nobody gave is the identity, which puts the source amid the vessels.
+/// The default initial pose is the identity, which places the source among the vessels.
 bool reachesBehindSource(const VesselTree& tree, const RigidTransform& cameraFromPatient)
 {
     for (const VesselBranch& branch : tree.branches) {
@@ -141,7 +141,8 @@ std::optional<Message> findProblem(const RegistrationInput& input, const VesselT
     return {};
 }
 
-/// Locked shifts hold for the pivot that users see: picked, or the centroid of the whole tree, whatever is excluded.
+/// Locked shifts refer to the pivot shown to the user: the picked point, or the centroid of the whole tree regardless
+/// of exclusions.
 PoseFreedom freedomOf(const RegistrationInput& input, const PoseLocks& locks, const RegistrationProblem& problem)
 {
     const PoseFreedom::Frame frame{

@@ -10,14 +10,14 @@ namespace {
 constexpr double wireSpacingMm = 2.0;
 constexpr std::size_t maxWirePoints = 120;
 constexpr std::size_t maxKnots = 4000;
-constexpr std::size_t maxWays = 40;   // tried in each of two rounds
-constexpr double firstReachMm = 2.5;   // of ways looked for about each shift of the start
+constexpr std::size_t maxWays = 40;   // tested in each of two rounds
+constexpr double firstReachMm = 2.5;   // search range for paths around each shifted initial pose
 constexpr double secondReachMm = 1.5;
-constexpr double shiftStepMm = 4.0;   // between shifts
-constexpr double shiftSigmas = 2.0;   // how far they go
+constexpr double shiftStepMm = 4.0;   // spacing of the shifts
+constexpr double shiftSigmas = 2.0;   // range of the shifts
 constexpr int maxShiftsPerSide = 4;
 
-/// The samples as branches again.
+/// Converts the samples back to branches.
 VesselTree treeOf(const TreeSamples& samples)
 {
     VesselTree tree;
@@ -43,10 +43,10 @@ TreeKnots knotsOf(const VesselTree& tree)
 struct PosedWay {
     TreeWay way;
     CentroidPose seenFrom;
-    double cost = 0.0;   ///< of way and pose
+    double cost = 0.0;   ///< combined cost of path and pose
 };
 
-/// One search under way: ways → fits, and what they say.
+/// Current search: finds paths, fits them and evaluates the fits.
 class WireSearch {
 public:
     WireSearch(const RegistrationProblem& problem, const RegistrationOptions& options, const WireObserver& observe)
@@ -93,7 +93,7 @@ private:
         return !isStopped_;
     }
 
-    /// The start, shifted across the ray as far as it may be off.
+    /// Initial pose, shifted across the ray within its uncertainty.
     std::vector<CentroidPose> shiftedStarts() const
     {
         std::vector<CentroidPose> starts;
@@ -113,7 +113,7 @@ private:
         return starts;
     }
 
-    /// The most likely ways seen from any of the poses, each with the pose that it was seen from.
+    /// Most likely paths as seen from any of the poses, each with the pose for which it was found.
     std::vector<PosedWay> waysAbout(const std::vector<CentroidPose>& poses, double reachMm)
     {
         WireModel reaching = model_;
@@ -163,8 +163,8 @@ private:
     WireCurve turned_;
     WireProblem wire_;
     WireModel model_;
-    std::size_t wanted_;   ///< way, 1 the most likely
-    std::vector<std::size_t> all_;   ///< numbers of the knots
+    std::size_t wanted_;   ///< rank of the path to use, 1 the most likely
+    std::vector<std::size_t> all_;   ///< indices of all knots
     std::vector<WireFit> fits_;   ///< most likely first
     double shareDone_ = 0.0;
     bool isStopped_ = false;

@@ -10,13 +10,13 @@
 namespace angiopose::core {
 namespace {
 
-// Chosen on made-up trees (wire_table --world made-up).
+// Chosen on synthetic trees (wire_table --world made-up).
 constexpr double sureProbability = 0.9;
-constexpr double minReportedProbability = 0.05;   // of another way
-constexpr double minFollowed = 0.7;   // of the wire
+constexpr double minReportedProbability = 0.05;   // probability of another path
+constexpr double minFollowed = 0.7;   // share of the wire
 constexpr double maxGaps = 0.2;
-constexpr double maxExpectedErrorMm = 2.2;   // errors have 0.85 of it as their rms: 5 % of those below exceed 3 mm
-constexpr double observedShare = 0.5;   // of what was known before
+constexpr double maxExpectedErrorMm = 2.2;   // errors have an RMS of 0.85 times this; below it, 5 % exceed 3 mm
+constexpr double observedShare = 0.5;   // relative to the prior
 
 Quantity percent(double share)
 {
@@ -58,7 +58,7 @@ Messages reasonsAgainst(const WireFinding& finding, const RegistrationResult& re
     return reasons;
 }
 
-/// The best way only: the rest of the tree is not to be seen.
+/// Measures only along the best path: the rest of the tree is not visible.
 void measureAlongWay(const RegistrationProblem& problem, const WireFinding& finding, RegistrationResult& result)
 {
     if (std::ranges::count(finding.isFollowed, std::uint8_t{1}) == 0) {

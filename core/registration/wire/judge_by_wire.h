@@ -4,8 +4,8 @@
 
 namespace angiopose::core {
 
-/// What a wire tells about a pose takes the place of what vessels would: distances along its way, the covariance in
-/// doubt of the way, trust, words and the ranked ways.
+/// Replaces the assessment from vessels with one from a wire: distances along its path, a covariance that includes the
+/// uncertainty of the path, confidence, messages and the ranked paths.
 void judgeByWire(const RegistrationProblem& problem, const WireFinding& finding, RegistrationResult& result);
 
 }   // namespace angiopose::core

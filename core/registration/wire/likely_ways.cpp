@@ -39,10 +39,10 @@ std::vector<std::size_t> entriesOf(const TreeKnots& knots, const KnotNeighbors& 
     return ends;
 }
 
-/// What can be reached from an entry, every knot after the one that leads to it: round a loop by the shorter way.
+/// Knots reachable from an entry, each after its predecessor; loops are traversed along the shorter side.
 struct Outwards {
     std::vector<std::size_t> knots;
-    std::vector<std::size_t> before;   ///< place in `knots` of the knot that leads to it; the entry: nothing
+    std::vector<std::size_t> before;   ///< index in `knots` of the predecessor; nothing for the entry
 };
 
 Outwards outwardsFrom(std::size_t entry, const KnotNeighbors& neighbors)
@@ -62,19 +62,19 @@ Outwards outwardsFrom(std::size_t entry, const KnotNeighbors& neighbors)
     return outwards;
 }
 
-/// A partial alignment: what it cost, and where in the tree it began.
+/// Partial alignment: its cost, and its start in the tree.
 struct WayCell {
     float cost = std::numeric_limits<float>::infinity();
     std::uint32_t start = 0;
 };
 
 struct WayTip {
-    std::size_t at = 0;   ///< place in Outwards
+    std::size_t at = 0;   ///< index in Outwards
     std::size_t start = 0;
     double cost = std::numeric_limits<double>::infinity();
 };
 
-/// Lays a curve along every way outwards at once: ways share what they begin with.
+/// Aligns a curve with all outward paths at once; paths share their common beginning.
 class WayTable {
 public:
     WayTable(const Outwards& outwards, const SeenKnots& seen, const WireCurve& curve, const WireModel& model)
@@ -85,7 +85,7 @@ public:
         }
     }
 
-    /// The best end of the curve at a knot.
+    /// Best end of the curve at a knot.
     WayTip tipAt(std::size_t at) const
     {
         WayTip tip{at};
@@ -104,7 +104,7 @@ private:
 
     void fillRow(std::size_t at)
     {
-        constexpr std::size_t farthest = 3;   // knots in a move
+        constexpr std::size_t farthest = 3;   // maximum number of knots per move
         std::array<std::size_t, farthest + 1> from{at, noKnot, noKnot, noKnot};
         std::array<Eigen::Vector2d, farthest + 1> steps;
         const std::size_t knot = outwards_.knots[at];
@@ -148,7 +148,7 @@ private:
     std::vector<WayCell> cells_;
 };
 
-/// From the entry to the tip, and on to the end of its branch.
+/// From the entry to the tip and on to the end of its branch.
 std::vector<std::size_t> wayThrough(const TreeKnots& knots, const Outwards& outwards, std::size_t tip)
 {
     std::vector<std::size_t> way;

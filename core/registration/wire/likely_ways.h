@@ -11,18 +11,18 @@
 
 namespace angiopose::core {
 
-/// A way through the tree: knots, each a neighbour of the one before.
+/// Path through the tree: knots, each adjacent to the previous one.
 struct TreeWay {
-    std::vector<std::size_t> knots;   ///< from an end of the tree to the end of the branch where the wire ends
-    bool isCurveTurned = false;   ///< the curve's last point comes first
+    std::vector<std::size_t> knots;   ///< from an end of the tree to the end of the branch that contains the wire tip
+    bool isCurveTurned = false;   ///< whether the curve is used in reverse, last point first
     double cost = 0.0;   ///< −log likelihood
 
     bool operator==(const TreeWay&) const = default;
 };
 
-/// The ways through the tree that a wire may take as one pose shows it (ALGORITHMS §6.22), best first, at most `most`:
-/// of each pair of branches where it may begin and end the best. Wires come in at ends, the widest eight. `seen`: all
-/// knots. `shouldContinue` is asked between entries.
+/// Finds the possible paths of a wire through the tree as seen at one pose (ALGORITHMS §6.22), best first, at most
+/// `most`: the best one for each pair of first and last branch. Wires enter at the eight widest ends. `seen` contains
+/// all knots. `shouldContinue` is called between entries.
 std::vector<TreeWay> likelyWays(const TreeKnots& knots, const SeenKnots& seen, const WireCurve& curve,
                                 const WireModel& model, std::size_t most, const std::function<bool()>& shouldContinue);
 

@@ -10,16 +10,16 @@
 
 namespace angiopose::core {
 
-/// Knots as one pose shows them.
+/// Knots as seen at one pose.
 struct SeenKnots {
-    std::vector<Eigen::Vector2d> pixels;   ///< far away where a knot does not project
+    std::vector<Eigen::Vector2d> pixels;   ///< far outside the image if a knot does not project
     std::vector<double> radiusMm;   ///< 0 where unknown
     double mmPerPx = 1.0;   ///< at the depth of the tree
 
     std::size_t size() const { return pixels.size(); }
 };
 
-/// The knots numbered in `which`, in that order. `depthMm`: of the tree, from the source.
+/// Projects the knots with the indices `which`, in that order. `depthMm` is the distance of the tree from the source.
 SeenKnots seenKnots(const TreeKnots& knots, const std::vector<std::size_t>& which, const ProjectionCamera& camera,
                     const RigidTransform& cameraFromPatient, double depthMm);
 

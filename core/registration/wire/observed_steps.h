@@ -5,13 +5,13 @@
 
 namespace angiopose::core {
 
-/// What a move costs whose last knot and point are looked at (WireModel).
+/// Cost of a move that ends at the given knot and point (WireModel).
 struct SeenStep {
-    double lengthMm = 0.0;   ///< of wire or axis, the longer
-    double cost = 0.0;   ///< of its shape
+    double lengthMm = 0.0;   ///< the longer of wire and axis
+    double cost = 0.0;   ///< cost of its shape
 };
 
-/// `ofTreePx`: from the knot where the move begins to the one where it ends. `k`: the point where it ends.
+/// `ofTreePx` is the vector from the first to the last knot of the move. `k` is the point where it ends.
 inline SeenStep seenStep(const WireModel& model, const Eigen::Vector2d& ofTreePx, const WireCurve& curve, std::size_t k,
                          std::size_t points, double mmPerPx)
 {

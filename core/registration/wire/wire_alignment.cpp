@@ -8,8 +8,8 @@ namespace {
 
 struct WarpCell {
     double cost = std::numeric_limits<double>::infinity();
-    double lengthMm = 0.0;   ///< of the move that led here
-    WireMove move;   ///< none: the alignment begins here
+    double lengthMm = 0.0;   ///< length of the move that led here
+    WireMove move;   ///< none: the alignment starts here
 };
 
 /// All alignments of the first knots with the first points.

@@ -8,23 +8,23 @@
 
 namespace angiopose::core {
 
-/// A knot of a way beside a point of the curve.
+/// Knot of a path matched to a point of the curve.
 struct WirePair {
-    std::size_t knot = 0;   ///< place in the way
-    std::size_t point = 0;   ///< of the curve
-    WireMove move;   ///< that led here; none: the first
-    double lengthMm = 0.0;   ///< of wire or vessel, that it counts for
+    std::size_t knot = 0;   ///< index in the path
+    std::size_t point = 0;   ///< index in the curve
+    WireMove move;   ///< move that led here; none for the first pair
+    double lengthMm = 0.0;   ///< length of wire or vessel that it represents
 };
 
-/// A curve laid along a way, neither going back.
+/// Monotonic alignment of a curve with a path.
 struct WireAlignment {
-    std::vector<WirePair> pairs;   ///< in order; empty: nothing of the curve lies along the way
+    std::vector<WirePair> pairs;   ///< in order; empty: no part of the curve matches the path
     double cost = 0.0;   ///< −log likelihood
 
-    double followedPx(const WireCurve& curve) const;   ///< of the curve, that lies along the way
+    double followedPx(const WireCurve& curve) const;   ///< length of the curve that runs along the path
 };
 
-/// The cheapest alignment (dynamic time warping whose ends are free). `seen`: the knots of the way, in order.
+/// Cheapest alignment (dynamic time warping with free ends). `seen` contains the knots of the path, in order.
 WireAlignment alignWire(const SeenKnots& seen, const WireCurve& curve, const WireModel& model);
 
 }   // namespace angiopose::core

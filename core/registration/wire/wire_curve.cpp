@@ -24,11 +24,11 @@ std::vector<Line> linesOf(const TargetSamples& target)
     return lines;
 }
 
-/// How another line goes on where a chain ends.
+/// Connection from the end of a chain to another line.
 struct Joint {
     std::size_t line = 0;
-    bool atFront = false;   ///< of the chain
-    bool isTurned = false;   ///< the line
+    bool atFront = false;   ///< whether it is at the front of the chain
+    bool isTurned = false;   ///< whether the line is reversed
     double gapPx = std::numeric_limits<double>::infinity();
 };
 

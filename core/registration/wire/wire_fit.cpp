@@ -15,19 +15,19 @@ constexpr int roundsPerReach = 2;
 constexpr int finalRounds = 5;
 constexpr int stepsPerRound = 4;
 constexpr double settledWireMm = 0.01;
-constexpr double alongShare = 0.05;   // a shift along the wire is hardly seen
+constexpr double alongShare = 0.05;   // a shift along the wire is barely visible
 
-/// One pair as a measurement across the wire, and faintly along it, and of the step that led there.
+/// One pair as a measurement across the wire, weakly along it, and of the shape of the preceding step.
 struct WireSight {
-    Eigen::Vector3d place;   // about the centroid, patient axes, mm
-    Eigen::Vector3d before;   // where the step begins
+    Eigen::Vector3d place;   // relative to the centroid, patient axes, mm
+    Eigen::Vector3d before;   // start of the step
     Eigen::Vector2d pixel;
     Eigen::Matrix2d whitening;   // px to sigmas
-    Eigen::Vector2d stepPx;   // of the wire
-    Eigen::Matrix2d shape;   // px of the step to sigmas; zero where it tells nothing
+    Eigen::Vector2d stepPx;   // step of the wire
+    Eigen::Matrix2d shape;   // px of the step to sigmas; zero if it carries no information
 };
 
-/// Half of −2 log posterior of a pose, pairs held.
+/// Half of −2 log posterior of a pose, with fixed pairs.
 class WireSquares {
 public:
     struct LookAt {
@@ -82,7 +82,7 @@ public:
 private:
     struct Seen {
         Eigen::Vector2d pixel;
-        Eigen::Matrix<double, 2, 6> jacobian;   // by steps
+        Eigen::Matrix<double, 2, 6> jacobian;   // with respect to steps
     };
 
     std::optional<Seen> seen(const CentroidPose& pose, const Eigen::Vector3d& place) const
@@ -110,7 +110,7 @@ private:
     const std::vector<WireSight>& sights_;
 };
 
-/// Sigmas per px, along the wire and across it, of what a step of the way differs from the wire's.
+/// Sigmas per px, along and across the wire, of the difference between a step of the path and that of the wire.
 Eigen::Matrix2d shapeOf(const WireModel& model, const SeenStep& step, const Eigen::Matrix2d& axes, double mmPerPx)
 {
     if (step.cost >= model.turnedCost * step.lengthMm / model.shapeMm || step.lengthMm <= WireModel::minStepMm) {
@@ -144,7 +144,7 @@ std::vector<WireSight> sightsOf(const WireProblem& problem, const TreeWay& way, 
     return sights;
 }
 
-/// One turn: the curve along the way, then the pose; false once the pose stays.
+/// One iteration: aligns the curve with the path, then fits the pose; returns false once the pose no longer changes.
 bool takeTurn(const WireProblem& problem, const WireModel& model, WireFit& fit)
 {
     const SeenKnots seen = problem.seen(fit.way.knots, fit.pose);
@@ -162,7 +162,7 @@ bool takeTurn(const WireProblem& problem, const WireModel& model, WireFit& fit)
     return hasMoved;
 }
 
-/// Laplace about the pose: what the image tells against what was known before.
+/// Laplace approximation about the pose: evidence of the image relative to the prior.
 void weigh(const WireProblem& problem, const WireModel& model, WireFit& fit)
 {
     const SeenKnots seen = problem.seen(fit.way.knots, fit.pose);

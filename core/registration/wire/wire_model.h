@@ -9,7 +9,7 @@
 
 namespace angiopose::core {
 
-/// How an alignment goes on: so many knots and points further.
+/// Move of an alignment: number of knots and points to advance.
 struct WireMove {
     std::size_t knots = 0;
     std::size_t points = 0;
@@ -17,22 +17,23 @@ struct WireMove {
 
 inline constexpr std::array<WireMove, 6> wireMoves{{{1, 1}, {2, 1}, {1, 2}, {3, 1}, {1, 0}, {0, 1}}};
 
-/// How a wire lies in its vessel (ALGORITHMS §6.22): anywhere in the lumen and a little beyond it, for it pulls the
-/// vessel straight. What it is off the axis changes slowly along it, so it runs nearly as the axis does: its shape
-/// tells more than its place. Chosen on made-up trees (wire_table --world made-up).
+/// Model of a wire in its vessel (ALGORITHMS §6.22): it may lie anywhere in the lumen and slightly beyond, because it
+/// straightens the vessel. Its distance from the axis changes slowly along its length and it runs nearly parallel to
+/// the axis; its shape therefore carries more information than its position. Chosen on synthetic trees (wire_table
+/// --world made-up).
 struct WireModel {
-    double offAxisMm = 1.5;   ///< 1-σ, whatever the vessel's width
-    double offAxisOfRadius = 0.5;   ///< 1-σ, in radii: evenly spread over a disc
-    double placeMm = 30.0;   ///< so much of the wire counts as one measurement of its place
-    double farCost = 4.5;   ///< of one such measurement, at most: three sigmas
-    double turn = 0.2;   ///< 1-σ of what a step of the wire goes aside from the axis' step, of its length
-    double stretch = 0.3;   ///< 1-σ of what it is shorter or longer
-    double shapeMm = 7.5;   ///< so much of the wire counts as one measurement of its shape
-    double turnedCost = 4.5;   ///< of one such measurement, at most
-    double skipPerMm =
-        0.5;   ///< cost where the wire runs on and the tree does not: before it begins, or beyond its ends
-    double maxSigmas = 4.0;   ///< off the axis; farther is another vessel
-    double reachMm = 0.0;   ///< 1-σ of what the pose is off still
+    double offAxisMm = 1.5;   ///< 1-σ, independent of the vessel's width
+    double offAxisOfRadius = 0.5;   ///< 1-σ, in radii: uniform over a disc
+    double placeMm = 30.0;   ///< length of wire that counts as one position measurement
+    double farCost = 4.5;   ///< maximum cost of one such measurement: three sigmas
+    double turn = 0.2;   ///< 1-σ of the lateral difference between a step of the wire and that of the axis, relative to
+                         ///< its length
+    double stretch = 0.3;   ///< 1-σ of the difference in length
+    double shapeMm = 7.5;   ///< length of wire that counts as one shape measurement
+    double turnedCost = 4.5;   ///< maximum cost of one such measurement
+    double skipPerMm = 0.5;   ///< cost where the wire extends beyond the tree, before its beginning or past its ends
+    double maxSigmas = 4.0;   ///< from the axis; anything farther is another vessel
+    double reachMm = 0.0;   ///< 1-σ of the remaining pose error
 
     double varianceMm2(double radiusMm) const
     {
@@ -45,15 +46,15 @@ struct WireModel {
         return squaredMm2 < maxSigmas * maxSigmas * varianceMm2;
     }
 
-    /// −log likelihood of a mm of wire so far from the axis.
+    /// −log likelihood per mm of wire at this distance from the axis.
     double placeCostPerMm(double squaredMm2, double varianceMm2) const
     {
         const double widening = 0.5 * std::log(varianceMm2 / this->varianceMm2(0.0));
         return std::min(farCost, 0.5 * squaredMm2 / varianceMm2 + widening) / placeMm;
     }
 
-    /// −log likelihood of a step: of the tree (along the wire, and across it) and of the wire, mm; `lengthMm`: the
-    /// longer.
+    /// −log likelihood of a step: that of the tree (along and across the wire) compared with that of the wire, mm;
+    /// `lengthMm` is the longer one.
     double shapeCost(const Eigen::Vector2d& ofTree, double ofWireMm, double lengthMm) const
     {
         const double aside = ofTree.y() / turn;
@@ -61,7 +62,7 @@ struct WireModel {
         return std::min(turnedCost * lengthMm, 0.5 * (aside * aside + longer * longer) / lengthMm) / shapeMm;
     }
 
-    static constexpr double minStepMm = 0.02;   ///< shorter ones tell nothing
+    static constexpr double minStepMm = 0.02;   ///< shorter steps carry no information
 };
 
 }   // namespace angiopose::core

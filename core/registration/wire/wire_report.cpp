@@ -7,15 +7,15 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minFollowedMm = 3.0;   // of a branch, to be told among those that the wire takes
-constexpr double minFollowedShare = 0.2;   // of the wire, for a way to count
+constexpr double minFollowedMm = 3.0;   // followed length of a branch for it to be listed
+constexpr double minFollowedShare = 0.2;   // share of the wire for a path to count
 constexpr double minProbability = 0.01;
 constexpr std::size_t maxPaths = 9;
-constexpr double sameCourse = 0.85;   // of two ways, to be told as one
+constexpr double sameCourse = 0.85;   // overlap of two paths for them to be reported as one
 constexpr double temperature =
-    0.8;   // of probabilities: what turns evidence into hit rates (wire_table --world made-up)
+    0.8;   // exponent of probabilities that calibrates evidence to hit rates (wire_table --world made-up)
 
-/// Of the longer course, that the other takes too.
+/// Share of the longer course that the other one follows too.
 double sharedPart(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b)
 {
     std::vector<std::size_t> shared;
@@ -31,7 +31,7 @@ WireReport::WireReport(const RegistrationProblem& problem, const VesselTree& tre
 {
 }
 
-/// Branches in the order that the wire takes them; those that it hardly enters are left out.
+/// Branches in the order along the wire, without those that it barely enters.
 std::vector<int> WireReport::branchesOf(const WireFit& fit) const
 {
     std::vector<int> ids;
@@ -55,7 +55,7 @@ WirePath WireReport::pathOf(const WireFit& fit) const
     path.branchIds = branchesOf(fit);
     const std::size_t first = fit.way.knots[fit.alignment.pairs.front().knot];
     const std::size_t last = fit.way.knots[fit.alignment.pairs.back().knot];
-    // Wires go from wide vessels into narrow ones.
+    // Wires run from wide vessels into narrow ones.
     const bool isBackwards = wire_.knots.radiusMm[last] > wire_.knots.radiusMm[first];
     path.tipInPatient = wire_.knots.places[isBackwards ? first : last];
     for (std::size_t j = fit.alignment.pairs.front().knot; j <= fit.alignment.pairs.back().knot; ++j) {
@@ -79,8 +79,8 @@ WirePath WireReport::pathOf(const WireFit& fit) const
     return path;
 }
 
-/// Ways told once: the same branches by the most likely of their fits, and ways of nearly the same visible course,
-/// which the image does not tell apart, by the most likely of them.
+/// Merges paths for reporting: the same branches are represented by the most likely of their fits, and paths with
+/// nearly the same visible course, which the image does not distinguish, by the most likely of them.
 std::vector<WireReport::ReportedPath> WireReport::reportedPaths(const std::vector<WireFit>& fits) const
 {
     std::vector<ReportedPath> reported;
@@ -134,7 +134,7 @@ WireFinding WireReport::of(const std::vector<WireFit>& fits, std::size_t wantedW
     return finding;
 }
 
-/// Knots beside the wire, sorted.
+/// Knots along the wire, sorted.
 std::vector<std::size_t> WireReport::courseOf(const WireFit& fit) const
 {
     const auto knot = [&](std::size_t place) { return fit.way.knots.begin() + static_cast<std::ptrdiff_t>(place); };
@@ -155,7 +155,8 @@ std::vector<std::uint8_t> WireReport::followedBy(const WireFit& fit) const
     return isFollowed;
 }
 
-/// By evidence; a wire that takes none of them is one more possibility. The most likely comes first.
+/// Assigns probabilities by evidence; that the wire follows none of the paths is one more possibility. Sorts the most
+/// likely first.
 void WireReport::shareOut(std::vector<ReportedPath>& reported) const
 {
     const double best = reported.front().fit->logEvidence;
@@ -174,7 +175,7 @@ void WireReport::shareOut(std::vector<ReportedPath>& reported) const
                              [](const ReportedPath& way) { return way.path.probability; });
 }
 
-/// Covariance of the first pose about the whole tree's centroid: within every path, and between them.
+/// Covariance of the first pose about the whole tree's centroid: within every path and between the paths.
 Matrix6d WireReport::spreadOf(const std::vector<ReportedPath>& reported) const
 {
     const CentroidPose& best = reported.front().fit->pose;

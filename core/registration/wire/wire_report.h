@@ -10,26 +10,26 @@
 
 namespace angiopose::core {
 
-inline constexpr double wireKnotSpacingMm = 2.0;   ///< of the tree's knots, farther in large trees
+inline constexpr double wireKnotSpacingMm = 2.0;   ///< spacing of the tree's knots, larger in large trees
 
-/// What the ways that were fitted to a wire say together: which of them are told as one, how likely each is, and how
-/// far the pose may be off for all of them (ALGORITHMS §6.22). All that it is made from must outlive it.
+/// Joint result of all paths fitted to a wire: merges indistinguishable ones, computes their probabilities and the pose
+/// uncertainty over all of them (ALGORITHMS §6.22). All inputs must outlive it.
 class WireReport {
 public:
-    /// `tree`: the one whose knots `wire` holds; `mmPerPx`: at the tree's depth.
+    /// `tree` is the one whose knots `wire` holds; `mmPerPx` is at the tree's depth.
     WireReport(const RegistrationProblem& problem, const VesselTree& tree, const WireProblem& wire,
                const WireModel& model, double mmPerPx);
 
-    /// `fits`: most likely first; `wantedWay`: the one to be taken, 1 the most likely.
+    /// `fits` are sorted most likely first; `wantedWay` is the rank of the path to use, 1 the most likely.
     WireFinding of(const std::vector<WireFit>& fits, std::size_t wantedWay) const;
 
 private:
-    /// What stands for the ways that the image does not tell apart.
+    /// Representative of the paths that the image does not distinguish.
     struct ReportedPath {
-        WirePath path;   ///< of the most likely
-        const WireFit* fit = nullptr;   ///< of the same
-        std::vector<std::size_t> course;   ///< knots beside the wire, sorted
-        std::vector<double> logEvidences;   ///< of them all
+        WirePath path;   ///< most likely path
+        const WireFit* fit = nullptr;   ///< fit of that path
+        std::vector<std::size_t> course;   ///< knots along the wire, sorted
+        std::vector<double> logEvidences;   ///< evidence of each of these paths
     };
 
     std::vector<int> branchesOf(const WireFit& fit) const;

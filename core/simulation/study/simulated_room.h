@@ -6,25 +6,25 @@
 
 namespace angiopose::core {
 
-/// What the headers of a room tell of isocenter and table.
+/// Content of a room's headers about isocenter and table.
 enum class RoomHeader {
     Siemens,   ///< both, in private tags
-    Standard,   ///< both, in those of the standard
-    WithoutTable,   ///< the isocenter alone
-    ObjectPlane   ///< neither: (0018,1111), the plane of the object that the device assumes
+    Standard,   ///< both, in standard tags
+    WithoutTable,   ///< only the isocenter
+    ObjectPlane   ///< neither: (0018,1111), the object plane assumed by the device
 };
 
-/// Two views of one patient, one after the other, as rooms take them and write their headers.
+/// Two consecutive views of one patient, acquired and described as angiography rooms do.
 struct RoomOptions {
     RoomHeader header = RoomHeader::Siemens;
-    bool tableMoves = false;   ///< while the second view is taken: its header tells another place, and that it moved
-    bool isMirrored = false;   ///< the second view, and its header says so
-    double angleErrorDeg = 0.4;   ///< 1-σ of each angle of a header
-    double breathingMm = 4.0;   ///< 1-σ of how far the vessels lie elsewhere on the table in the second view, per axis
+    bool tableMoves = false;   ///< during the second view: its header gives a wrong position and reports the motion
+    bool isMirrored = false;   ///< second view only, stated in its header
+    double angleErrorDeg = 0.4;   ///< 1-σ of each angle in a header
+    double breathingMm = 4.0;   ///< 1-σ per axis of the vessels' shift relative to the table in the second view
 };
 
-/// The vessels lie up to 100 mm off the isocenter along each beam, as they come to when the table centres them in one
-/// view after another: it travels up to 150 mm and more in between. Everything follows from the seed.
+/// Simulates views with the vessels up to 100 mm off the isocenter along each beam, as happens when the table centers
+/// them in one view after another and travels 150 mm or more in between. Everything is determined by the seed.
 std::vector<SimulatedCase> simulateRoom(std::uint64_t seed, const RoomOptions& room, const TreeOptions& tree = {},
                                         const DsaOptions& dsa = {});
 

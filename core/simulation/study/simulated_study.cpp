@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Streams of the study's generator.
+/// Random streams of the study's generator.
 enum StudyStream : std::uint64_t { StudyTrees = 1, StudyViews, StudyHeaders };
 
 constexpr double percent = 0.01;
@@ -32,7 +32,7 @@ ChosenTree treeAt(const SimulatedStudy& study, std::size_t tree)
         }
         first += static_cast<std::size_t>(row.count);
     }
-    assert(false);   // placeOf goes round through all trees
+    assert(false);   // placeOf cycles through all trees
     return {};
 }
 
@@ -41,7 +41,7 @@ void disturb(Sourced<double>& value, double factor)
     *value.value *= factor;
 }
 
-/// What the header says instead; the start pose follows from it, with the isocentre that was guessed.
+/// Introduces header errors; the initial pose follows from the wrong values, with the assumed isocenter.
 void makeHeaderWrong(SimulatedCase& simulated, const HeaderErrors& errors, CounterRandom random)
 {
     CArm& header = simulated.angiogram.cArm;

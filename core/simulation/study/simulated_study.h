@@ -9,28 +9,28 @@
 
 namespace angiopose::core {
 
-/// Trees of a study: grown ones, or one that is given.
+/// Trees of a study: grown, or one given tree.
 struct StudyTree {
-    int count = 1;   ///< so many grown trees; of a given tree 1
+    int count = 1;   ///< number of grown trees; 1 for a given tree
     TreeOptions grown;
     std::shared_ptr<const VesselTree> given;   ///< null: grown
 };
 
-/// How wrong headers are: standard deviations. The image is formed with the true values.
+/// Standard deviations of the header errors. The image is formed with the true values.
 struct HeaderErrors {
-    double distancePercent = 0.0;   ///< of both distances, each for itself
+    double distancePercent = 0.0;   ///< of each of both distances, independently
     double spacingPercent = 0.0;   ///< of the pixel spacing
-    double angleDeg = 0.0;   ///< of both angles, beside what simulateCase makes them off
+    double angleDeg = 0.0;   ///< of both angles, in addition to the errors of simulateCase
 };
 
-/// What the images of one part of a study show.
+/// Image content of one part of a study.
 struct StudySetting {
-    std::string name;   ///< of its folder and condition
+    std::string name;   ///< name of its folder and condition
     DsaOptions dsa;
     HeaderErrors header;
 };
 
-/// A whole study: every setting shows `casesPerSetting` cases, going round through the trees. The same study, the same
+/// A whole study: every setting has `casesPerSetting` cases, cycling through the trees. The same study gives identical
 /// bits, case by case.
 struct SimulatedStudy {
     std::string name;
@@ -43,7 +43,7 @@ struct SimulatedStudy {
     std::size_t treeCount() const;
 };
 
-/// Which setting and tree a case shows, and which number it has within its setting, from 0.
+/// Setting and tree of a case, and its number within the setting, from 0.
 struct StudyPlace {
     std::size_t setting = 0;
     std::size_t number = 0;
@@ -51,10 +51,10 @@ struct StudyPlace {
 };
 StudyPlace placeOf(const SimulatedStudy& study, std::size_t index);
 
-/// The case with that index; cases of one number show the same view and tree in every setting.
+/// Simulates the case with that index; cases with the same number show the same view and tree in every setting.
 SimulatedCase simulateStudyCase(const SimulatedStudy& study, std::size_t index);
 
-/// What of a study cannot be simulated, naming the setting or tree; empty when all can.
+/// Reports the part of a study that cannot be simulated, naming the setting or tree; nothing if all can.
 std::optional<Message> findProblem(const SimulatedStudy& study);
 
 }   // namespace angiopose::core

@@ -38,22 +38,22 @@ namespace angiopose::core {
 namespace {
 
 constexpr double surroundingsInRadii = 3.0;
-// Thinning splits the crossing of two vessels into two junctions about as far apart as they are wide.
+// Thinning splits the crossing of two vessels into two junctions about one vessel width apart.
 constexpr double crossingInRadii = 2.0;
 constexpr std::size_t frameSamples = 200000;
-// Faint branches are lost beside a strong vessel, in the halo that filters see around it: bridges reach across that,
-// where there is nearly enough evidence of a vessel all the way.
+// Faint branches are lost beside a strong vessel, in the halo of the filters around it: bridges cross it if there is
+// nearly enough vessel evidence all the way.
 constexpr double gapReachPx = 14.0;
 constexpr double minEvidenceInGap = 0.75;
-constexpr int maxTracingThreads = 2;   // more wait for memory
-constexpr double minShareStill = 0.35;   // of what is traced, where little else looks like contrast
-constexpr double maxShareStill = 0.5;   // more: a phantom, or a patient whose vessels stand still as well
+constexpr int maxTracingThreads = 2;   // more threads only wait for memory
+constexpr double minShareStill = 0.35;   // share of the traced length, if little else looks like contrast
+constexpr double maxShareStill = 0.5;   // above: a phantom, or a patient whose vessels are stationary too
 
 bool isFinite(const ImageF& frame)
 {
     constexpr std::uint32_t sign = 0x80000000U;
     constexpr std::uint32_t infinite = 0x7f800000U;
-    std::uint32_t largest = 0;   // compared as bits, which is four times as fast
+    std::uint32_t largest = 0;   // compared as bits, which is four times faster
     for (const float value : frame.pixels) {
         largest = std::max(largest, std::bit_cast<std::uint32_t>(value) & ~sign);
     }
@@ -107,7 +107,7 @@ Mask2d without(Mask2d mask, const Mask2d& part)
     return mask;
 }
 
-/// Without shutters, borders and letters.
+/// The field without shutters, borders and burned-in text.
 Mask2d tracedField(const ImageF& vesselsDark, const TraceOptions& options, const Mask2d& shutter)
 {
     Mask2d field;
@@ -117,13 +117,13 @@ Mask2d tracedField(const ImageF& vesselsDark, const TraceOptions& options, const
     return without(std::move(field), text);
 }
 
-/// Of the strongest 0.1 %, which count as 1.
+/// Lowest ridge strength of the strongest 0.1 %, which count as 1.
 float topOf(const ImageF& ridges)
 {
     return std::max(ranked(evenSample(ridges.pixels, frameSamples), 0.999), 1e-12F);
 }
 
-/// 0…1
+/// Scales the ridges to 0…1.
 ImageF normalized(ImageF ridges, float top)
 {
     for (float& value : ridges.pixels) {
@@ -132,8 +132,8 @@ ImageF normalized(ImageF ridges, float top)
     return ridges;
 }
 
-/// The vessel pixels with short gaps closed, and with holes filled that are smaller than any loop of vessels and no
-/// ground between two of them. Bridges make such holes too.
+/// The vessel pixels with short gaps closed and holes filled, if these are smaller than any loop of vessels and not
+/// background between two vessels. Bridges create such holes too.
 Mask2d wholeVessels(const Mask2d& vessels, const Mask2d& ground, const ImageF& evidence, int smallestLoopPx)
 {
     const Mask2d bridged = withGapsBridged(without(vessels, ground), evidence, gapReachPx, minEvidenceInGap);
@@ -152,13 +152,13 @@ std::vector<Curve2d> centerdCurves(std::vector<std::vector<Eigen::Vector2d>> pat
     return curves;
 }
 
-/// What is found in a frame of usual size.
+/// Vessels found in a frame of typical size.
 struct SeenVessels {
     Mask2d fieldMask;
     ImageF vesselness;
-    double clutter = 0.0;   ///< in units of it
+    double clutter = 0.0;   ///< in units of the vesselness
     ImageF opacity;
-    std::vector<std::vector<Eigen::Vector2d>> paths;   ///< along the middles of the vessel pixels
+    std::vector<std::vector<Eigen::Vector2d>> paths;   ///< along the middles of the vessel masks
 };
 
 SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options, const Mask2d& shutter)
@@ -196,7 +196,7 @@ void addSuspects(AngiogramTrace& trace, const std::vector<int>& ids)
     trace.suspectCurves = std::move(suspects);
 }
 
-/// A catheter is narrower than the vessels that branch, and has no branches.
+/// Takes the trunk off the suspects, because a catheter is narrower than the vessels that branch and has no branches.
 void spareTrunk(AngiogramTrace& trace)
 {
     if (const auto trunk = widestTrunk(trace.centerline)) {
@@ -209,7 +209,7 @@ double contrastOf(const AngiogramTrace& trace)
     return contrastSeen(trace.centerline, trace.suspectCurves, trace.vesselness, trace.clutter);
 }
 
-/// What is drawn has no clutter, and no contrast medium.
+/// Adds the warning about missing contrast; drawn masks have neither clutter nor contrast agent.
 void addWordOfContrast(AngiogramTrace& trace)
 {
     if (trace.clutter > 0.0 && contrastOf(trace) < minContrast) {
@@ -245,14 +245,14 @@ void addWordOfFirstFrame(AngiogramTrace& trace, const Angiogram& run, int frame)
         seenBefore(trace.centerline, run.frames[static_cast<std::size_t>(frame)], run.frames.front(), run.polarity);
     addSuspects(trace, seen.curveIds);
     spareTrunk(trace);
-    if (seen.isEverything && contrastOf(trace) < surelyContrast) {   // else it was filled from the start
+    if (seen.isEverything && contrastOf(trace) < surelyContrast) {   // else it was opacified from the start
         trace.warnings = {says::frameWithNothingNew()};
     } else {
         addWordOfContrast(trace);
     }
 }
 
-/// What was drawn is taken as it is drawn, as label images are.
+/// Traces a drawn mask unchanged, as label images are traced.
 Result<AngiogramTrace> traceDrawn(Mask2d drawn, const TraceOptions& options)
 {
     auto curves = traceMask(drawn, options);

@@ -12,9 +12,9 @@ namespace angiopose::core {
 namespace {
 
 constexpr double directionWorth = 0.8;
-constexpr double seedToWallMm = 5.0;   ///< from a seed to the wall of its vessel
+constexpr double seedToWallMm = 5.0;   ///< maximum distance from a seed to the wall of its vessel
 
-/// A path to be followed from `edge`, which leaves `node`.
+/// A path that starts at `node` along `edge`.
 struct Start {
     std::size_t edge = 0;
     int node = 0;
@@ -54,14 +54,14 @@ public:
 private:
     double nodeRadius(int node) const { return graph_.nodeRadiusMm[static_cast<std::size_t>(node)]; }
 
-    /// A free end, or on a ring without one the widest place.
+    /// Root node: a free end, or the widest place on a ring without one.
     int rootOf(const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm) const
     {
         const int end = rootEnd(graph_, meeting_, nodes, rootMm);
         return end >= 0 ? end : *std::ranges::max_element(nodes, {}, [this](int node) { return nodeRadius(node); });
     }
 
-    /// Nodes by connected piece, that with the greatest length of vessels first.
+    /// Nodes by connected component, the one with the greatest vessel length first.
     std::vector<std::vector<int>> pieces() const
     {
         std::vector<std::vector<int>> found;
@@ -138,14 +138,14 @@ private:
         for (bool shouldContinue = true; shouldContinue;) {
             const VesselEdge way = graph_.leaving(edge, node);
             used_[edge] = true;
-            const std::ptrdiff_t skip = path.pointsMm.empty() ? 0 : 1;   // the node is there already
+            const std::ptrdiff_t skip = path.pointsMm.empty() ? 0 : 1;   // the node is already in the path
             path.pointsMm.insert(path.pointsMm.end(), way.pointsMm.begin() + skip, way.pointsMm.end());
             path.radiusMm.insert(path.radiusMm.end(), way.radiusMm.begin() + skip, way.radiusMm.end());
             node = way.endNode;
             shouldContinue = false;
             path.endsOn = ownedBy(node, index);
             if (path.endsOn >= 0) {
-                break;   // what leaves there leaves that vessel
+                break;   // other edges at this node branch from the other vessel
             }
             const std::size_t next = continuation(way);
             for (const std::size_t e : meeting_[static_cast<std::size_t>(node)]) {
@@ -160,7 +160,7 @@ private:
         paths_.push_back(std::move(path));
     }
 
-    /// Whose a node was; whose it was not before is its from now on.
+    /// Returns the previous owner of a node (-1 if none); an unowned node then belongs to `path`.
     int ownedBy(int node, int path)
     {
         int& owner = owner_[static_cast<std::size_t>(node)];
@@ -169,7 +169,7 @@ private:
         return before;
     }
 
-    /// The edge in which the vessel that arrives by `way` goes on; the number of edges when it ends.
+    /// The edge that continues the vessel arriving by `way`; the number of edges if it ends.
     std::size_t continuation(const VesselEdge& way) const
     {
         const Departure arriving = departureOf(reversed(way), nodeRadius(way.endNode));
@@ -193,7 +193,7 @@ private:
     const VesselGraph& graph_;
     std::vector<std::vector<std::size_t>> meeting_;   ///< edges by node
     std::vector<bool> used_;
-    std::vector<int> owner_;   ///< path that passes a node first
+    std::vector<int> owner_;   ///< first path that passes the node
     std::deque<Start> starts_;
     std::vector<BranchPath> paths_;
 };

@@ -9,21 +9,22 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double maxGapVoxels = 2.0;   ///< of any width
+constexpr double maxGapVoxels = 2.0;   ///< for vessels of any width
 
-/// The wider a gap, the straighter must the vessel go on. The cosine is that between the way over and both vessels.
+/// The wider a gap, the straighter the vessel must continue. The cosine is between the line across the gap and both
+/// vessels.
 struct GapLimit {
     double widths;
     double minDirection;
-    double clearance;   ///< to the next free end, in distances of the two
+    double clearance;   ///< distance to the next free end, relative to that between the two
 };
 constexpr GapLimit narrow{2.0, 0.8, 1.0};
 constexpr GapLimit wide{4.0, 0.9, 1.5};
 
-constexpr double minWidthShare = 0.5;   ///< of the wider end
-constexpr double directionInRadii = 4.0;   ///< stretch of an end that tells its direction
+constexpr double minWidthShare = 0.5;   ///< relative to the wider end
+constexpr double directionInRadii = 4.0;   ///< length of the end segment that defines its direction
 constexpr double directionVoxels = 5.0;
-constexpr double tipInRadii = 2.0;   ///< stretch at the tip that says nothing about the width
+constexpr double tipInRadii = 2.0;   ///< length at the tip that says nothing about the width
 
 struct FreeEnd {
     int node = 0;
@@ -33,7 +34,7 @@ struct FreeEnd {
     double radiusMm = 0.0;
 };
 
-/// Of an end: the nearest end of another piece, and how far it and the next one are.
+/// Nearest end of another component, with its distance and that of the second nearest.
 struct Partner {
     std::size_t end = 0;
     double awayMm = std::numeric_limits<double>::max();
@@ -106,7 +107,8 @@ bool isWithin(const GapLimit& limit, double gapInWidths, double direction, doubl
     return gapInWidths <= limit.widths && direction >= limit.minDirection && clearance >= limit.clearance;
 }
 
-/// From wall to wall, if it is clear that a vessel goes on over the gap. `clearance`: how much farther other ends are.
+/// Distance between the walls, if a vessel clearly continues across the gap. `clearance`: distance of other ends
+/// relative to this one.
 std::optional<double> clearGapMm(const FreeEnd& from, const FreeEnd& to, double clearance, double voxelMm)
 {
     const Eigen::Vector3d way = to.placeMm - from.placeMm;
@@ -114,7 +116,7 @@ std::optional<double> clearGapMm(const FreeEnd& from, const FreeEnd& to, double 
     if (thinner < minWidthShare * std::max(from.radiusMm, to.radiusMm) || way.norm() < 1e-9) {
         return std::nullopt;
     }
-    const double wallsMm = std::max(0.0, way.norm() - from.radiusMm - to.radiusMm);   // thinning eats ends so far
+    const double wallsMm = std::max(0.0, way.norm() - from.radiusMm - to.radiusMm);   // ends are shortened by thinning
     const double direction = std::min(from.outwards.dot(way.normalized()), -to.outwards.dot(way.normalized()));
     const double gapInWidths = wallsMm <= maxGapVoxels * voxelMm ? 0.0 : wallsMm / (2.0 * thinner);
     const bool isClear =

@@ -10,10 +10,9 @@ struct ClosedGaps {
     double longestMm = 0.0;   ///< between the walls
 };
 
-/// Joins pieces of a graph where it is clear that they are one vessel: two free ends that are each other's nearest, as
-/// wide as one another, point at one another and have no more between their walls than twice the vessel's width (or two
-/// voxels); four times where they are straight in line and no other end is near. Within a piece nothing is joined.
-/// Incomplete when stopped.
+/// Joins components of a graph that clearly are one vessel: two free ends that are each other's nearest, have similar
+/// widths, point at one another and have at most twice the vessel's width (or two voxels) between their walls; four
+/// times if they are collinear and no other end is near. Nothing is joined within a component. Incomplete when stopped.
 ClosedGaps closeClearGaps(VesselGraph& graph, double voxelMm, TracingProgress& progress);
 
 }   // namespace angiopose::core

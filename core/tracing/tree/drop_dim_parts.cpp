@@ -10,16 +10,16 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minOfBlood = 0.65;   ///< a vessel as wide as the least that counts has 0.8 by blurring
-constexpr double minRadius = 1.5;   ///< voxels; the axis of a thinner vessel is dark by blurring
-constexpr double minWideShare = 0.5;   ///< of an edge's points
-constexpr std::size_t minWide = 6;   ///< points that tell
-constexpr double besideStartsMm = 25.0;   ///< of the starts: across a torn aorta, whose false lumen is dim
-constexpr double minTrustInSections = 0.5;   ///< in sections
+constexpr double minOfBlood = 0.65;   ///< relative to blood; blurring leaves 0.8 in the thinnest vessel that counts
+constexpr double minRadius = 1.5;   ///< voxels; blurring darkens the axis of a thinner vessel
+constexpr double minWideShare = 0.5;   ///< share of an edge's points
+constexpr std::size_t minWide = 6;   ///< minimum number of evaluable points
+constexpr double besideStartsMm = 25.0;   ///< around starts, exempt: false lumens of dissections are dim
+constexpr double minTrustInSections = 0.5;   ///< confidence in a cross-section
 constexpr std::size_t partTangentReach = 3;   ///< points
 
-/// At a place of an edge, unless the vessel is too thin there. The lumen of what is hardly bright enough is full of
-/// holes: its balls are too small, its skeleton is off its axis.
+/// Fill at a point of an edge; nothing if the vessel is too thin there. A lumen that is barely bright enough is full of
+/// holes, so its balls are too small and its skeleton is off the axis; the cross-section corrects both.
 std::optional<double> fillWhereWide(const VesselEdge& edge, std::size_t n, const BloodFill& fill, double voxelMm)
 {
     const std::size_t before = n - std::min(n, partTangentReach);
@@ -38,7 +38,7 @@ std::optional<double> fillWhereWide(const VesselEdge& edge, std::size_t n, const
     return radiusMm >= minRadius * voxelMm ? std::optional(fill(middleMm)) : std::nullopt;
 }
 
-/// Of an edge that mostly is wide enough to tell.
+/// Median fill of an edge, if most of it is wide enough to be evaluated.
 std::optional<double> medianFill(const VesselEdge& edge, const BloodFill& fill, double voxelMm)
 {
     std::vector<double> fills;
@@ -61,7 +61,7 @@ bool isBeside(const VesselEdge& edge, const std::vector<Eigen::Vector3d>& starts
                                [&](const Eigen::Vector3d& start) { return (start - middle).norm() < besideStartsMm; });
 }
 
-/// What lies beyond an edge as seen from the starts, itself included.
+/// Everything beyond an edge as seen from the starts, including the edge itself.
 struct Part {
     double dimMm = 0.0;
     double filledMm = 0.0;
@@ -116,7 +116,7 @@ private:
         return nearest;
     }
 
-    /// Half the length of the vessels that hold starts is brighter.
+    /// Length-weighted median fill of the vessels that contain starts.
     std::optional<double> bloodAtStarts() const
     {
         std::vector<std::pair<double, double>> fillsAndLengths;
@@ -142,15 +142,15 @@ private:
         std::size_t edge = 0;
         int from = 0;   ///< nodes
         int to = 0;
-        std::size_t last = 0;   ///< steps up to here, not included, lie beyond it
+        std::size_t last = 0;   ///< steps up to but not including this one lie beyond it
         Part part;
     };
 
-    /// Depth first, so that what lies beyond a step follows it.
+    /// Visits the edges depth first, so everything beyond a step follows it.
     void walkFrom(int root)
     {
         std::vector<bool> seen(graph_.edges.size(), false);
-        std::vector<std::pair<std::size_t, int>> ahead;   // an edge and the node that it is left from
+        std::vector<std::pair<std::size_t, int>> ahead;   // edges to visit, with the node each one is entered from
         const auto look = [&](int node) {
             for (const std::size_t e : meeting_[static_cast<std::size_t>(node)]) {
                 ahead.emplace_back(e, node);
@@ -169,7 +169,7 @@ private:
         }
     }
 
-    /// The steps beyond a step come right after it, those nearest first.
+    /// Sums up the part beyond a step; the steps beyond it follow directly, the nearest first.
     void gather(std::size_t n)
     {
         Step& step = order_[n];
@@ -209,8 +209,8 @@ private:
     VesselGraph& graph_;
     std::vector<std::vector<std::size_t>> meeting_;   ///< edges by node
     std::vector<bool> holdsStart_;
-    std::vector<bool> isBeside_;   ///< the starts
-    std::vector<std::optional<double>> fills_;   ///< of edges wide enough to tell
+    std::vector<bool> isBeside_;   ///< near the starts
+    std::vector<std::optional<double>> fills_;   ///< per edge; nothing for edges too thin to evaluate
     std::vector<Step> order_;
     double minFill_ = 0.0;
 };

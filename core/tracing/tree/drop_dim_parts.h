@@ -8,11 +8,10 @@
 
 namespace angiopose::core {
 
-/// Removes what a tree has leaked into: parts in which wide stretches are mostly less bright than the vessels around
-/// `startsMm`. Contrast medium is not thinned on its way down an artery, but the tissue of spleen and kidney holds
-/// less of it, and so do veins. Stretches thinner than three voxels are dark by blurring and say nothing; what holds a
-/// start stays. `graph` has no loops; ends that are then too short are left to `pruneSpurs`. Returns how many parts
-/// were removed.
+/// Removes leakage from a tree: parts in which wide segments are mostly dimmer than the vessels around `startsMm`.
+/// Contrast agent is not diluted along an artery, but the tissue of spleen and kidney contains less of it, and so do
+/// veins. Segments thinner than three voxels are dimmed by blurring and are ignored; parts that contain a start stay.
+/// `graph` must have no loops; `pruneSpurs` removes ends that are then too short. Returns the number of parts removed.
 int dropDimParts(VesselGraph& graph, const BloodFill& fill, const std::vector<Eigen::Vector3d>& startsMm,
                  double voxelMm);
 

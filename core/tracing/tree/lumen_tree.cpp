@@ -19,7 +19,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minLoopInBranches = 4.0;   ///< way around a loop that is kept, in shortest branches
+constexpr double minLoopInBranches = 4.0;   ///< circumference of a kept loop, in minimum branch lengths
 
 Eigen::Vector3d onGrid(const Eigen::Vector3d& inPatient, const VolumeGeometry& grid)
 {
@@ -53,7 +53,7 @@ LoopCount openLoopsAsAsked(VesselGraph& graph, const VesselTracingOptions& optio
                : LoopCount{openLoops(graph), 0};
 }
 
-/// Dim parts are looked for in a forest: what closes its loops comes back where both its ends still are.
+/// Searches for dim parts in a forest; the edges that close its loops are restored if both their ends still exist.
 int dropDimPartsAsAsked(VesselGraph& graph, const BloodFill& fill, const VolumeGeometry& grid,
                         const VesselTracingOptions& options)
 {
@@ -63,7 +63,7 @@ int dropDimPartsAsAsked(VesselGraph& graph, const BloodFill& fill, const VolumeG
     const int dropped = dropDimParts(graph, fill, startsOn(grid, options), grid.spacingMm.maxCoeff());
     const std::vector<int> after = graph.degrees();
     const auto isThere = [&](int node) {
-        return after[static_cast<std::size_t>(node)] > 0 || before[static_cast<std::size_t>(node)] == 0;   // a ring
+        return after[static_cast<std::size_t>(node)] > 0 || before[static_cast<std::size_t>(node)] == 0;   // ring node
     };
     for (const VesselEdge& edge : closing) {
         if (isThere(edge.startNode) && isThere(edge.endNode)) {
@@ -73,7 +73,7 @@ int dropDimPartsAsAsked(VesselGraph& graph, const BloodFill& fill, const VolumeG
     return dropped;
 }
 
-/// Skeleton of the lumen without what lies beyond the rim.
+/// Skeleton of the lumen, computed on a mask continued beyond the rim and restricted to the grid.
 std::vector<std::size_t> skeletonOf(const VoxelMask& lumen, TracingProgress& progress)
 {
     WiderMask wider = continuedBeyondRim(lumen);
@@ -113,13 +113,13 @@ VesselGraph prunedGraph(const VoxelMask& lumen, const BloodFill& fill, const Ves
     const SpurLimits limits{.minLengthMm = options.minBranchLengthMm, .minRadiusMm = options.minBranchRadiusMm};
     closeGapsAsAsked(graph, lumen.geometry, options, progress, found);
     pruneSpurs(graph, limits, progress);
-    closeGapsAsAsked(graph, lumen.geometry, options, progress, found);   // ends without their spurs point better
+    closeGapsAsAsked(graph, lumen.geometry, options, progress, found);   // ends are more reliable without spurs
     found.dimParts = dropDimPartsAsAsked(graph, fill, lumen.geometry, options);
     pruneSpurs(graph, limits, progress);
     return graph;
 }
 
-/// Those that are no stubs at the rim.
+/// Indices of the paths that are not stubs at the rim.
 std::vector<std::size_t> branchesAmong(const std::vector<BranchPath>& paths, const std::vector<VesselCurve>& curves,
                                        const VoxelMask& lumen, double minMm)
 {

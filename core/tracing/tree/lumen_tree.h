@@ -14,19 +14,19 @@
 namespace angiopose::core {
 
 struct LumenTree {
-    VesselTree tree;   ///< patient LPS; one branch of generation 0 begins each piece
+    VesselTree tree;   ///< patient LPS; each connected component starts with one branch of generation 0
     std::vector<std::size_t> skeleton;   ///< voxels of the lumen, ascending
     LoopCount loops;
-    ClosedGaps closedGaps;   ///< where all pieces are asked for
-    int dimParts = 0;   ///< left out: veins and organs
+    ClosedGaps closedGaps;   ///< if all components are traced
+    int dimParts = 0;   ///< parts removed as veins and organs
 };
 
-/// Thinning → graph → tree → smooth centrelines with radii. `lumen` has patient axis order; `fill` tells where its wall
-/// lies below the voxel. No branches when nothing is long enough, or when stopped.
+/// Traces the tree of a lumen: thinning → graph → tree → smooth centerlines with radii. `lumen` has patient axis order;
+/// `fill` locates its wall with subvoxel accuracy. No branches if nothing is long enough, or when stopped.
 LumenTree lumenTree(const VoxelMask& lumen, const BloodFill& fill, const VesselTracingOptions& options,
                     TracingProgress& progress);
 
-/// Linear interpolation between the voxels of a mask: one half at its wall.
+/// Linear interpolation between the voxels of a mask; the value is one half at its wall.
 BloodFill fillOf(const VoxelMask& mask);
 
 }   // namespace angiopose::core

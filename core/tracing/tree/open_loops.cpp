@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Of the thinnest points inside the edge the one nearest to its middle.
+/// Index of the thinnest point inside the edge; if several are equally thin, the one nearest to its middle.
 std::size_t thinnestPoint(const VesselEdge& edge)
 {
     const std::size_t middle = edge.radiusMm.size() / 2;
@@ -46,7 +46,7 @@ int addEnd(VesselGraph& graph, const VesselEdge& edge, std::size_t point)
     return static_cast<int>(graph.nodesMm.size()) - 1;
 }
 
-/// Both halves of an edge without the point between them; halves of one point are none.
+/// Adds both halves of an edge without the point between them; single-point halves are dropped.
 void addHalves(VesselGraph& graph, const VesselEdge& edge)
 {
     const std::size_t cut = thinnestPoint(edge);
@@ -70,12 +70,12 @@ void addHalves(VesselGraph& graph, const VesselEdge& edge)
     }
 }
 
-/// Lengths of the ways along a forest.
+/// Path lengths along a forest.
 class WaysAlongForest {
 public:
     explicit WaysAlongForest(const VesselGraph& forest) : forest_(forest), meeting_(forest.edgesByNode()) {}
 
-    /// From node to node; `enoughMm` where there is no way.
+    /// Path length from node to node; `enoughMm` if they are not connected.
     double lengthMm(int from, int to, double enoughMm) const
     {
         std::vector<double> ways(forest_.nodesMm.size(), -1.0);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// What sticks out of the parent's wall, up to the tip.
+/// The part of a spur outside the parent's wall, up to its tip.
 struct Protrusion {
     double lengthMm = 0.0;
     double radiusMm = 0.0;
@@ -34,7 +34,7 @@ Protrusion protrusionOf(const VesselEdge& fromParent, double parentRadiusMm)
     return result;
 }
 
-/// Removes and joins edges; knows which edges meet at a node and how far each is from being kept.
+/// Removes and joins edges; keeps track of the edges at each node and of the worth of each spur.
 class Pruner {
 public:
     Pruner(VesselGraph& graph, const SpurLimits& limits)
@@ -71,7 +71,7 @@ private:
     const std::vector<std::size_t>& meetingAt(int node) const { return meeting_[static_cast<std::size_t>(node)]; }
     bool isGone(std::size_t e) const { return graph_.edges[e].pointsMm.empty(); }
 
-    /// Half the width of the vessel at a node: of the largest ball around, not counting those in the spur itself.
+    /// Half the width of the vessel at a node: the largest ball around it, not counting those in the spur itself.
     double widthAt(int node, std::size_t spur) const
     {
         const Eigen::Vector3d& center = graph_.nodesMm[static_cast<std::size_t>(node)];
@@ -88,7 +88,7 @@ private:
         return radius;
     }
 
-    /// Below 1 it goes, the lower the sooner; infinite for what is no spur.
+    /// Worth of an edge: spurs below 1 are removed, the lowest first; infinite if the edge is not a spur.
     double worthOf(std::size_t e) const
     {
         const VesselEdge& edge = graph_.edges[e];
@@ -127,7 +127,7 @@ private:
         setWorth(e, never);
     }
 
-    /// Keeps the spurs in the order in which they go: the least first, of equal ones the first.
+    /// Updates the worth of an edge in the removal queue: the lowest first, ties by index.
     void setWorth(std::size_t e, double worth)
     {
         spurs_.erase({worths_[e], e});
@@ -137,7 +137,7 @@ private:
         }
     }
 
-    /// Joins the two different edges that meet at `node`, if just two do, into the first of them.
+    /// Joins the two edges that meet at `node` into the first of them, if exactly two different edges do.
     void joinThrough(int node)
     {
         const std::vector<std::size_t> pair = meetingAt(node);
@@ -161,9 +161,9 @@ private:
 
     VesselGraph& graph_;
     const SpurLimits& limits_;
-    std::vector<std::vector<std::size_t>> meeting_;   ///< edges by node; one from a node to itself counts twice
+    std::vector<std::vector<std::size_t>> meeting_;   ///< edges by node; an edge from a node to itself counts twice
     std::vector<double> worths_;
-    std::set<std::pair<double, std::size_t>> spurs_;   ///< worth below 1, and edge
+    std::set<std::pair<double, std::size_t>> spurs_;   ///< worth below 1, and index of the edge
 };
 
 }   // namespace

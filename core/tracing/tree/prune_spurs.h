@@ -7,13 +7,13 @@ namespace angiopose::core {
 
 struct SpurLimits {
     double minLengthMm = 6.0;   ///< beyond the wall of the vessel it leaves
-    double minRadiusMm = 0.0;   ///< on average
-    double minLengthInRadii = 1.5;   ///< of its own: a shorter one is a bulge of the wall
+    double minRadiusMm = 0.0;   ///< average along the spur
+    double minLengthInRadii = 1.5;   ///< in its own radii: a shorter spur is a bulge of the wall
 };
 
-/// Removes spurs, the least first, until none is below the limits; edges that then continue each other are joined.
-/// A vessel without branches is no spur; it goes only when it is shorter than `minLengthMm` as a whole. Incomplete when
-/// stopped.
+/// Removes spurs, the least important first, until none is below the limits; edges that then continue each other are
+/// joined. A vessel without branches is not a spur; it is removed only if its whole length is below `minLengthMm`.
+/// Incomplete when stopped.
 void pruneSpurs(VesselGraph& graph, const SpurLimits& limits, TracingProgress& progress);
 
 }   // namespace angiopose::core

@@ -13,7 +13,7 @@ namespace {
 constexpr double rimVoxels = 2.0;
 constexpr double minInRadii = 1.5;
 
-/// A face of the grid is near, and the lumen reaches it there.
+/// Whether an end is close to a face of the grid that the lumen reaches there.
 bool isCutOff(const Eigen::Vector3d& endMm, const VoxelMask& lumen)
 {
     const VolumeGeometry& grid = lumen.geometry;
@@ -32,7 +32,7 @@ bool isCutOff(const Eigen::Vector3d& endMm, const VoxelMask& lumen)
     return false;
 }
 
-/// Beyond the wall of the nearest place of `parent`.
+/// Whether a point lies outside the wall of the nearest part of `parent`.
 bool isOutside(const Eigen::Vector3d& pointMm, const VesselCurve& parent)
 {
     double nearestSquared = std::numeric_limits<double>::max();

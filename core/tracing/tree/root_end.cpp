@@ -10,14 +10,15 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double alike = 1e-9;   ///< mm
-/// Of the width of a vessel at whose end it is: coronary arteries have 0.15 of the aorta.
+constexpr double alike = 1e-9;   ///< mm; smaller differences count as equal
+/// Maximum width of a spur, relative to the vessel at whose end it is: coronary arteries have 0.15 of the aorta's
+/// width.
 constexpr double spurShare = 0.3;
 
-/// How much an end is like a root.
+/// Score of an end as a candidate for the root.
 struct RootWorth {
     double first = -std::numeric_limits<double>::infinity();
-    double second = 0.0;   ///< where the first says nothing
+    double second = 0.0;   ///< breaks ties
 
     bool isAbove(const RootWorth& other) const
     {
@@ -55,8 +56,9 @@ public:
 private:
     double nodeRadius(int node) const { return graph_.nodeRadiusMm[static_cast<std::size_t>(node)]; }
 
-    /// The vessel that ends there is thick as a whole. The end itself may be a spur: a stump on the wall of something
-    /// wide, which says nothing, or a coronary artery at the root of the aorta, which ends where the aorta does.
+    /// Worth of an end: the median width of the vessel that ends there. The end itself may be a spur: a stump on the
+    /// wall of a wide vessel, which does not count, or a coronary artery at the root of the aorta, which ends where the
+    /// aorta does.
     RootWorth worthOf(std::size_t endEdge, int endNode) const
     {
         const VesselEdge fromEnd = graph_.leaving(endEdge, endNode);
@@ -75,7 +77,7 @@ private:
         return {width, departureOf(fromEnd, nodeRadius(endNode)).radiusMm};
     }
 
-    /// Median radius, without what lies within the vessel that an end leads to.
+    /// Median radius, excluding the part inside the vessel that an end leads to.
     double widthOf(std::size_t e) const
     {
         const bool endsFree = meeting_[static_cast<std::size_t>(graph_.edges[e].endNode)].size() == 1;
@@ -91,7 +93,7 @@ private:
         return medianOf(std::move(radii));
     }
 
-    /// The one vessel that ends at the node, if `arriving` and all others there are spurs beside it.
+    /// The single wide vessel that ends at the node, if `arriving` and all other edges there are spurs beside it.
     std::optional<std::size_t> wideEdgeBesideSpurs(int node, std::size_t arriving) const
     {
         std::optional<std::size_t> widest;

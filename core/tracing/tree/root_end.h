@@ -9,8 +9,8 @@
 
 namespace angiopose::core {
 
-/// Of the free ends among `nodes` that nearest to `rootMm`, else that of the thickest vessel: at the root of the aorta
-/// the coronary arteries are its ends, on its wall stumps are ends that mean nothing. -1 where no end is free.
+/// The free end among `nodes` that is nearest to `rootMm`, or else that of the thickest vessel: at the root of the
+/// aorta the coronary arteries count as its ends, while stumps on its wall are ignored. -1 if there is no free end.
 /// `meeting` holds the graph's edges by node.
 int rootEnd(const VesselGraph& graph, const std::vector<std::vector<std::size_t>>& meeting,
             const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm);

@@ -9,9 +9,9 @@ namespace angiopose::core {
 namespace {
 
 constexpr double followedVoxels = 2.0;
-constexpr double stepOfCurve = 0.5;   ///< of the smallest voxel side
+constexpr double stepOfCurve = 0.5;   ///< relative to the smallest voxel side
 
-/// Clears what lies near a place, in voxels.
+/// Clears the voxels near a position, in voxels.
 void clearAround(VoxelMask& missed, const Eigen::Vector3d& at)
 {
     const VolumeGeometry& grid = missed.geometry;
@@ -54,7 +54,7 @@ SkeletonCover skeletonCover(const VolumeGeometry& grid, const std::vector<std::s
         const auto its = static_cast<std::size_t>(
             std::ranges::count_if(piece, [&](std::uint32_t voxel) { return missed.voxels[voxel] != 0; }));
         const bool isTraced = its < piece.size();
-        for (const std::uint32_t voxel : piece) {   // pieces without any branch are told of elsewhere
+        for (const std::uint32_t voxel : piece) {   // components without any branch are reported elsewhere
             missed.voxels[voxel] = isTraced ? missed.voxels[voxel] : std::uint8_t{0};
         }
         all += isTraced ? piece.size() : 0;

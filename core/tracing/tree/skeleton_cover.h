@@ -10,13 +10,13 @@
 
 namespace angiopose::core {
 
-/// How much of a lumen's own skeleton the curves follow.
+/// Share of a lumen's own skeleton that the curves cover.
 struct SkeletonCover {
-    double share = 1.0;   ///< of its voxels, within two voxels of the curves; pieces without any curve do not count
-    std::optional<Eigen::Vector3d> missedInPatient;   ///< in the longest stretch that is not followed, LPS mm
+    double share = 1.0;   ///< share of its voxels within two voxels of the curves; only in components with curves
+    std::optional<Eigen::Vector3d> missedInPatient;   ///< in the longest uncovered stretch, LPS mm
 };
 
-/// `skeleton`: voxels of `grid`, ascending.
+/// Measures how much of `skeleton` (voxels of `grid`, ascending) the curves cover.
 SkeletonCover skeletonCover(const VolumeGeometry& grid, const std::vector<std::size_t>& skeleton,
                             const VesselTree& tree);
 

@@ -11,18 +11,18 @@
 
 namespace angiopose::core {
 
-/// The fill along a path, asked for near it.
+/// Provides the fill along a path; it is evaluated only near that path.
 using FillOfPath = std::function<BloodFill(const BranchPath& path)>;
 
-/// Paths, parents before their children, as smooth centred curves, in their order; fills, paths and curves are in mm
-/// along the axes of `grid`. Empty when stopped.
+/// Converts paths to smooth centered curves in the same order; parents must come before their children. Fills, paths
+/// and curves are in mm along the axes of `grid`. Empty when stopped.
 std::vector<VesselCurve> curvesOfPaths(const std::vector<BranchPath>& paths, const FillOfPath& fillOf,
                                        const VolumeGeometry& grid, double pointSpacingMm, TracingProgress& progress);
 
-/// A curve as a branch of a tree, patient LPS.
+/// Converts a curve to a branch of a tree, patient LPS.
 VesselBranch branchOfCurve(const VesselCurve& curve, int id, int generation, const VolumeGeometry& grid);
 
-/// The same of all paths: ids 1, 2, … in their order. No branches when stopped.
+/// Converts all paths to a tree with ids 1, 2, … in their order. No branches when stopped.
 VesselTree treeOfPaths(const std::vector<BranchPath>& paths, const FillOfPath& fillOf, const VolumeGeometry& grid,
                        double pointSpacingMm, TracingProgress& progress);
 

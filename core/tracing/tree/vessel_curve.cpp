@@ -11,11 +11,11 @@ namespace angiopose::core {
 namespace {
 
 constexpr int centringRounds = 3;
-constexpr double stationarySteps = 4.0;   ///< λ of the first smoothing, which only takes the voxel steps away
+constexpr double stationarySteps = 4.0;   ///< λ of the first smoothing, which only removes the voxel steps
 constexpr double firmWeight = 50.0;
 constexpr int holdingRounds = 3;
-constexpr double minShareOfWay = 0.5;   ///< of the blood on the way it was found on; less: it has left the lumen
-constexpr double radiusStiffness = 3.0;   ///< of that of the curve: widths change more slowly than ways
+constexpr double minShareOfWay = 0.5;   ///< relative to the fill at the original path; below, it has left the lumen
+constexpr double radiusStiffness = 3.0;   ///< relative to the curve's: widths change more slowly than the course
 
 VesselCurve evenly(const VesselCurve& curve, double spacingMm)
 {
@@ -23,7 +23,8 @@ VesselCurve evenly(const VesselCurve& curve, double spacingMm)
     return {interpolate(curve.pointsMm, stations), interpolate(curve.radiusMm, stations)};
 }
 
-/// Stiffness of the spline in steps of the curve: it follows bends of a radius, not the wall's unevenness.
+/// Stiffness of the spline in steps of the curve: it follows curvature on the scale of a radius but not irregularities
+/// of the wall.
 double stiffness(const VesselCurve& curve, double stepMm)
 {
     const double reach = std::max(2.0, 0.7 * medianOf(curve.radiusMm) / stepMm);
@@ -38,7 +39,7 @@ std::size_t nearestPoint(const std::vector<Eigen::Vector3d>& points, const Eigen
     return static_cast<std::size_t>(nearest - points.begin());
 }
 
-/// How many of the first points lie within the parent's lumen.
+/// Number of first points that lie within the parent's lumen.
 std::size_t pointsWithin(const VesselCurve& parent, const std::vector<Eigen::Vector3d>& points)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -50,8 +51,8 @@ std::size_t pointsWithin(const VesselCurve& parent, const std::vector<Eigen::Vec
     return points.size() - 1;
 }
 
-/// Where on the parent's axis a vessel begins that leaves its wall at `exit` in `direction`: half way between the point
-/// beside the exit and the one that the backward way comes nearest to.
+/// Origin on the parent's axis of a vessel that leaves its wall at `exit` in `direction`: halfway between the axis
+/// point nearest to the exit and the one nearest to the backward extension.
 Eigen::Vector3d takeoffOn(const VesselCurve& parent, const Eigen::Vector3d& exit, const Eigen::Vector3d& direction)
 {
     const std::size_t beside = nearestPoint(parent.pointsMm, exit);
@@ -70,7 +71,8 @@ Eigen::Vector3d takeoffOn(const VesselCurve& parent, const Eigen::Vector3d& exit
     return parent.pointsMm[(best + beside) / 2];
 }
 
-/// The first part, within the parent, made straight from the parent's axis; its radii are those outside.
+/// Replaces the first part, inside the parent, by a straight line from the parent's axis; its radii are those just
+/// outside.
 void leaveParent(VesselCurve& curve, std::size_t inside, const VesselCurve& parent)
 {
     const std::size_t ahead = std::min(curve.pointsMm.size() - 1, inside + 4);
@@ -87,23 +89,23 @@ void leaveParent(VesselCurve& curve, std::size_t inside, const VesselCurve& pare
     }
 }
 
-/// Points that a smooth curve may go through, and how firmly it is held there.
+/// Points for the smoothing spline, and how firmly each one holds it.
 struct Anchors {
     std::vector<Eigen::Vector3d> pointsMm;
     std::vector<double> weights;
 };
 
-/// What a curve is held to.
+/// Data that a curve is fitted to.
 struct Surroundings {
-    const std::vector<Eigen::Vector3d>& way;   ///< it was found on
+    const std::vector<Eigen::Vector3d>& way;   ///< the original path
     const BloodFill& fill;
     TracingProgress* progress;
 
     bool shouldContinue() const { return progress == nullptr || progress->advance(0.0); }
 };
 
-/// The spline through the anchors. Where it would leave the lumen, as in bends sharper than it is made for, it is held
-/// to the way it was found on.
+/// Fits the spline through the anchors. Where it would leave the lumen, as in curves sharper than it is made for, it is
+/// pulled to the original path.
 std::vector<Eigen::Vector3d> smoothInLumen(Anchors& anchors, double stiffness, std::size_t inside,
                                            const Surroundings& around)
 {
@@ -127,7 +129,8 @@ std::vector<Eigen::Vector3d> smoothInLumen(Anchors& anchors, double stiffness, s
     return points;
 }
 
-/// One round: every point to the centre of its section, then smoothed by how far the sections can be trusted.
+/// One iteration: moves every point to the center of its cross-section, then smooths, weighted by the confidence in the
+/// sections.
 void center(VesselCurve& curve, std::size_t inside, const Surroundings& around, double stepMm)
 {
     const std::size_t count = curve.pointsMm.size();
@@ -161,7 +164,7 @@ bool isBeyondRim(const Eigen::Vector3d& pointMm, const CurveSettings& settings)
     return ((pointMm - settings.lowMm).array() < 0.0).any() || ((pointMm - settings.highMm).array() > 0.0).any();
 }
 
-/// Thinning eats a vessel's end: what is missing of it, in the direction that the vessel has there.
+/// Extends a vessel's end, which thinning shortens, in the direction that the vessel has there.
 void extendEnd(VesselCurve& curve, const BloodFill& fill, const CurveSettings& settings)
 {
     const std::size_t count = curve.pointsMm.size();
@@ -173,11 +176,11 @@ void extendEnd(VesselCurve& curve, const BloodFill& fill, const CurveSettings& s
         return;
     }
     const Eigen::Vector3d direction = way.normalized();
-    double lumenMm = 0.0;   // from the tip to the wall ahead
+    double lumenMm = 0.0;   // distance from the tip to the wall ahead
     while (lumenMm < 3.0 * radius + settings.voxelMm && fill(tip + lumenMm * direction) > 0.5) {
         lumenMm += 0.25 * settings.voxelMm;
         if (isBeyondRim(tip + lumenMm * direction, settings)) {
-            lumenMm += radius;   // the vessel goes on beyond the rim
+            lumenMm += radius;   // the vessel continues beyond the rim
             break;
         }
     }
@@ -187,7 +190,7 @@ void extendEnd(VesselCurve& curve, const BloodFill& fill, const CurveSettings& s
     }
 }
 
-/// Sections at the rim are cut off, which can push a curve's end beyond it.
+/// Drops points beyond the rim; cross-sections are cut off there, which can push a curve's end outside.
 void dropBeyondRim(VesselCurve& curve, const CurveSettings& settings)
 {
     const auto isFar = [&](const Eigen::Vector3d& point) {
@@ -210,7 +213,7 @@ void turnAround(VesselCurve& curve)
     std::reverse(curve.radiusMm.begin(), curve.radiusMm.end());
 }
 
-/// Leads the end on to the axis of the vessel that it closes a loop with.
+/// Extends the end to the axis of the vessel with which it closes a loop.
 void endOn(VesselCurve& curve, const VesselCurve& other)
 {
     turnAround(curve);
@@ -223,11 +226,11 @@ void endOn(VesselCurve& curve, const VesselCurve& other)
     turnAround(curve);
 }
 
-/// The same for a vessel that comes back to itself: `nodeMm` is where.
+/// Same as `endOn` for a vessel that returns to itself at `nodeMm`.
 void endOnItself(VesselCurve& curve, const Eigen::Vector3d& nodeMm)
 {
     std::vector<Eigen::Vector3d> passed = curve.pointsMm;
-    const double backMm = 0.25 * polylineLength<3>(passed);   // not what has just come
+    const double backMm = 0.25 * polylineLength<3>(passed);   // excludes the part just before the end
     while (passed.size() > 1 && polylineLength<3>(curve.pointsMm) - polylineLength<3>(passed) < backMm) {
         passed.pop_back();
     }
@@ -235,7 +238,7 @@ void endOnItself(VesselCurve& curve, const Eigen::Vector3d& nodeMm)
     curve.radiusMm.push_back(curve.radiusMm.back());
 }
 
-/// Free ends as far as the lumen goes.
+/// Extends free ends as far as the lumen reaches.
 void extendFreeEnds(VesselCurve& curve, const BranchPath& path, const CurveNeighbors& beside, const BloodFill& fill,
                     const CurveSettings& settings)
 {

@@ -8,7 +8,7 @@
 
 namespace angiopose::core {
 
-/// A centreline in mm along the grid's axes, with the radius at each point.
+/// Centerline in mm along the grid's axes, with the radius at each point.
 struct VesselCurve {
     std::vector<Eigen::Vector3d> pointsMm;
     std::vector<double> radiusMm;
@@ -17,21 +17,21 @@ struct VesselCurve {
 struct CurveSettings {
     double voxelMm = 1.0;   ///< smallest spacing of the grid
     double pointSpacingMm = 1.0;
-    Eigen::Vector3d lowMm = Eigen::Vector3d::Zero();   ///< outermost voxel centres
+    Eigen::Vector3d lowMm = Eigen::Vector3d::Zero();   ///< outermost voxel centers
     Eigen::Vector3d highMm = Eigen::Vector3d::Zero();
-    TracingProgress* progress = nullptr;   ///< a curve is not finished when it says stop
+    TracingProgress* progress = nullptr;   ///< if it requests a stop, the curve is left unfinished
 };
 
-/// The finished curves that a path begins and ends on; null: there is none.
+/// The finished curves on which a path begins and ends; null: none.
 struct CurveNeighbors {
     const VesselCurve* parent = nullptr;
     const VesselCurve* endsOn = nullptr;
     bool endsOnItself = false;
 };
 
-/// A path of voxels as a smooth curve through the centres of its cross-sections. Within the vessel that it leaves there
-/// is nothing to measure, so that the curve runs straight to its axis, also where it closes a loop. A free end
-/// reaches as near to the tip as the vessel is wide, and to the rim of the volume where that cuts it off.
+/// Converts a path of voxels to a smooth curve through the centers of its cross-sections. Inside the parent vessel
+/// nothing can be measured, so the curve runs straight to its axis, also where it closes a loop. A free end reaches as
+/// close to the tip as the vessel is wide, and to the rim of the volume if that cuts it off.
 VesselCurve vesselCurve(const BranchPath& path, const CurveNeighbors& beside, const BloodFill& fill,
                         const CurveSettings& settings);
 

@@ -8,9 +8,9 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t shortestRing = 6;
-constexpr std::size_t voxelsUnheard = 0xFFF;   ///< less one
+constexpr std::size_t voxelsUnheard = 0xFFF;   ///< mask: progress is reported every 4096 voxels
 
-/// Walks the skeleton voxel by voxel. Voxels are known by their place in the skeleton's list.
+/// Walks the skeleton voxel by voxel. Voxels are identified by their index in the skeleton's list.
 class VoxelWalker {
 public:
     VoxelWalker(const std::vector<std::size_t>& skeleton, const DistanceMap& distances)
@@ -18,7 +18,7 @@ public:
     {
     }
 
-    /// False when stopped.
+    /// Finds the neighbors of all voxels; false when stopped.
     bool meetNeighbors(TracingProgress& progress)
     {
         neighbors_.reserve(skeleton_.size());
@@ -52,7 +52,7 @@ private:
         return distances_.geometry.spacingMm.cwiseProduct(voxelOf(v).cast<double>());
     }
 
-    /// The wall lies half a voxel before the centre of the first voxel outside.
+    /// Radius of the lumen at a voxel. The wall lies half a voxel before the center of the first voxel outside.
     double radiusOf(std::size_t v) const
     {
         const double half = 0.5 * distances_.geometry.spacingMm.minCoeff();
@@ -131,7 +131,7 @@ private:
         for (const std::size_t first : neighbors_[nodeVoxel]) {
             const int start = nodeAt_[nodeVoxel];
             const int touching = nodeAt_[first];
-            if (touching > start) {   // two nodes side by side
+            if (touching > start) {   // two adjacent nodes
                 graph_.edges.push_back({start,
                                         touching,
                                         {nodePoint(start), nodePoint(touching)},
@@ -142,7 +142,8 @@ private:
         }
     }
 
-    /// From a node over `first` to the next node. A voxel between has two neighbours, so the way is never in doubt.
+    /// Follows the skeleton from a node over `first` to the next node. A voxel in between has exactly two neighbors, so
+    /// the path is unambiguous.
     void addEdge(std::size_t nodeVoxel, std::size_t first)
     {
         const int start = nodeAt_[nodeVoxel];

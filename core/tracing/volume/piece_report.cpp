@@ -11,15 +11,15 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double worthMentioning = 0.02;   ///< of all voxels, together
-constexpr std::size_t maxNamed = 6;   ///< pieces in one sentence
+constexpr double worthMentioning = 0.02;   ///< total share of all voxels
+constexpr std::size_t maxNamed = 6;   ///< components per sentence
 
-/// Length of the branches by piece: every step belongs to the piece that it ends in.
+/// Branch length per component; each step counts for the component it ends in.
 std::vector<double> lengthsIn(const VoxelMask& lumen, const std::vector<VoxelPiece>& pieces, const VesselTree& tree)
 {
     std::vector<double> lengths(pieces.size(), 0.0);
     const Eigen::Affine3d voxelFromPatient = lumen.geometry.patientFromVoxel().inverse();
-    std::size_t last = 0;   // the next point is mostly in the same piece
+    std::size_t last = 0;   // the next point is usually in the same component
     const auto pieceWith = [&](std::uint32_t voxel) {
         for (std::size_t n = 0; n < pieces.size(); ++n) {
             const std::size_t p = (last + n) % pieces.size();
@@ -53,7 +53,7 @@ Quantity shareOf(double share)
 
 enum class Reported { LengthAndShare, Share };
 
-/// "31 mm, 12 %, at (1.0, 2.0, 3.0)" of the first ones, and what the others come to.
+/// Lists the first components as "31 mm, 12 %, at (1.0, 2.0, 3.0)" and sums up the others.
 Messages namedPieces(const std::vector<TracedPiece>& pieces, Reported reported)
 {
     Messages named;

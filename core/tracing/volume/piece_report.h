@@ -10,13 +10,13 @@
 
 namespace angiopose::core {
 
-/// Every piece of what could be traced, the largest first: those of the traced lumen with the length of the branches in
-/// them, and those that were left out before. Incomplete when stopped.
+/// Lists every connected component of what could be traced, the largest first: those of the traced lumen with the
+/// length of their branches, and those that were left out before. Incomplete when stopped.
 std::vector<TracedPiece> reportedPieces(const VoxelMask& lumen, const VesselTree& tree,
                                         std::vector<TracedPiece> leftOut, TracingProgress& progress);
 
-/// What is said of pieces: which were traced, where that is several and was not asked for by seeds; which were not,
-/// where these are more than one in fifty voxels.
+/// Messages about connected components: which were traced, if there are several and seeds did not select them; which
+/// were not, if these are more than one in fifty voxels.
 Messages pieceWarnings(const std::vector<TracedPiece>& pieces, bool isBySeeds);
 
 }   // namespace angiopose::core

@@ -11,15 +11,15 @@
 namespace angiopose::core {
 namespace {
 
-const BloodLevel hounsfieldBone{45.0, 400.0, 222.5, true};   ///< a fill of 1.5 is 578 HU
-constexpr double maxBloodOfHeadHu = 650.0;   ///< of the skull and the petrous bone more is even, too
-constexpr double maxLumenShare = 0.06;   ///< of all voxels; of brain or muscle there is more
+const BloodLevel hounsfieldBone{45.0, 400.0, 222.5, true};   ///< a fill of 1.5 corresponds to 578 HU
+constexpr double maxBloodOfHeadHu = 650.0;   ///< brighter homogeneous voxels may be skull or petrous bone
+constexpr double maxLumenShare = 0.06;   ///< share of all voxels; brain or muscle has a larger share
 constexpr double maxFillOfBlood = 1.6;
-constexpr double wideMm = 5.0;   ///< of an aorta or iliac artery
+constexpr double wideMm = 5.0;   ///< radius of an aorta or iliac artery
 constexpr double minFillOfClear = 0.75;
-constexpr double entranceMm = 25.0;   ///< from the lower face: thinner arteries come from there
-constexpr double minVeinRadiusMm = 1.2;   ///< cortical arteries run along the skull, too
-constexpr double maxAlongSkull = 0.1;   ///< of the traced length
+constexpr double entranceMm = 25.0;   ///< from the lower face, where thinner arteries enter
+constexpr double minVeinRadiusMm = 1.2;   ///< thinner vessels may be cortical arteries
+constexpr double maxAlongSkull = 0.1;   ///< share of the traced length
 
 class LumenFinder {
 public:
@@ -67,7 +67,7 @@ private:
             seen_.corrected = biasCorrected(volume_, order_);
             if (seen_.corrected) {
                 level = findBloodLevel(seen_.corrected->volume, order_);
-                if (level && level.value().isHu) {   // noise made brighter is no air
+                if (level && level.value().isHu) {   // amplified noise is not air
                     level = noHounsfield(level.value());
                 }
             }
@@ -116,7 +116,7 @@ private:
 
     bool isCredible() const { return lumenShare_ <= maxLumenShare; }
 
-    /// Whether peaks were those of blood for sure, or where seeds say what is vessel, may be.
+    /// Whether the peaks are definitely those of blood, or may be if seeds mark the vessels.
     bool isEnough() const
     {
         const std::vector<GreatVessel>& great = seen_.found.great;
@@ -125,8 +125,8 @@ private:
         return isCredible() && (isWide || isLikeCt_ || !options_.seedsInPatient.empty());
     }
 
-    /// More is brighter than blood than is as bright: bone, as in CT. Of MR the vessels are the brightest, and what was
-    /// taken for blood is fat or brain.
+    /// Whether more voxels are brighter than blood than equally bright: bone, as in CT. In MR the vessels are
+    /// brightest, and the assumed blood is fat or brain.
     bool hasMoreBone() const
     {
         const VoxelFill fill = bloodShare(seen_.scan(volume_), order_, seen_.level);
@@ -148,7 +148,7 @@ private:
         return options_.seedsInPatient.empty() ? Result<ScanLumen>(Error(question)) : std::move(seen_);
     }
 
-    /// Where no seed says what is asked for, only what is an artery for sure may be begun at.
+    /// Keeps only definite arteries as starting points if there are no seeds.
     Result<ScanLumen> judged()
     {
         std::vector<GreatVessel>& great = seen_.found.great;
@@ -169,7 +169,7 @@ private:
         return std::move(seen_);
     }
 
-    /// As wide as an aorta, or from the lower face of the scan upwards.
+    /// Whether the vessel is as wide as an aorta, or enters at the lower face of the scan.
     bool isClear(const GreatVessel& vessel) const
     {
         const Trunk& trunk = vessel.trunks.front();
@@ -187,7 +187,7 @@ private:
     TracingProgress& progress_;
     ScanLumen seen_;
     double lumenShare_ = 0.0;
-    bool isLikeCt_ = true;   ///< bone is the brightest
+    bool isLikeCt_ = true;   ///< bone is brightest
 };
 
 }   // namespace

@@ -16,28 +16,28 @@
 
 namespace angiopose::core {
 
-/// What of a scan can be lumen, and how that was told.
+/// Lumen candidates of a scan, and the data they were derived from.
 struct ScanLumen {
-    std::optional<BiasCorrectedScan> corrected;   ///< where a coil's fall-off was taken out
+    std::optional<BiasCorrectedScan> corrected;   ///< if a coil inhomogeneity was corrected
     BloodLevel level;
-    LumenWithGreatVessels found;   ///< of the great vessels those that may be begun at
-    std::optional<Skull> skull;   ///< of a head by CT
-    std::vector<Eigen::Vector3d> veins;   ///< on the axes of sinuses
+    LumenWithGreatVessels found;   ///< only great vessels suitable as a start
+    std::optional<Skull> skull;   ///< for head CT
+    std::vector<Eigen::Vector3d> veins;   ///< axis points of sinuses
 
-    /// The scan that was looked at; `given` is the one it came from.
+    /// The scan that was evaluated; `given` is the original scan.
     const Volume& scan(const Volume& given) const { return corrected ? corrected->volume : given; }
 };
 
-/// How much of each voxel is blood, by its value between soft tissue and blood. The three must outlive it.
+/// Fraction of blood in each voxel, from its value relative to soft tissue and blood. The arguments must outlive it.
 VoxelFill bloodShare(const Volume& volume, const AxisOrder& order, const BloodLevel& level);
 
-/// Fails where nothing is like blood, and asks for a seed where none is placed and it is not clear what is an artery:
-/// in heads by CT whose sinuses are filled, and without Hounsfield units where nothing is an artery for sure. Reports
-/// the stages "blood" and "vessels".
+/// Finds the lumen candidates. Fails if nothing looks like blood, and requests a seed if none is placed and the
+/// arteries cannot be identified: in head CT with opacified sinuses, and without Hounsfield units if no vessel is
+/// definitely an artery. Reports the stages "blood" and "vessels".
 Result<ScanLumen> findScanLumen(const Volume& volume, const AxisOrder& order, const VesselTracingOptions& options,
                                 TracingProgress& progress);
 
-/// Whether what was traced without a seed runs along the skull, as sinuses do and arteries do not.
+/// Whether a tree traced without a seed runs along the skull, as sinuses do and arteries do not.
 bool runsAlongSkull(const VesselTree& tree, const Skull& skull);
 
 }   // namespace angiopose::core

@@ -26,13 +26,13 @@ namespace angiopose::core {
 namespace {
 
 constexpr int holeRounds = 4;
-constexpr double minFilledRadius = 1.5;   ///< voxels; the axis of a thinner vessel is dark by blurring
-constexpr double minAxisFill = 0.65;   ///< of the blood, half way along all axes
-constexpr double minBesideMm = 80.0;   ///< of another great vessel; pulmonary arteries have less than half
-constexpr double minFollowed = 0.98;   ///< of a mask's own skeleton; less is told
-constexpr double minHoleFill = 0.4;   ///< share of blood around a voxel that is dark by noise
+constexpr double minFilledRadius = 1.5;   ///< voxels; blurring darkens the axis of a thinner vessel
+constexpr double minAxisFill = 0.65;   ///< relative to blood; halfway along all axes
+constexpr double minBesideMm = 80.0;   ///< next to another great vessel; pulmonary arteries have less than half
+constexpr double minFollowed = 0.98;   ///< covered share of a mask's own skeleton; below, a warning is issued
+constexpr double minHoleFill = 0.4;   ///< fraction of blood around a voxel darkened by noise
 
-/// The set voxels in patient axis order.
+/// Mask of the set voxels, in patient axis order.
 template <class Grid, class IsSet>
 VoxelMask maskOf(const Grid& grid, const IsSet& isSet)
 {
@@ -49,7 +49,7 @@ VoxelMask maskOf(const Grid& grid, const IsSet& isSet)
     return whole;
 }
 
-/// Back to the order in which the input is stored.
+/// Restores the axis order in which the input is stored.
 VoxelMask asStored(const VoxelMask& part, const VoxelBox& box, const VolumeGeometry& stored)
 {
     VoxelMask whole(stored);
@@ -85,7 +85,7 @@ std::optional<Message> problemWith(const VesselTracingOptions& options)
     return options.avoidInPatient.empty() || hasSeeds ? std::nullopt : std::optional<Message>(says::avoidWithoutSeed());
 }
 
-/// All that is set is vessel, unless some of it is asked for.
+/// Options for a mask: all its voxels are vessel, unless the options select some.
 VesselTracingOptions withPiecesOfMask(VesselTracingOptions options)
 {
     options.pieces = !options.seedsInPatient.empty()           ? TracedPieces::Usual
@@ -94,7 +94,7 @@ VesselTracingOptions withPiecesOfMask(VesselTracingOptions options)
     return options;
 }
 
-/// Of a scan all pieces are those of great vessels.
+/// Options for a scan: only components of great vessels are traced.
 VesselTracingOptions withPiecesOfScan(VesselTracingOptions options, const std::vector<GreatVessel>& great)
 {
     if (great.empty() || !options.seedsInPatient.empty()) {
@@ -103,10 +103,10 @@ VesselTracingOptions withPiecesOfScan(VesselTracingOptions options, const std::v
     return options;
 }
 
-/// What is traced of any lumen, and the skeleton that it comes from.
+/// Tree of a lumen, with the skeleton it was derived from.
 struct TreeOfLumen {
     TracedVessels vessels;
-    std::vector<std::size_t> skeleton;   ///< voxels of the chosen lumen
+    std::vector<std::size_t> skeleton;   ///< voxels of the selected lumen
 };
 
 Result<TreeOfLumen> treeOf(const ChosenLumen& chosen, const BloodFill& fill, const VolumeGeometry& stored,
@@ -144,17 +144,17 @@ Result<TreeOfLumen> treeOf(const ChosenLumen& chosen, const BloodFill& fill, con
     return TreeOfLumen{std::move(traced), std::move(found.skeleton)};
 }
 
-/// Noise darkens single voxels; the wall between two vessels that touch is dark as a sheet.
+/// Accepts holes caused by noise, which darkens single voxels; the wall between two touching vessels is a dark sheet.
 HoleFilter noiseHoles(const VoxelFill& fill)
 {
-    return [&fill](int i, int j, int k) {   // never at the rim
+    return [&fill](int i, int j, int k) {   // never called at the rim
         const double sum = fill(i, j, k) + fill(i - 1, j, k) + fill(i + 1, j, k) + fill(i, j - 1, k) +
                            fill(i, j + 1, k) + fill(i, j, k - 1) + fill(i, j, k + 1);
         return sum > 7.0 * minHoleFill;
     };
 }
 
-/// Closes what noise and chalk darken in `lumen`, unless it is stopped.
+/// Closes holes in `lumen` that are caused by noise and calcified plaque, unless stopped.
 void closeHoles(VoxelMask& lumen, const VoxelFill& fill, TracingProgress& progress)
 {
     const HoleFilter isHole = noiseHoles(fill);
@@ -166,13 +166,14 @@ void closeHoles(VoxelMask& lumen, const VoxelFill& fill, TracingProgress& progre
     }
 }
 
-/// `reason` where nothing was traced.
+/// Fails with `reason` if nothing was traced.
 Result<TreeOfLumen> unlessEmpty(Result<TreeOfLumen> traced, const Error& reason)
 {
     return traced && traced.value().vessels.tree.branches.empty() ? Result<TreeOfLumen>(reason) : std::move(traced);
 }
 
-/// Whether the axes of what is wide enough to tell are filled: those of shells, of marrow and between organs are not.
+/// Whether the axes of the sufficiently wide branches are opacified; the axes of bone shells, of marrow and between
+/// organs are not.
 bool isOpacified(const VesselTree& tree, const AxisOrder& order, const VoxelFill& fill)
 {
     const Eigen::Affine3d voxelFromPatient = order.geometry.patientFromVoxel().inverse();
@@ -192,7 +193,7 @@ bool isOpacified(const VesselTree& tree, const AxisOrder& order, const VoxelFill
     return medianOf(std::move(fills)) >= minAxisFill;
 }
 
-/// Where nobody placed a seed, it is told where tracing began.
+/// Without user seeds, adds a message about where tracing started.
 TracedVessels startedBy(TracedVessels vessels, const ChosenLumen& lumen, const std::vector<GreatVessel>& great)
 {
     if (!lumen.startsInPatient.empty()) {
@@ -202,7 +203,7 @@ TracedVessels startedBy(TracedVessels vessels, const ChosenLumen& lumen, const s
     return vessels;
 }
 
-/// Where the lumen begins, and what a scan's values and its other great vessels give to think.
+/// Adds the threshold and warnings about the scan's values and its other great vessels.
 void tellOfScan(TracedVessels& vessels, const ChosenLumen& lumen, const std::vector<GreatVessel>& great,
                 const BloodLevel& level)
 {
@@ -215,7 +216,7 @@ void tellOfScan(TracedVessels& vessels, const ChosenLumen& lumen, const std::vec
     }
 }
 
-/// A mask in patient axis order, taken as it is.
+/// Traces a mask in patient axis order without segmentation.
 Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, const VesselTracingOptions& options,
                                  TracingProgress& progress)
 {
@@ -241,7 +242,7 @@ Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, 
     return std::move(tree.vessels);
 }
 
-/// Traces what `seen` has found in the scan that it looked at.
+/// Traces the lumen that `seen` found in its scan.
 Result<TracedVessels> traceScan(ScanLumen seen, const Volume& given, const AxisOrder& order,
                                 const VesselTracingOptions& options, TracingProgress& progress)
 {

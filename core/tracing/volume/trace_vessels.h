@@ -10,20 +10,21 @@
 
 namespace angiopose::core {
 
-/// Contrast-filled vessels of a CT angiogram: threshold or seeded growth, bone and table left out, thinning, a tree of
-/// smooth centrelines with radii. Without seeds the tree is that of the vessel most like an aorta (see `Trunk::worth`),
-/// else of the largest piece; a warning says which. Fails on an empty or flat volume, seeds outside the lumen, when
-/// nothing is like a vessel (the axes of that piece hold no blood); with `tubesOnly` see `traceTubes`; ends as
-/// stopped when the observer says so, then nothing is kept. Needs at most twice the volume's own memory besides it.
+/// Traces the opacified vessels of a CT angiogram: threshold or seeded growth, removal of bone and table, thinning,
+/// tree of smooth centerlines with radii. Without seeds, traces the vessel most like an aorta (see `Trunk::worth`), or
+/// else the largest connected component; a warning states which. Fails for an empty or flat volume, for seeds outside
+/// the lumen, and if nothing looks like a vessel (the axes of that component contain no blood); for `tubesOnly` see
+/// `traceTubes`. Returns as stopped, without a result, if the observer requests it. Needs at most twice the volume's
+/// own memory in addition.
 Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOptions& options = {},
                                    const TracingObserver& observe = {});
 
-/// A mask of vessels, taken as it is: all its pieces, or those that hold the seeds. Gaps over which it is clear that a
-/// vessel goes on are closed.
+/// Traces a vessel mask without segmentation: all its connected components, or those that contain the seeds. Gaps
+/// across which a vessel clearly continues are closed.
 Result<TracedVessels> traceMask(const VoxelMask& mask, const VesselTracingOptions& options = {},
                                 const TracingObserver& observe = {});
 
-/// The vessels of a label image that carry one of `labels`; none given: any label.
+/// Traces the vessels of a label image that have one of `labels`; if empty, any label.
 Result<TracedVessels> traceLabels(const LabelVolume& image, const std::vector<int>& labels,
                                   const VesselTracingOptions& options = {}, const TracingObserver& observe = {});
 

@@ -10,15 +10,15 @@
 
 namespace angiopose::core {
 
-/// What users are told about a tree that was traced.
+/// Warnings for users about a traced tree.
 Message loopWarning(int loops);
 Message gapWarning(const ClosedGaps& gaps);
 Message coverWarning(const SkeletonCover& cover);
-Message unitWarning();   ///< the values may be no Hounsfield units
-Message dimWarning(int parts);   ///< left out
+Message unitWarning();   ///< the values may not be Hounsfield units
+Message dimWarning(int parts);   ///< parts that were left out
 Message besideWarning(const OtherLumen& other);
-/// Where the other lumen is that one of these is about; none of them: nothing.
+/// Position of the other lumen that one of these warnings reports; nothing if none does.
 std::optional<Eigen::Vector3d> otherLumenOf(const Messages& warnings);
-Message startWarning(const std::optional<Eigen::Vector3d>& foundStart);   ///< where it began without a seed
+Message startWarning(const std::optional<Eigen::Vector3d>& foundStart);   ///< where it started without a seed
 
 }   // namespace angiopose::core

@@ -7,15 +7,15 @@
 
 namespace angiopose::core {
 
-/// What the vessel tree of a case comes from (FORMATS §2).
+/// Source of a case's vessel tree (FORMATS §2).
 enum class VesselInputKind { Centerline, Segmentation, Surface, Volume };
 
-/// How the vessel tree of a case is made from its file; centrelines are taken as they are.
+/// Source and options from which the vessel tree of a case is created; centerlines are used unchanged.
 struct VesselInput {
     VesselInputKind kind = VesselInputKind::Centerline;
-    std::string seriesId;   ///< of a volume in a DICOM folder: which series; empty: the only one
-    std::vector<int> labels;   ///< of a segmentation: the labels that are vessels; empty: all
-    double unitMm = 0.0;   ///< of a surface or centrelines: length of one unit; 0: as the file states, else mm
+    std::string seriesId;   ///< volume in a DICOM folder: series to use; empty: the only one
+    std::vector<int> labels;   ///< segmentation: labels that are vessels; empty: all
+    double unitMm = 0.0;   ///< surface or centerlines: length of one unit; 0: as stated in the file, else mm
     VesselTracingOptions tracing;
 
     bool operator==(const VesselInput&) const = default;

@@ -14,11 +14,11 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double wallShare = 1.3;   // of the radius: what belongs to a vessel reaches a little beyond it
+constexpr double wallShare = 1.3;   // factor on the radius: a vessel's blurred wall extends slightly beyond it
 constexpr double wallMm = 1.5;
 constexpr double unknownRadiusMm = 1.5;
 
-/// The mask as values to look at.
+/// Converts the mask to displayable values.
 Volume valuesOf(const VoxelMask& mask)
 {
     Volume values(mask.geometry);
@@ -27,7 +27,7 @@ Volume valuesOf(const VoxelMask& mask)
     return values;
 }
 
-/// The mean with the neighbours along each axis in turn: steps of a mask become slopes, whose direction can be seen.
+/// Averages with the neighbors along each axis in turn: the steps of a mask become slopes, which have a gradient.
 void smooth(Volume& values)
 {
     const Eigen::Vector3i& size = values.geometry.size;
@@ -43,7 +43,7 @@ void smooth(Volume& values)
     }
 }
 
-/// The mask's values at the nearest voxels of the reduced scan, whatever the two grids are.
+/// Copies the mask's values to the nearest voxels of the reduced scan, for any two grids.
 void markMask(const VoxelMask& mask, const VolumeGeometry& grid, std::vector<std::uint8_t>& kinds)
 {
     const Eigen::Affine3d gridFromMask = grid.patientFromVoxel().inverse() * mask.geometry.patientFromVoxel();
@@ -78,7 +78,7 @@ void markTree(const VesselTree& tree, const VolumeGeometry& grid, std::vector<st
     kinds = std::move(mask.voxels);
 }
 
-/// Vessels take the voxels beside them: their blurred walls belong to them.
+/// Extends the vessels to adjacent voxels, which contain their blurred walls.
 void widen(const VolumeGeometry& grid, std::vector<std::uint8_t>& kinds)
 {
     const std::array<std::size_t, 3> strides{1, grid.index(0, 1, 0), grid.index(0, 0, 1)};
@@ -97,7 +97,7 @@ PreparedVolume::Block blockAt(const PreparedVolume& scan, const Eigen::Vector3i&
 {
     const VolumeGeometry& grid = scan.volume.geometry;
     const Eigen::Vector3i last =
-        (first.array() + seenBlockSide).min(grid.size.array() - 1);   // one more: between voxels
+        (first.array() + seenBlockSide).min(grid.size.array() - 1);   // one more voxel, for interpolation
     PreparedVolume::Block block;
     block.low = block.high = scan.volume.at(first.x(), first.y(), first.z());
     for (int k = first.z(); k <= last.z(); ++k) {
@@ -131,12 +131,12 @@ void addBlocks(PreparedVolume& scan)
 }
 
 constexpr std::size_t sampledVoxels = 60000;
-constexpr double vesselPerMm = 1.2;   // a wall hides what is behind it within a few mm
+constexpr double vesselPerMm = 1.2;   // a wall hides everything behind it within a few mm
 constexpr double bonePerMm = 0.45;
 constexpr double tissuePerMm = 0.02;
-constexpr double brightShare = 0.985;   // brighter than so many voxels: vessels, where nothing else is known
+constexpr double brightShare = 0.985;   // quantile above which voxels count as vessels if nothing else is known
 constexpr double brightestShare = 0.998;
-constexpr double weakest = 0.04;   // of the opacities, at strength 0
+constexpr double weakest = 0.04;   // factor on the opacities at strength 0
 
 double strengthFactor(double strength)
 {
@@ -225,7 +225,7 @@ ScanLook lookOf(const SeenLevels& levels, const ScanRequest& request, bool hasKi
     if (request.preset == ScanPreset::VesselsAndBone) {
         look.rest = levels.isHu ? Opacity{levels.wall, levels.blood, bonePerMm * factor}
                                 : Opacity{levels.tissue, levels.wall, tissuePerMm * factor};
-    } else if (!hasKinds) {   // whatever is as bright as blood
+    } else if (!hasKinds) {   // shows everything as bright as blood
         look.rest = look.vessels;
         look.soft = request.kinds.empty() ? request.soft : request.kinds.front();
     }

@@ -13,23 +13,23 @@
 
 namespace angiopose::core {
 
-/// What a scan is made from that is to be looked through.
+/// Input for a scan prepared for volume rendering.
 struct VolumeToPrepare {
-    std::shared_ptr<const Volume> scan;   ///< or null: the mask alone is seen
-    std::shared_ptr<const VoxelMask> mask;   ///< the lumen (1), or labels by their places (1, 2, …); or null
-    std::shared_ptr<const VesselTree> tree;   ///< says where vessels are where no mask does; or null
-    std::optional<Eigen::AlignedBox3d> boxInPatient{};   ///< only what is within
-    std::size_t maxVoxels = 8'000'000;   ///< the scan is reduced to so many
+    std::shared_ptr<const Volume> scan;   ///< null: only the mask is shown
+    std::shared_ptr<const VoxelMask> mask;   ///< the lumen (1), or labels by their index (1, 2, …); or null
+    std::shared_ptr<const VesselTree> tree;   ///< locates the vessels if there is no mask; or null
+    std::optional<Eigen::AlignedBox3d> boxInPatient{};   ///< restricts the scan to this box
+    std::size_t maxVoxels = 8'000'000;   ///< the scan is reduced to this number
 };
 
-/// A scan, reduced, with what belongs to the vessels, ready to be looked through by `castScan`. Three bytes a voxel.
+/// A reduced scan with its vessel voxels marked, ready for `castScan`. Three bytes per voxel.
 struct PreparedVolume {
-    Volume volume;   ///< of a mask alone: `maskValue` inside, 0 outside
-    std::vector<std::uint8_t> kinds;   ///< of each voxel: 0 the rest of the body, else the mask's value
-    bool hasKinds = false;   ///< it is known where vessels are
+    Volume volume;   ///< for a mask alone: `maskValue` inside, 0 outside
+    std::vector<std::uint8_t> kinds;   ///< per voxel: 0 for the rest of the body, otherwise the mask's value
+    bool hasKinds = false;   ///< whether the location of the vessels is known
 
-    /// The least and the greatest value of blocks of voxels, as far as rays may look from inside: what is seen nowhere
-    /// in a block is left out at once.
+    /// Minimum and maximum value in a block of voxels, including the voxels used for interpolation; rays skip blocks in
+    /// which nothing is visible.
     struct Block {
         std::int16_t low = 0;
         std::int16_t high = 0;
@@ -43,14 +43,14 @@ struct PreparedVolume {
 inline constexpr int seenBlockSide = 8;
 inline constexpr std::int16_t maskValue = 1000;
 
-/// Nothing where there is nothing to see, or once `shouldContinue` says no.
+/// Returns nothing if there is nothing to show, or if `shouldContinue` returns false.
 std::optional<PreparedVolume> preparedVolume(const VolumeToPrepare& request,
                                              const std::function<bool()>& shouldContinue);
 
 /// sRGB, 0…1.
 using Rgb = std::array<float, 3>;
 
-/// How strongly values hide what is behind them: nothing below `from`, `perMm` from `full` on, between them linearly.
+/// Opacity ramp: zero below `from`, `perMm` from `full` on, linear in between.
 struct Opacity {
     double from = 0.0;   ///< in the scan's values (HU)
     double full = 1.0;
@@ -60,24 +60,24 @@ struct Opacity {
     bool operator==(const Opacity&) const = default;
 };
 
-/// How a scan is seen.
+/// Appearance of a rendered scan.
 struct ScanLook {
-    Opacity vessels;   ///< of what belongs to vessels
-    Opacity rest;   ///< of all else
-    double brightFrom = 0.0;   ///< all else goes from `soft` at its beginning to `bone` here
+    Opacity vessels;   ///< opacity of vessel voxels
+    Opacity rest;   ///< opacity of all other voxels
+    double brightFrom = 0.0;   ///< value at which other voxels reach `bone`; they start with `soft` at `rest.from`
     Rgb soft{};
     Rgb bone{};
-    std::vector<Rgb> kinds;   ///< of vessels, or of labels 1, 2, …; the last of all beyond
+    std::vector<Rgb> kinds;   ///< colors of vessels, or of labels 1, 2, …; the last color applies to all further labels
 
     bool operator==(const ScanLook&) const = default;
 };
 
 enum class ScanPreset { Vessels, VesselsAndBone };
 
-/// What a preset depends on besides the scan.
+/// Parameters of a preset besides the scan.
 struct ScanRequest {
     ScanPreset preset = ScanPreset::Vessels;
-    double strength = 0.5;   ///< 0…1, of all opacities together
+    double strength = 0.5;   ///< 0…1, scales all opacities
     Rgb soft{};
     Rgb bone{};
     std::vector<Rgb> kinds;
@@ -85,22 +85,22 @@ struct ScanRequest {
     bool operator==(const ScanRequest&) const = default;
 };
 
-/// What the values of a scan say about vessels, to be looked at: no more than that.
+/// Estimated levels of tissue and blood in a scan, for display only.
 struct SeenLevels {
     double tissue = 0.0;
-    double wall = 200.0;   ///< half way from tissue to blood
+    double wall = 200.0;   ///< halfway from tissue to blood
     double blood = 400.0;
     bool isHu = false;
 };
 
-/// The levels that tracing would find, or the threshold it was given; else, of MR and of what has no units, from the
-/// scan's own histogram: a vessel is brighter than nearly all.
+/// Returns the levels that tracing would find, or the given threshold; otherwise (MR, scans without units) levels from
+/// the scan's own histogram, in which vessels are brighter than nearly all other voxels.
 SeenLevels seenLevels(const Volume& volume, std::optional<double> threshold);
 
-/// `hasKinds`: it is known where vessels are, so that all else can be told from them.
+/// `hasKinds`: the location of the vessels is known, which distinguishes them from everything else.
 ScanLook lookOf(const SeenLevels& levels, const ScanRequest& request, bool hasKinds);
 
-/// Of a mask without a scan.
+/// Returns the appearance of a mask without a scan.
 ScanLook lookOfMask(const ScanRequest& request);
 
 }   // namespace angiopose::core

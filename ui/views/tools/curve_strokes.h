@@ -9,7 +9,7 @@
 
 namespace angiopose::ui {
 
-/// The picture that curves of an image are drawn on: device px, y up.
+/// Target for drawing image curves: device px, y up.
 struct CurveCanvas {
     Eigen::Affine2d canvasFromImage = Eigen::Affine2d::Identity();
     double widthPx = 0.0;
@@ -19,28 +19,29 @@ struct CurveCanvas {
     bool isSame(const CurveCanvas& other) const;
 };
 
-/// The points on the picture in one colour, without those that fall together.
+/// Returns the mapped points in one color, without coinciding points.
 StrokeLine lineOn(const CurveCanvas& canvas, const std::vector<Eigen::Vector2d>& pointsPx, const Color& tone);
 
-/// Adds what lies on the picture of a line with its shadow: light vessels and dark ones lie below. px.
+/// Adds the visible parts of a line with a shadow, which makes it readable over bright and dark vessels; widths in px.
 void addShadowed(StrokeMesh& mesh, const CurveCanvas& canvas, const StrokeLine& line, double widthPx, double opacity);
 void addShadowedDashes(StrokeMesh& mesh, const CurveCanvas& canvas, const StrokeLine& line, double widthPx,
                        double dashPx);
 
-/// How curves at rest look: those in doubt are dashed amber, those that are no vessels dashed white. `isFaint`: all of
-/// them as a trace that is left behind.
+/// Style of curves that are not being edited: suspects are dashed amber, devices dashed white. `isFaint` draws all
+/// curves as a faint trace.
 struct CurveLook {
-    double widthPx = 2.2;   ///< at 100 %
+    double widthPx = 2.2;   ///< at 100 % scale
     std::vector<int> inDoubt = {};
     std::vector<int> apart = {};
     bool isFaint = false;
 };
 void addCurves(StrokeMesh& mesh, const CurveCanvas& canvas, const core::Centerline2d& curves, const CurveLook& look);
 
-/// The strokes of curves at rest, kept until the curves or the picture change: the mouse moves far more often.
+/// Caches the strokes of curves that are not being edited until the curves or the view change, because the mouse moves
+/// far more often.
 class KeptCurveStrokes {
 public:
-    /// `revision` names the curves and the look: the same number means the same of both.
+    /// `revision` identifies curves and look: equal numbers mean both are unchanged.
     const StrokeMesh& of(int revision, const CurveCanvas& canvas, const core::Centerline2d& curves,
                          const CurveLook& look);
 

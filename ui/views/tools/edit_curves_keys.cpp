@@ -1,4 +1,4 @@
-// The keys of EditCurvesTool: which edit the mouse does, size of the brush, points of the path under way.
+// Keys of EditCurvesTool: edit mode of the mouse, brush size, points of the current path.
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/edit_curves_tool.h"
 
@@ -37,7 +37,7 @@ bool EditCurvesTool::takesKey(const QKeyEvent& event) const
                          (event.key() == Qt::Key_BracketLeft || event.key() == Qt::Key_BracketRight);
     const bool isPath = !path_.isEmpty() && (event.key() == Qt::Key_Backspace || event.key() == Qt::Key_Return ||
                                              event.key() == Qt::Key_Enter);
-    // Backspace would move the pose: in this mode it belongs to the path, even where there is none.
+    // Backspace would move the pose: in this mode it always belongs to the path, even without one.
     return isBrush || isPath || isSuspectKey(event) || event.key() == Qt::Key_Backspace || editOf(event).has_value();
 }
 

@@ -1,4 +1,4 @@
-// What EditCurvesTool draws: curves, brush, region, path under way.
+// Drawing of EditCurvesTool: curves, brush, region, current path.
 #include "core/tracing/angiogram/drawing/edit_centerline.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
@@ -12,7 +12,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double curveWidth = 2.2;   ///< px at 100 %
+constexpr double curveWidth = 2.2;   ///< px at 100 % scale
 
 const Palette& curveTones()
 {
@@ -34,7 +34,7 @@ Eigen::Vector2d nearestPoint(const core::Centerline2d& curves, int id, const Eig
     return nearest;
 }
 
-/// Its runs of points within `radiusPx` of a place, image px.
+/// Returns the sections of a curve within `radiusPx` of a point, image px.
 std::vector<std::vector<Eigen::Vector2d>> runsNear(const core::Curve2d& curve, const Eigen::Vector2d& place,
                                                    double radiusPx)
 {
@@ -78,7 +78,7 @@ StrokeMesh EditCurvesTool::strokes(int heightPx) const
 {
     const CurveCanvas canvas = this->canvas(heightPx);
     StrokeMesh mesh;
-    if (isDragging_) {   // what goes stays visible, faintly
+    if (isDragging_) {   // removed parts stay faintly visible
         addCurves(mesh, canvas, curves_, {.widthPx = curveWidth, .isFaint = true});
         addCurves(mesh, canvas, shown_, lookAtRest());
     } else {
@@ -92,7 +92,7 @@ StrokeMesh EditCurvesTool::strokes(int heightPx) const
     return mesh;
 }
 
-/// What the brush would erase.
+/// Adds the parts that the brush would erase.
 void EditCurvesTool::addTouched(StrokeMesh& mesh, const CurveCanvas& canvas) const
 {
     if (!brushes()) {

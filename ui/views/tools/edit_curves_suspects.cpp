@@ -1,5 +1,5 @@
-// Curves that may be catheters: a tick, a wire and a cross beside each to click, and keys to go through them and
-// decide.
+// Curves that may be devices: buttons (check mark, wire, cross) beside each, and keys to step through and classify
+// them.
 #include "core/tracing/angiogram/drawing/edit_centerline.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
@@ -24,7 +24,7 @@ const Palette& suspectTones()
     return palette(ThemeMode::Dark);
 }
 
-/// A wire with its bent tip, about the origin.
+/// Icon of a guidewire with a curved tip, centered on the origin.
 QPainterPath wireSign()
 {
     QPainterPath path(QPointF(-5.0, 3.5));
@@ -35,7 +35,7 @@ QPainterPath wireSign()
 
 }   // namespace
 
-/// A tick, a wire or a cross beside a suspect curve, in widget px.
+/// Check mark, wire or cross beside a suspect curve, in widget px.
 struct EditCurvesTool::Sign {
     QPointF center;
     int curveId = 0;
@@ -88,7 +88,7 @@ void EditCurvesTool::decide(int curveId, Decision decision)
     }
 }
 
-/// Or takes it back; nothing for no curve.
+/// Toggles the device mark of a curve; no effect without a curve.
 void EditCurvesTool::keepApart(int curveId)
 {
     if (curveId >= 0) {
@@ -97,7 +97,7 @@ void EditCurvesTool::keepApart(int curveId)
     }
 }
 
-/// From one suspect to the next, round and round. There must be one.
+/// Selects the next suspect, cyclically. Requires at least one.
 void EditCurvesTool::chooseSuspect(int step)
 {
     const auto count = static_cast<std::ptrdiff_t>(marks_.suspects.size());
@@ -123,7 +123,7 @@ void EditCurvesTool::suspectKey(const QKeyEvent& event)
         return;
     }
     const int decided = chosenSuspect_;
-    chooseSuspect(1);   // by its id: the list is another once this one has been decided on
+    chooseSuspect(1);   // found by id: the list changes once this one is classified
     if (chosenSuspect_ == decided) {
         chosenSuspect_ = -1;
     }

@@ -127,7 +127,7 @@ void EditCurvesTool::report(const core::Centerline2d& curves, const Words& what)
     if (!isSame(curves, curves_)) {
         emit edited(curves, what);
     }
-    setShown(curves_);   // as the answer to the report left it
+    setShown(curves_);   // curves as updated by the receiver of the signal
     view().redraw();
 }
 
@@ -159,7 +159,7 @@ bool EditCurvesTool::startDrag(const ToolPoint& pressed)
 void EditCurvesTool::drag(const ToolPoint& point)
 {
     if (!isDragging_) {
-        return;   // the curves changed on the way
+        return;   // the curves changed meanwhile
     }
     if (edit_ == CurveEdit::Erase) {
         eraseAlong(mouse_ ? mouse_->imagePx : point.imagePx, point.imagePx);
@@ -235,7 +235,7 @@ bool EditCurvesTool::doubleClick(const ToolPoint&)
     if (edit_ == CurveEdit::Draw) {
         finishPath();
     }
-    return true;   // no fitting to the window by accident
+    return true;   // prevents an accidental fit to window
 }
 
 void EditCurvesTool::finishPath()
@@ -270,7 +270,7 @@ std::optional<QCursor> EditCurvesTool::cursor(bool) const
         return QCursor(Qt::BusyCursor);
     }
     if (edit_ == CurveEdit::Erase) {
-        return QCursor(Qt::BlankCursor);   // the brush is drawn
+        return QCursor(Qt::BlankCursor);   // the brush outline replaces the cursor
     }
     return QCursor(hovered_ >= 0 ? Qt::PointingHandCursor : Qt::CrossCursor);
 }

@@ -15,32 +15,32 @@ namespace angiopose::ui {
 
 enum class CurveEdit { Erase, Draw, Cut, Remove, Apart, Box, Lasso };
 
-/// What is known of curves beside their course, by id.
+/// Classification of curves by id.
 struct CurveMarks {
-    std::vector<int> suspects = {};   ///< may be catheters, wires or edges of bones
-    std::vector<int> devices = {};   ///< are catheters or wires, says the user
+    std::vector<int> suspects = {};   ///< possible catheters, guidewires or bone edges
+    std::vector<int> devices = {};   ///< catheters or guidewires confirmed by the user
 };
 
-/// What the live wire follows, and what drawn curves are centred on.
+/// Image features that the live wire follows and on which drawn curves are centered.
 struct CurveGround {
     core::LiveWire wire;
     core::ImageF opacity;
     double maxRadiusPx = 8.0;
 };
 
-/// Edits the traced curves of the frame by mouse: see `CurveEdit`. Curves that may be catheters are dashed amber, with
-/// a tick, a wire and a cross to click; S goes to the next of them, A keeps it, W keeps it apart as a catheter or wire,
-/// Delete leaves it out. Catheters and wires are dashed white. Shows the curves it is told, and reports what they would
-/// be after each edit.
+/// Edits the traced curves of the frame by mouse: see `CurveEdit`. Possible devices are dashed amber, with a check
+/// mark, a wire and a cross to click; S selects the next of them, A keeps it as a vessel, W marks it as a catheter or
+/// guidewire, Delete removes it. Devices are dashed white. Displays the curves it is given and reports the resulting
+/// curves after each edit.
 class EditCurvesTool : public ImageTool {
     Q_OBJECT
 public:
     explicit EditCurvesTool(AngiogramView& view);
     ~EditCurvesTool() override;
 
-    void showCurves(const core::Centerline2d& curves, CurveMarks marks);   ///< ends what is under way
-    void setReady(bool ready);   ///< false while the frame is being traced: nothing can be edited yet
-    void setGround(std::shared_ptr<CurveGround> ground);   ///< null: not there yet, drawn lines are straight
+    void showCurves(const core::Centerline2d& curves, CurveMarks marks);   ///< cancels the current edit
+    void setReady(bool ready);   ///< false while the frame is being traced: editing is disabled
+    void setGround(std::shared_ptr<CurveGround> ground);   ///< null: not available yet, drawn lines are straight
     bool hasGround() const { return ground_ != nullptr; }
     void setEdit(CurveEdit edit);
     CurveEdit edit() const { return edit_; }
@@ -68,26 +68,26 @@ public:
     void paint(QPainter& painter) const override;
 
 signals:
-    void begun();   ///< the mode is on: a ground is wanted
+    void begun();   ///< mode started: requests a ground
     void editChanged(ui::CurveEdit edit);
     void edited(const core::Centerline2d& curves, const ui::Words& what);
     void suspectAccepted(int curveId);
-    void keptApart(int curveId, bool apart);   ///< as a catheter or wire, or a vessel again
+    void keptApart(int curveId, bool apart);   ///< marked as a device, or as a vessel again
 
 private:
     struct Sign;
-    enum class Decision { Vessel, Device, Nothing };   ///< what a suspect is
+    enum class Decision { Vessel, Device, Nothing };   ///< classification of a suspect
 
     double reachPx() const;   ///< image px
     void eraseAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
     void report(const core::Centerline2d& curves, const Words& what);
     void setAnchor(const ToolPoint& point);
     void finishPath();
-    std::vector<Eigen::Vector2d> outline() const;   ///< of the region under way, image px
+    std::vector<Eigen::Vector2d> outline() const;   ///< outline of the current region, image px
     std::vector<Sign> signs() const;
     bool clickSign(const ToolPoint& point);
     bool brushes() const;
-    double brushPx() const;   ///< its radius in image px
+    double brushPx() const;   ///< brush radius in image px
     bool isSuspectKey(const QKeyEvent& event) const;
     void suspectKey(const QKeyEvent& event);
     void chooseSuspect(int step);
@@ -103,11 +103,11 @@ private:
     void addBrush(StrokeMesh& mesh, const CurveCanvas& canvas) const;
 
     core::Centerline2d curves_;
-    core::Centerline2d shown_;   ///< with the drag under way
+    core::Centerline2d shown_;   ///< includes the current drag
     int shownRevision_ = 0;
     mutable KeptCurveStrokes strokesAtRest_;
     CurveMarks marks_;
-    int chosenSuspect_ = -1;   ///< by keys; −1: none
+    int chosenSuspect_ = -1;   ///< selected by keys; −1: none
     std::shared_ptr<CurveGround> ground_;
     bool isReady_ = false;
     CurveEdit edit_ = CurveEdit::Remove;
@@ -115,7 +115,7 @@ private:
     std::optional<ToolPoint> mouse_;
     int hovered_ = -1;
     bool isDragging_ = false;
-    bool isKeeping_ = true;   ///< a region keeps what is in it, with Ctrl what is outside
+    bool isKeeping_ = true;   ///< a region keeps its inside, or with Ctrl its outside
     std::vector<Eigen::Vector2d> region_;
     WirePath path_;
 };

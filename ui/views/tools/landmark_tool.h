@@ -7,16 +7,16 @@
 
 namespace angiopose::ui {
 
-/// Landmarks being collected: whole pairs, and the half of one that still lacks its other half.
+/// Landmarks being picked: complete pairs, and one incomplete pair.
 struct LandmarkMarks {
     std::vector<core::Landmark> pairs;
     std::optional<Eigen::Vector3d> pendingPointInPatient;
     std::optional<Eigen::Vector2d> pendingPixel;
-    std::vector<Eigen::Vector3d> nodesInPatient;   ///< bifurcations and ends: what a drag may start from
+    std::vector<Eigen::Vector3d> nodesInPatient;   ///< bifurcations and ends that can be dragged
 };
 
-/// Pairs places on the vessels with places in the image. A click gives the pixel of a pair; a drag moves one, or draws
-/// a node of the projected tree to where it belongs. Enter asks for the pose, Delete takes the last pair out.
+/// Picks landmark pairs between the vessels and the image. A click sets the pixel of a pair; a drag moves it, or drags
+/// a node of the projected tree to its true position. Enter requests the pose, Delete removes the last pair.
 class LandmarkTool : public ImageTool {
     Q_OBJECT
 public:
@@ -47,7 +47,7 @@ signals:
     void poseRequested();
 
 private:
-    /// What a drag holds: a pair's pixel, or the node of a pair to be.
+    /// Dragged item: the pixel of a pair, or the node of a new pair.
     struct Held {
         std::optional<int> index;
         Eigen::Vector3d nodeInPatient = Eigen::Vector3d::Zero();

@@ -6,11 +6,11 @@
 
 namespace angiopose::ui {
 
-/// What the branches inside a lasso become.
+/// Effect of a lasso on the set of auxiliary branches.
 enum class LassoEffect { Replaces, Adds, Removes };
 
-/// Draws a lasso around the branches that shall be auxiliary: alone, more of them (Shift) or fewer (Ctrl). A double
-/// click on nothing changes nothing.
+/// Selects auxiliary branches by a lasso: replaces the set, adds to it (Shift) or removes from it (Ctrl). A double
+/// click on the background has no effect.
 class LassoTool : public ImageTool {
     Q_OBJECT
 public:

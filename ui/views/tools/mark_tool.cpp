@@ -78,7 +78,7 @@ bool MarkTool::startDrag(const ToolPoint& pressed)
     if (!held_ && mode_ == MarkMode::Arrow) {
         points_ = {pressed.imagePx};
     }
-    return true;   // a drag while marking must not change the grey values
+    return true;   // a drag while marking must not change window/level
 }
 
 void MarkTool::drag(const ToolPoint& point)
@@ -95,7 +95,7 @@ void MarkTool::finishDrag(const ToolPoint& point)
         points_.push_back(point.imagePx);
         askWords();
     } else {
-        click(point);   // a hand that shook between press and release
+        click(point);   // small movement between press and release
     }
     view().redraw();
 }
@@ -112,7 +112,7 @@ bool MarkTool::click(const ToolPoint& point)
     return true;
 }
 
-/// A line at the first point; what is typed counts with Enter and with whatever is done next, not with Esc.
+/// Opens a line edit at the first point; Enter or any further action commits the text, Esc discards it.
 void MarkTool::askWords()
 {
     words_ = new QLineEdit(&view());

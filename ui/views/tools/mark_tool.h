@@ -10,20 +10,20 @@ class QLineEdit;
 
 namespace angiopose::ui {
 
-/// What a click on the image sets.
+/// Type of mark set by a click on the image.
 enum class MarkMode { CheckPoint, OstiumRing, SeenHere, Arrow, Words };
 inline constexpr std::size_t markModeCount = 5;
 
-/// Sets marks in the image: a click one place, in the mode Arrow a drag from its tail to its tip; a drag from a handle
-/// moves what is there. Words are typed into a line at the place. Delete removes what is chosen.
+/// Sets marks in the image: a click sets a point, in the mode Arrow a drag goes from tail to tip; dragging a handle
+/// moves an existing mark. Texts are typed in a line edit at the point. Delete removes the selection.
 class MarkTool : public ImageTool {
     Q_OBJECT
 public:
     MarkTool(MarkMode mode, AngiogramView& view);
 
-    /// Where a drag takes hold of what is there, px of the image; a drag under way ends.
+    /// Sets the drag handles of existing marks, image px; ends a current drag.
     void showHandles(std::vector<Eigen::Vector2d> handles);
-    /// The place that a click at a pixel would set; nothing: none. Not set: the pixel itself.
+    /// Maps a clicked pixel to the position to set; empty result: no position. If not set, the pixel itself is used.
     using Snap = std::function<std::optional<Eigen::Vector2d>(const Eigen::Vector2d& pixel)>;
     void setSnap(Snap snap) { snap_ = std::move(snap); }
 
@@ -45,9 +45,9 @@ public:
 
 signals:
     void placed(const Eigen::Vector2d& pixel);
-    void written(const std::vector<Eigen::Vector2d>& pixels, const QString& words);   ///< an arrow may go without
+    void written(const std::vector<Eigen::Vector2d>& pixels, const QString& words);   ///< may be empty for arrows
     void handleMoved(int handle, const Eigen::Vector2d& pixel);
-    void removeRequested();   ///< what is chosen, or the last
+    void removeRequested();   ///< the selected mark, or the last one
 
 private:
     std::optional<std::size_t> handleAt(const QPointF& position) const;
@@ -60,9 +60,9 @@ private:
     Snap snap_;
     std::vector<Eigen::Vector2d> handles_;
     std::optional<std::size_t> held_;
-    std::vector<Eigen::Vector2d> points_;   ///< of the arrow or words under way
+    std::vector<Eigen::Vector2d> points_;   ///< points of the arrow or text being drawn
     std::optional<Eigen::Vector2d> mousePx_;
-    QLineEdit* words_ = nullptr;   ///< while words are typed
+    QLineEdit* words_ = nullptr;   ///< editor while a text is typed
 };
 
 }   // namespace angiopose::ui

@@ -4,13 +4,13 @@
 
 namespace angiopose::ui {
 
-/// Moves the mask of a subtraction under the frame, by drags and arrow keys, until bones vanish.
+/// Pixel shift: moves the subtraction mask under the frame by drags and arrow keys until bones cancel out.
 class MaskShiftTool : public ImageTool {
     Q_OBJECT
 public:
     using ImageTool::ImageTool;
 
-    void showShift(const Eigen::Vector2d& shiftPx);   ///< silent
+    void showShift(const Eigen::Vector2d& shiftPx);   ///< emits no signal
     const Eigen::Vector2d& shiftPx() const { return shift_; }
 
     QString caption() const override;
@@ -30,8 +30,8 @@ public:
 signals:
     void begun();
     void ended();
-    void shifted(const Eigen::Vector2d& shiftPx);   ///< under way
-    void settled();   ///< for the moment
+    void shifted(const Eigen::Vector2d& shiftPx);   ///< emitted during the movement
+    void settled();   ///< movement finished
 
 private:
     void moveTo(const Eigen::Vector2d& shiftPx);

@@ -16,7 +16,7 @@ namespace {
 using core::MeasurementKind;
 
 constexpr double measureReachPx = 8.0;
-constexpr std::size_t maxOutlinePoints = 1000;   // as many as a case keeps
+constexpr std::size_t maxOutlinePoints = 1000;   // limit of the case file
 
 double awayPx(const QPointF& a, const QPointF& b)
 {
@@ -93,7 +93,7 @@ bool MeasureTool::startDrag(const ToolPoint& pressed)
     if (isDrawing_) {
         points_ = {pressed.imagePx};
     }
-    return true;   // a drag while measuring must not change the grey values
+    return true;   // a drag while measuring must not change window/level
 }
 
 void MeasureTool::drag(const ToolPoint& point)
@@ -113,7 +113,7 @@ void MeasureTool::finishDrag(const ToolPoint& point)
         points_.push_back(point.imagePx);
         finish();
     } else {
-        click(point);   // a hand that shook between press and release
+        click(point);   // small movement between press and release
     }
 }
 
@@ -193,7 +193,7 @@ bool MeasureTool::takeBack()
     return hadPoints;
 }
 
-/// Too few points are left as they are: the next click goes on.
+/// Does nothing with too few points: the next click continues.
 void MeasureTool::finish()
 {
     if (points_.size() < (kind_ == MeasurementKind::Length ? 2U : 3U)) {

@@ -9,17 +9,17 @@
 
 namespace angiopose::ui {
 
-/// Measures in the image. Clicks set points: two make a length, three an angle (its vertex in the middle); an area is
-/// closed by a click on its first point, a double click or Enter. A drag draws a length at once, or moves a point of
-/// what is there. Backspace takes a point back, Delete removes the chosen measurement.
+/// Measures in the image. Clicks set points: two make a length, three an angle (vertex in the middle); an area is
+/// closed by a click on its first point, a double click or Enter. A drag draws a length at once, or moves an existing
+/// point. Backspace removes the last point, Delete removes the selected measurement.
 class MeasureTool : public ImageTool {
     Q_OBJECT
 public:
     MeasureTool(core::MeasurementKind kind, AngiogramView& view);
 
-    /// Those whose points a drag may take; without points where one is not in sight. A drag under way ends.
+    /// Sets the measurements whose points can be dragged; a hidden one is passed without points. Ends a current drag.
     void showMeasurements(const std::vector<core::ImageMeasurement>& there);
-    /// What to write beside points that are being set.
+    /// Sets the function that labels a measurement being drawn.
     void setWords(std::function<QString(const std::vector<Eigen::Vector2d>& pixels)> words);
 
     core::MeasurementKind kind() const { return kind_; }
@@ -44,7 +44,7 @@ public:
 signals:
     void drawn(const std::vector<Eigen::Vector2d>& pixels);
     void pointMoved(int measurement, int point, const Eigen::Vector2d& pixel);
-    void removeRequested();   ///< what is chosen, or the last
+    void removeRequested();   ///< the selected measurement, or the last one
 
 private:
     struct Held {
@@ -56,17 +56,17 @@ private:
     bool isAtFirst(const QPointF& position) const;
     void finish();
     void drop();
-    std::vector<Eigen::Vector2d> seen() const;   ///< the points, with the one under the mouse
-    std::vector<ImageMark> underWay() const;   ///< the one that is drawn or moved, with its words
+    std::vector<Eigen::Vector2d> seen() const;   ///< the points including the mouse position
+    std::vector<ImageMark> underWay() const;   ///< measurement being drawn or moved, with its label
     Eigen::Vector2d placeOf(const Eigen::Vector2d& pixel) const;
 
     core::MeasurementKind kind_;
     std::function<QString(const std::vector<Eigen::Vector2d>&)> words_;
     std::vector<core::ImageMeasurement> there_;
-    std::vector<Eigen::Vector2d> points_;   ///< set so far
+    std::vector<Eigen::Vector2d> points_;   ///< points set so far
     std::optional<Eigen::Vector2d> mousePx_;
     std::optional<Held> held_;
-    bool isDrawing_ = false;   ///< a length by a drag
+    bool isDrawing_ = false;   ///< drawing a length by dragging
 };
 
 }   // namespace angiopose::ui

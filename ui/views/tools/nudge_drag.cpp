@@ -7,14 +7,14 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double ringReachPx = 13.0;
-constexpr double depthPace = 4.0;   // depth hardly shows: a drag moves four times as far along the ray as across it
+constexpr double depthPace = 4.0;   // depth barely shows: a drag moves four times as far in depth as in-plane
 
 double outerRadius(const NudgeGrip& grip)
 {
     return grip.ringRadius + outerHandleGapPx;
 }
 
-/// The handle around the ring at this way from the centre (v down).
+/// Returns the outer handle in this direction from the center (v down).
 PoseHandle outerHandleAt(const NudgeGrip& grip, const Eigen::Vector2d& way)
 {
     const double outer = outerRadius(grip);

@@ -7,23 +7,23 @@
 
 namespace angiopose::ui {
 
-/// Where the tree is grasped, in widget px (v down).
+/// Position of the pose handles, in widget px (v down).
 struct NudgeGrip {
     Eigen::Vector2d center = Eigen::Vector2d::Zero();
-    double ringRadius = 0.0;   ///< 0: there is nothing to grasp
-    Eigen::Vector2d mmPerPx = Eigen::Vector2d::Zero();   ///< widget px at the pivot's depth, along u and v
+    double ringRadius = 0.0;   ///< 0: no handles
+    Eigen::Vector2d mmPerPx = Eigen::Vector2d::Zero();   ///< mm per widget px at the pivot's depth, along u and v
 };
 
-/// The handle at a widget position: the ring with a generous margin rolls, arcs and slide around it turn and move in
+/// Returns the handle at a widget position: the ring (with a generous margin) rolls, arcs tilt, the slider changes
 /// depth, everything else shifts.
 PoseHandle handleAt(const NudgeGrip& grip, const Eigen::Vector2d& position);
 
-/// One drag of the tree, added up step by step so that the pace may change on the way.
+/// One drag of the tree, accumulated step by step because its speed may change meanwhile.
 class NudgeDrag {
 public:
     NudgeDrag(PoseHandle handle, const NudgeGrip& grip, const Eigen::Vector2d& start);
 
-    /// The drag so far; `pace` scales this step (0.1 is fine).
+    /// Returns the total offset of the drag; `pace` scales this step (0.1 is fine).
     core::PoseOffset moveTo(const Eigen::Vector2d& position, double pace);
 
     PoseHandle handle() const { return handle_; }
@@ -43,7 +43,7 @@ private:
     double sweepRad_ = 0.0;
 };
 
-/// Clockwise angle on screen (v down) of a position seen from a centre.
+/// Returns the clockwise angle on screen (v down) of a position around a center.
 double screenAngleRad(const Eigen::Vector2d& center, const Eigen::Vector2d& position);
 
 }   // namespace angiopose::ui

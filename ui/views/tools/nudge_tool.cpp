@@ -27,7 +27,7 @@ QPainterPath arrowHead(const QPointF& tip, const QPointF& back, const QPointF& a
     return head;
 }
 
-/// Curved double arrow: dragging here rolls.
+/// Curved double arrow: dragging rolls the tree.
 QCursor rollCursor()
 {
     QPixmap picture(sizePx, sizePx);
@@ -59,7 +59,7 @@ Eigen::Vector2d nudgeVector(const QPointF& point)
     return {point.x(), point.y()};
 }
 
-/// Right and roll are those of the image; seen from the source the hand goes the other way.
+/// Flips right and roll, which are defined in the image, for the mirrored view from the source.
 core::PoseOffset asSeen(core::PoseOffset offset, const AngiogramView& view)
 {
     if (view.isFromSource()) {
@@ -110,7 +110,7 @@ bool NudgeTool::startDrag(const ToolPoint& pressed)
         dragged_ = {};
         emit dragStarted();
     }
-    return true;   // a drag beside the tree must not change the grey values either
+    return true;   // a drag beside the tree must not change window/level either
 }
 
 void NudgeTool::drag(const ToolPoint& point)
@@ -214,7 +214,7 @@ StrokeMesh NudgeTool::strokes(int heightPx) const
     return poseHandleStrokes(shown);
 }
 
-/// What is grasped, or how far it has been dragged, in words beside it.
+/// Returns the name of the active handle, or the distance it has been dragged.
 QString NudgeTool::words() const
 {
     const auto amount = [this](PoseAxis axis) {

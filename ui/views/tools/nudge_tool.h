@@ -7,8 +7,8 @@
 
 namespace angiopose::ui {
 
-/// Moves the tree on the image: drags shift, on the ring they roll, on the arcs around it they turn, on the slide they
-/// move in depth; keys move by steps.
+/// Moves the tree on the image: drags shift it, on the ring they roll it, on the arcs they tilt it, on the slider they
+/// change depth; keys move it by steps.
 class NudgeTool : public ImageTool {
     Q_OBJECT
 public:
@@ -31,18 +31,18 @@ public:
 
 signals:
     void dragStarted();
-    void dragged(const core::PoseOffset& offsetSinceStart);   ///< of the grasped handle alone
+    void dragged(const core::PoseOffset& offsetSinceStart);   ///< only the component of the active handle
     void dragFinished();
     void dragCancelled();
     void keyNudged(const ui::Nudge& nudge);
 
 private:
-    NudgeGrip grip() const;   ///< of the tree's pivot
+    NudgeGrip grip() const;   ///< handles at the tree's pivot
     PoseHandleLook look() const;
     QString words() const;
 
     std::optional<NudgeDrag> nudge_;
-    core::PoseOffset dragged_;   ///< by the drag under way
+    core::PoseOffset dragged_;   ///< offset of the current drag
     PoseHandle hotHandle_ = PoseHandle::None;
     double hotAngleRad_ = 0.0;
 };

@@ -13,7 +13,7 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double pivotReachPx = 12.0;   // widget px
-constexpr double nodeReachPx = 8.0;   // a click so near to a bifurcation means it
+constexpr double nodeReachPx = 8.0;   // closer clicks snap to the bifurcation
 
 }   // namespace
 
@@ -71,7 +71,7 @@ bool PivotTool::click(const ToolPoint& point)
     if (const auto place = placeAt(point)) {
         emit picked(*place);
     }
-    return true;   // beside the vessels nothing is picked, nor unselected
+    return true;   // clicks beside the vessels change nothing
 }
 
 void PivotTool::hover(const ToolPoint& point)
@@ -118,7 +118,7 @@ void PivotTool::keyPress(const QKeyEvent& event)
     }
 }
 
-/// The first arrow shows the first or last node, the next ones go on from there.
+/// The first arrow key selects the first or last node; further ones continue from there.
 void PivotTool::step(int by)
 {
     const std::size_t count = nodes_.size();

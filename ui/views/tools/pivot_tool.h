@@ -8,14 +8,14 @@
 
 namespace angiopose::ui {
 
-/// Picks the place on the vessels that they turn about: a click on the projected tree, or the arrows from one
-/// bifurcation to the next and Enter. Delete asks for the centroid again.
+/// Picks the rotation center on the vessels: by a click on the projected tree, or by the arrow keys from one
+/// bifurcation to the next and Enter. Delete resets it to the centroid.
 class PivotTool : public ImageTool {
     Q_OBJECT
 public:
     using ImageTool::ImageTool;
 
-    void showTree(const core::VesselTree& tree);   ///< that is drawn, and can be picked from
+    void showTree(const core::VesselTree& tree);   ///< displayed tree from which to pick
 
     QString caption() const override;
     const Color& tone() const override;
@@ -38,9 +38,9 @@ private:
     void step(int by);
 
     core::VesselTree tree_;
-    std::vector<Eigen::Vector3d> nodes_;   ///< bifurcations and ends: what the arrows go through
-    std::optional<Eigen::Vector3d> candidate_;   ///< what a click or Enter would take
-    std::size_t node_ = 0;   ///< the arrows' place among the nodes
+    std::vector<Eigen::Vector3d> nodes_;   ///< bifurcations and ends, visited by the arrow keys
+    std::optional<Eigen::Vector3d> candidate_;   ///< point that a click or Enter would pick
+    std::size_t node_ = 0;   ///< index selected by the arrow keys
 };
 
 }   // namespace angiopose::ui

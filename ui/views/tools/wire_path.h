@@ -6,7 +6,7 @@
 
 namespace angiopose::ui {
 
-/// A path drawn from anchor to anchor, following vessels between them.
+/// Path drawn from anchor to anchor that follows vessels between them.
 class WirePath {
 public:
     using Points = std::vector<Eigen::Vector2d>;
@@ -14,19 +14,19 @@ public:
     bool isEmpty() const { return pieces_.empty(); }
     void clear();
 
-    /// Another anchor. Without a wire, or where `straight` is asked for, by the straight way.
+    /// Adds an anchor. The segment is straight if there is no wire or `straight` is set.
     void add(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight);
-    void takeBack(core::LiveWire* wire);   ///< the last anchor
-    void aim(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight);   ///< where the next one might be
+    void takeBack(core::LiveWire* wire);   ///< removes the last anchor
+    void aim(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight);   ///< previews the next anchor
 
-    Points points() const;   ///< without the aim
+    Points points() const;   ///< without the preview
     Points anchors() const;
     const Points& aimed() const { return aimed_; }
 
 private:
     Points wayTo(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight) const;
 
-    std::vector<Points> pieces_;   ///< the first holds the first anchor alone; each ends in an anchor
+    std::vector<Points> pieces_;   ///< the first holds only the first anchor; each ends at an anchor
     Points aimed_;
 };
 

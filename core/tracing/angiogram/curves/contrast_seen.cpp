@@ -9,9 +9,9 @@ namespace angiopose::core {
 namespace {
 
 constexpr double upperQuartile = 0.75;
-constexpr double clearlyFilled = 15.0;   // in units of clutter: more, as a catheter of metal has, is no more contrast
+constexpr double clearlyFilled = 15.0;   // in units of clutter; higher (metal catheter) does not mean more contrast
 
-/// The strongest of the pixel and its neighbours: ridges are narrow, and points lie between pixels.
+/// Maximum over the pixel and its neighbors, because ridges are narrow and points lie between pixels.
 double strongestAround(const ImageF& vesselness, const Eigen::Vector2d& point)
 {
     const int x = static_cast<int>(std::lround(point.x()));

@@ -16,9 +16,9 @@ constexpr double profileMarginPx = 3.0;
 constexpr double skeletonLambda = 4.0;
 constexpr double finalLambda = 10.0;
 constexpr double unsureWeight = 0.05;
-constexpr double minRadiusAtEnd = 0.6;   // times the usual one
+constexpr double minRadiusAtEnd = 0.6;   // relative to the typical radius
 constexpr int curveTangentReach = 4;
-// A round tube absorbs along its chord 2√(r² − x²), which halves at x = r √3/2.
+// The absorption of a round tube follows its chord 2√(r² − x²), which falls to half at x = r √3/2.
 constexpr double halfDepthPerRadius = 0.8660254;
 
 std::vector<Eigen::Vector2d> evenlySpaced(const std::vector<Eigen::Vector2d>& points)
@@ -35,7 +35,8 @@ std::vector<Eigen::Vector2d> normalsOf(const std::vector<Eigen::Vector2d>& point
     return normals;
 }
 
-/// Missing radii (negative) by the nearest known ones; 1 px if none is known. Then a running median against leaps.
+/// Replaces missing radii (negative) by the nearest known ones, or by 1 px if none is known, then applies a running
+/// median against outliers.
 std::vector<double> filledRadii(const std::vector<double>& radii)
 {
     std::vector<double> known = radii;
@@ -60,7 +61,7 @@ std::vector<double> filledRadii(const std::vector<double>& radii)
     return result;
 }
 
-/// Mean opacity of a few points around the i-th.
+/// Mean opacity over a few points around the i-th point.
 double depthAround(const Curve2d& curve, const ImageF& opacity, std::size_t i)
 {
     constexpr std::size_t reach = 2;
@@ -73,7 +74,8 @@ double depthAround(const Curve2d& curve, const ImageF& opacity, std::size_t i)
     return sum / static_cast<double>(last - first + 1);
 }
 
-/// How many points at one end lie beyond the vessel, where ridges run on: less than half as deep as further inside.
+/// Number of points at one end that lie beyond the vessel, where the ridge filter overshoots: they are less than half
+/// as deep as points farther inside.
 std::size_t pointsBeyondEnd(const Curve2d& curve, const ImageF& opacity, std::size_t most)
 {
     std::vector<double> depths;
@@ -95,8 +97,8 @@ double usualRadius(const Curve2d& curve)
     return quantile({curve.radiusPx.begin(), last}, 0.5);
 }
 
-/// Points at one end to be cut: beyond the vessel, or where skeletons hook aside and no walls are found. A wide
-/// vessel's ridge runs on farther than a thin one's.
+/// Number of points to cut at one end: those beyond the vessel, and those where the skeleton hooks sideways and no
+/// walls are found. The ridge of a wide vessel overshoots farther than that of a thin one.
 std::size_t pointsToCut(const Curve2d& curve, const std::vector<bool>& hasWalls, const ImageF& opacity)
 {
     const double radius = usualRadius(curve);

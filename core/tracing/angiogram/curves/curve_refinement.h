@@ -8,12 +8,12 @@
 
 namespace angiopose::core {
 
-/// A skeleton path as a smooth curve with points about 1 px apart.
+/// Smooths a skeleton path into a curve with points about 1 px apart.
 Curve2d smoothCurve(const std::vector<Eigen::Vector2d>& pathPx, int id);
 
-/// The path moved sub-pixel to the middle between both vessel walls (half of the depth of the profile across it in
-/// `opacity`, averaged along the curve), smoothed, with the radius from the same walls, and without what runs on beyond
-/// the ends of the vessel. `maxRadiusPx` bounds the profile.
+/// Moves the path with subpixel accuracy to the middle between both vessel walls (half depth of the profile across it
+/// in `opacity`, averaged along the curve), smooths it, takes the radius from the same walls, and cuts off what extends
+/// beyond the ends of the vessel. `maxRadiusPx` limits the profile.
 Curve2d centerdCurve(const std::vector<Eigen::Vector2d>& pathPx, int id, const ImageF& opacity, double maxRadiusPx);
 
 }   // namespace angiopose::core

@@ -8,8 +8,8 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minShareOfField = 0.2;   // of the frame's longer side
-constexpr double minDevicePx = 60.0;   // shorter parts of vessels bend as evenly
+constexpr double minShareOfField = 0.2;   // relative to the frame's longer side
+constexpr double minDevicePx = 60.0;   // shorter vessel segments curve just as uniformly
 constexpr double minShareOfWhole = 0.5;
 constexpr std::size_t stepPoints = 4;
 

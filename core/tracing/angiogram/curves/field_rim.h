@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// Whether the field ends within 10 px of a point, or the image does.
+/// Whether the field or the image ends within 10 px of a point.
 bool isAtRim(const Eigen::Vector2d& pointPx, const Mask2d& field);
 
 }   // namespace angiopose::core

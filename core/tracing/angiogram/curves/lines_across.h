@@ -7,8 +7,8 @@
 
 namespace angiopose::core {
 
-/// Whether a path runs straight from one side of the field to another, as leads, wires and edges of bones outside the
-/// heart do: no vessel enters a picture, keeps its direction and leaves it. Bends by one part in a hundred are allowed.
+/// Whether a path runs straight from one side of the field to another, as leads, wires and bone edges outside the heart
+/// do: no vessel enters an image, keeps its direction and leaves it. A deviation of 1 % of the length is allowed.
 bool runsStraightAcross(const std::vector<Eigen::Vector2d>& pathPx, const Mask2d& field);
 
 }   // namespace angiopose::core

@@ -7,12 +7,12 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t minPointsOfEdge = 10;   // of shorter ones noise decides
+constexpr std::size_t minPointsOfEdge = 10;   // shorter paths are dominated by noise
 constexpr double nearestSidePx = 2.0;
-constexpr double farthestSidePx = 4.0;   // patients move more, but then the two sides look like lines of their own
+constexpr double farthestSidePx = 4.0;   // patients move more, but then the two sides look like separate lines
 constexpr std::size_t edgeTangentReach = 4;
 
-/// To the right of the path.
+/// Unit normals pointing to the right of the path.
 std::vector<Eigen::Vector2d> normalsAlong(const std::vector<Eigen::Vector2d>& path)
 {
     std::vector<Eigen::Vector2d> normals(path.size());

@@ -7,10 +7,10 @@
 namespace angiopose::core {
 namespace {
 
-// Two arms continue each other when the turn from one to the other is below about 45°, at a crossing below 35°.
+// Two arms continue each other when the angle between them is below about 45°, or below 35° at a crossing.
 constexpr double straightCosine = -0.7;
 constexpr double crossingCosine = -0.82;
-// The direction of an arm is measured past the junction, where thinning bends the skeleton.
+// The direction of an arm is measured past the junction, where thinning distorts the skeleton.
 constexpr std::size_t armStart = 3;
 constexpr std::size_t armEnd = 12;
 
@@ -53,7 +53,7 @@ std::vector<std::vector<Arm>> armsByNode(const SkeletonGraph& graph)
     return arms;
 }
 
-/// Do the arms at both ends of a short edge form two straight lines through it?
+/// Whether the arms at both ends of a short edge form two straight lines through it.
 bool isCrossing(const SkeletonGraph& graph, std::vector<Arm> ofStart, std::vector<Arm> ofEnd, std::size_t edge)
 {
     const auto belongs = [edge](Arm arm) { return arm / 2 == edge; };
@@ -69,7 +69,7 @@ bool isCrossing(const SkeletonGraph& graph, std::vector<Arm> ofStart, std::vecto
            (straight(ofStart[0], ofEnd[1]) && straight(ofStart[1], ofEnd[0]));
 }
 
-/// Moves the arm's end to a new node and takes away what bends within `gapPx` of it.
+/// Attaches the arm's end to a new node and removes the distorted points within `gapPx` of it.
 void reattach(SkeletonGraph& graph, Arm arm, int node, double gapPx)
 {
     SkeletonEdge& edge = graph.edges[arm / 2];
@@ -89,7 +89,7 @@ void reattach(SkeletonGraph& graph, Arm arm, int node, double gapPx)
     (arm % 2 == 0 ? edge.startNode : edge.endNode) = node;
 }
 
-/// Makes one node of the two junctions into which thinning splits a crossing.
+/// Merges the two junctions into which thinning splits a crossing into one node.
 SkeletonGraph withCrossingsMerged(SkeletonGraph graph, double crossingPx)
 {
     for (std::size_t i = 0; i < graph.edges.size(); ++i) {
@@ -119,7 +119,7 @@ SkeletonGraph withCrossingsMerged(SkeletonGraph graph, double crossingPx)
     return graph;
 }
 
-/// For each arm the one that continues it straight on through their node, or noArm.
+/// For each arm, the arm that continues it straight through their node, or noArm.
 std::vector<Arm> continuations(const SkeletonGraph& graph)
 {
     struct Pair {
@@ -149,7 +149,7 @@ std::vector<Arm> continuations(const SkeletonGraph& graph)
     return partner;
 }
 
-/// All edges from `arm` on, each entered at one end and left at the other.
+/// Points of all edges from `arm` on, each entered at one end and left at the other.
 std::vector<Eigen::Vector2d> chainFrom(const SkeletonGraph& graph, Arm arm, const std::vector<Arm>& partner,
                                        std::vector<bool>& used)
 {
@@ -179,7 +179,7 @@ std::vector<std::vector<Eigen::Vector2d>> orderedCurves(const SkeletonGraph& gra
             curves.push_back(chainFrom(merged, arm, partner, used));
         }
     }
-    for (Arm arm = 0; arm < partner.size(); ++arm) {   // what is left runs in rings
+    for (Arm arm = 0; arm < partner.size(); ++arm) {   // only rings are left
         if (!used[arm / 2]) {
             curves.push_back(chainFrom(merged, arm, partner, used));
         }

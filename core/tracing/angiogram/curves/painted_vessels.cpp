@@ -6,12 +6,12 @@
 namespace angiopose::core {
 namespace {
 
-/// A piece of a vessel between two points of its curve.
+/// Segment of a vessel between two points of its curve.
 struct VesselPiece {
     Eigen::Vector2d startPx;
     Eigen::Vector2d alongPx;
     double startRadiusPx = 0.0;
-    double widening = 0.0;   ///< radius at the end less that at the start
+    double widening = 0.0;   ///< radius at the end minus radius at the start
 
     bool holds(const Eigen::Vector2d& pixel) const
     {

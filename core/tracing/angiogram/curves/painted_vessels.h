@@ -5,8 +5,8 @@
 
 namespace angiopose::core {
 
-/// The pixels whose centres lie between the walls of a curve: nearer to it than its radius there. Curves without radii
-/// paint nothing.
+/// Marks the pixels whose centers lie between the walls of a curve, i.e. closer to it than its radius at that point.
+/// Curves without radii mark nothing.
 Mask2d paintedVessels(const Centerline2d& centerline, int width, int height);
 
 }   // namespace angiopose::core

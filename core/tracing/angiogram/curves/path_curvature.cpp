@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Points about their mean, one per row.
+/// Points relative to their mean, one per row.
 Eigen::MatrixX2d centerd(const std::vector<Eigen::Vector2d>& points)
 {
     Eigen::MatrixX2d rows(points.size(), 2);

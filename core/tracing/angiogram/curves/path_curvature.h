@@ -5,10 +5,10 @@
 
 namespace angiopose::core {
 
-/// Root mean square distance, px, of the points from the straight line that fits them best.
+/// RMS distance, px, of the points from the best-fit straight line.
 double deviationFromLine(const std::vector<Eigen::Vector2d>& pointsPx);
 
-/// The same from the circle that fits best (Kåsa 1976), for points that are not in one line.
+/// RMS distance, px, of the points from the best-fit circle (Kåsa 1976); the points must not be collinear.
 double deviationFromArc(const std::vector<Eigen::Vector2d>& pointsPx);
 
 }   // namespace angiopose::core

@@ -16,7 +16,7 @@ std::vector<int> degreesOf(const SkeletonGraph& graph)
     return degrees;
 }
 
-/// Index of the spur of least worth below `least`; -1 if none.
+/// Index of the spur with the lowest worth below `least`; -1 if there is none.
 int minSpur(const SkeletonGraph& graph, const std::vector<double>& worths, double least)
 {
     const std::vector<int> degrees = degreesOf(graph);
@@ -39,7 +39,7 @@ void reverse(SkeletonEdge& edge)
     std::swap(edge.startNode, edge.endNode);
 }
 
-/// Joins the two edges that meet at `node`, if exactly two distinct ones do, and measures the whole.
+/// Joins the two edges that meet at `node` if exactly two distinct edges do, and measures the joined edge.
 void joinThrough(SkeletonGraph& graph, int node, std::vector<double>& worths, const EdgeMeasure& worth)
 {
     std::vector<std::size_t> meeting;
@@ -48,7 +48,7 @@ void joinThrough(SkeletonGraph& graph, int node, std::vector<double>& worths, co
         if (edge.startNode == node || edge.endNode == node) {
             meeting.push_back(i);
         }
-        if (edge.startNode == node && edge.endNode == node) {   // a ring ends here
+        if (edge.startNode == node && edge.endNode == node) {   // the edge is a ring that ends here
             return;
         }
     }
@@ -71,7 +71,7 @@ void joinThrough(SkeletonGraph& graph, int node, std::vector<double>& worths, co
     worths.erase(worths.begin() + static_cast<std::ptrdiff_t>(meeting[1]));
 }
 
-/// For each node the representative of its connected piece.
+/// For each node, the representative of its connected component.
 std::vector<int> piecesOf(const SkeletonGraph& graph)
 {
     std::vector<int> parent(graph.nodesPx.size());

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Walks the skeleton pixel by pixel; `nodeAt` tells the node of junction and end pixels, -1 elsewhere.
+/// Walks the skeleton pixel by pixel; `nodeAt` holds the node of junction and end pixels, -1 elsewhere.
 class PixelWalker {
 public:
     explicit PixelWalker(const Mask2d& skeleton)
@@ -92,7 +92,7 @@ private:
         for (const std::size_t first : neighborsOf(nodePixel)) {
             const int start = nodeAt_.pixels[nodePixel];
             const int touching = nodeAt_.pixels[first];
-            if (touching > start) {   // two nodes side by side
+            if (touching > start) {   // two adjacent nodes
                 graph_.edges.push_back({start,
                                         touching,
                                         {graph_.nodesPx[static_cast<std::size_t>(start)],
@@ -103,7 +103,8 @@ private:
         }
     }
 
-    /// From a node over `first` to the next node. A path pixel has two neighbours, so the way is never in doubt.
+    /// Follows the skeleton from a node over `first` to the next node. A path pixel has exactly two neighbors, so the
+    /// path is unambiguous.
     void addEdge(std::size_t nodePixel, std::size_t first)
     {
         const int start = nodeAt_.pixels[nodePixel];
@@ -149,7 +150,7 @@ private:
     const Mask2d& skeleton_;
     Image2d<int> nodeAt_;
     Mask2d seen_;
-    std::vector<std::size_t> set_;   ///< pixels of the skeleton, row by row
+    std::vector<std::size_t> set_;   ///< skeleton pixels, row by row
     SkeletonGraph graph_;
 };
 

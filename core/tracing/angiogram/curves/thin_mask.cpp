@@ -9,13 +9,14 @@
 namespace angiopose::core {
 namespace {
 
-/// For each 3×3 neighbourhood (bit k: neighbour k is set, counter-clockwise from east): may the centre go?
+/// For each 3×3 neighborhood (bit k: neighbor k is set, counterclockwise from east), whether the center pixel can be
+/// deleted.
 std::array<bool, 256> makeDeletableTable()
 {
     std::array<bool, 256> table{};
     for (unsigned bits = 0; bits < 256; ++bits) {
         const auto clear = [bits](unsigned k) { return (bits >> (k % 8) & 1U) == 0U ? 1 : 0; };
-        int crossings = 0;   // Yokoi's number for 8-connected objects
+        int crossings = 0;   // Yokoi's crossing number for 8-connected objects
         for (unsigned k = 0; k < 8; k += 2) {
             crossings += clear(k) - clear(k) * clear(k + 1) * clear(k + 2);
         }
@@ -24,7 +25,7 @@ std::array<bool, 256> makeDeletableTable()
     return table;
 }
 
-/// The mask with a clear rim, so that every pixel has eight neighbours, and the pixels still to be looked at.
+/// The mask with a cleared rim, in which every pixel has eight neighbors, and the pixels still to be checked.
 class PixelPeeler {
 public:
     explicit PixelPeeler(const Mask2d& mask)
@@ -82,8 +83,8 @@ private:
         return border;
     }
 
-    /// Deletes what is open to one side; first all candidates are fixed, then each is checked again when its turn
-    /// comes, so that no two neighbours vanish together that may only go singly.
+    /// Deletes pixels that are open to one side. All candidates are collected first, then each is checked again,
+    /// because two neighbors that are each deletable alone must not be deleted together.
     void peel(const std::vector<std::size_t>& border, std::size_t side, std::vector<std::size_t>& next)
     {
         std::vector<std::size_t> candidates;

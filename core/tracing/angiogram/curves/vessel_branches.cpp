@@ -14,12 +14,13 @@
 namespace angiopose::core {
 namespace {
 
-// A side branch must be long or strong: √length times what its weak parts have above half of the evidence.
+// A side branch must be long or strong: √length times the amount by which its weak parts exceed half of the evidence.
 constexpr double minBranchEvidence = 0.5;
 constexpr double minWorth = 4.5;
 constexpr double weakPart = 0.2;
-constexpr double minWorthOfPiece = 11.0;   // which stands alone and so needs more
-// Filters see half of the picture there: what mostly keeps this close to the rim of the field is an artefact of it.
+constexpr double minWorthOfPiece = 11.0;   // an isolated piece needs more evidence
+// The filters see only half of the surroundings near the rim of the field: a curve that stays mostly this close to the
+// rim is an artifact.
 constexpr int branchRimPx = 6;
 constexpr double maxAlongRim = 0.6;
 
@@ -37,7 +38,7 @@ std::vector<float> evidenceAlong(const SkeletonEdge& edge, const ImageF& evidenc
     return along;
 }
 
-/// The field with everything beyond the image counted as outside, less its rim.
+/// The field without its rim; everything beyond the image counts as outside.
 Mask2d insideOfRim(const Mask2d& field)
 {
     Mask2d inside = eroded(field, branchRimPx);

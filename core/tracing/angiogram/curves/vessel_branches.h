@@ -6,12 +6,12 @@
 
 namespace angiopose::core {
 
-/// The graph of a vessel mask with only what looks like vessels: no stretches along the rim of the field, no short or
-/// weak side branches, no short or weak pieces.
+/// Graph of a vessel mask that keeps only vessel-like parts: no edges along the rim of the field, no short or weak side
+/// branches, no short or weak components.
 SkeletonGraph vesselBranches(const Mask2d& vessels, const ImageF& evidence, const ImageF& opacity, const Mask2d& field,
                              const TraceOptions& options);
 
-/// The same by length alone, for masks that somebody drew.
+/// Same as `vesselBranches`, judged by length alone, for manually drawn masks.
 SkeletonGraph drawnBranches(const Mask2d& vessels, const TraceOptions& options);
 
 }   // namespace angiopose::core

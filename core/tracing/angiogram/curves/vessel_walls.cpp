@@ -11,14 +11,14 @@ namespace angiopose::core {
 namespace {
 
 constexpr double profileStepPx = 0.5;
-constexpr int profilesAveraged = 3;   // on either side
+constexpr int profilesAveraged = 3;   // to either side of the point
 constexpr double maxShiftPx = 2.0;
 constexpr double leapPx = 1.0;
-constexpr double widestLeap = 1.4;   // times the usual width around
+constexpr double widestLeap = 1.4;   // relative to the typical width nearby
 
 using Profile = std::span<const double>;
 
-/// Opacity across each point of a curve, from −half to +half in profile steps, one row a point.
+/// Opacity profiles across each point of a curve, from −half to +half profile steps, one row per point.
 class Profiles {
 public:
     Profiles(const std::vector<Eigen::Vector2d>& points, const std::vector<Eigen::Vector2d>& normals,
@@ -40,7 +40,7 @@ public:
 
     std::size_t count() const { return count_; }
 
-    /// The mean of a few profiles around one.
+    /// Mean of a few profiles around the profile `center`.
     void meanAround(std::size_t center, std::vector<double>& mean) const
     {
         const std::size_t first = center >= profilesAveraged ? center - profilesAveraged : 0;
@@ -60,10 +60,11 @@ private:
     std::size_t count_;
     std::size_t length_;
     std::vector<double> values_;
-    std::vector<double> shares_;   ///< of each value in the mean of as many profiles as are averaged inside a curve
+    std::vector<double> shares_;   ///< contribution of each value to a mean over the full number of profiles
 };
 
-/// Steps from `peak` in direction ±1 to where the profile falls to `level`, with fraction; nothing if it does not.
+/// Distance from `peak` in direction ±1, in fractional steps, to where the profile falls to `level`; nothing if it does
+/// not.
 std::optional<double> fallBelow(Profile profile, int peak, int direction, double level)
 {
     const auto valueAt = [&profile](int k) { return profile[static_cast<std::size_t>(k)]; };
@@ -109,7 +110,7 @@ std::vector<std::optional<VesselWalls>> wallsAlong(const Profiles& profiles)
     return walls;
 }
 
-/// The median of what is known of the walls around a point.
+/// Median of a property of the known walls around a point.
 double usualAround(const std::vector<std::optional<VesselWalls>>& walls, std::size_t i, double VesselWalls::*part)
 {
     constexpr std::size_t reach = 15;
@@ -123,7 +124,7 @@ double usualAround(const std::vector<std::optional<VesselWalls>>& walls, std::si
     return quantile(std::move(known), 0.5);
 }
 
-/// Without walls that leap from those around them: there another vessel crosses or joins.
+/// Drops walls that jump relative to those around them, because another vessel crosses or joins there.
 std::vector<std::optional<VesselWalls>> plausible(const std::vector<std::optional<VesselWalls>>& walls)
 {
     std::vector<std::optional<VesselWalls>> kept(walls.size());

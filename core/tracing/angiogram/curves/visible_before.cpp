@@ -10,19 +10,19 @@ namespace {
 
 constexpr int maxShiftPx = 4;   // catheters move with the heart
 constexpr int shiftCount = 2 * maxShiftPx + 1;
-constexpr int reachPoints = 7;   // averaged along the curve, against noise
-constexpr double besidePx = 2.5;   // from the walls to the ground that the depth is measured from
+constexpr int reachPoints = 7;   // averaged along the curve to suppress noise
+constexpr double besidePx = 2.5;   // from the walls to the background that the depth is measured against
 constexpr double minShareOfDepth = 0.5;
 constexpr double minShareOfCurve = 0.6;
 constexpr std::size_t minFrames = 5;
-constexpr std::size_t maxFrames = 9;   // more tell nothing new
+constexpr std::size_t maxFrames = 9;   // more frames add no information
 constexpr double minShareOfFrames = 0.85;
 constexpr double minShareOfAll = 0.8;
-constexpr double maxShareOfDevices = 0.35;   // of what is traced; where more was there before, vessels were too
+constexpr double maxShareOfDevices = 0.35;   // share of the traced length; if more was visible before, vessels were too
 
-using Depths = std::array<double, shiftCount>;   ///< of the dark line at each shift sideways
+using Depths = std::array<double, shiftCount>;   ///< depth of the dark line at each sideways shift
 
-/// How much darker (grey values) the frame is on the line than on both sides of it.
+/// Darkness (gray values) of the frame on the line relative to both sides of it.
 double depthAt(const ImageF& frame, double sign, const Eigen::Vector2d& point, const Eigen::Vector2d& aside)
 {
     const auto valueAt = [&](const Eigen::Vector2d& at) { return sign * sampled(frame, at.x(), at.y()); };
@@ -43,7 +43,7 @@ std::vector<Depths> depthsAlong(const Curve2d& curve, const ImageF& frame, doubl
     return depths;
 }
 
-/// Mean over the points around the i-th, at each shift.
+/// Mean over the points around the i-th point, at each shift.
 Depths meanAround(const std::vector<Depths>& depths, std::size_t i)
 {
     const std::size_t first = i >= reachPoints ? i - reachPoints : 0;
@@ -57,7 +57,7 @@ Depths meanAround(const std::vector<Depths>& depths, std::size_t i)
     return mean;
 }
 
-/// Of the curve's points, that have a line at least half as deep within 1 px in nearly all the other frames.
+/// Share of the curve's points that have a line at least half as deep within 1 px in nearly all other frames.
 double shareStandingStill(const Curve2d& curve, const ImageF& frame, const std::vector<const ImageF*>& others,
                           double sign)
 {

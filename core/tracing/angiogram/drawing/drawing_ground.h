@@ -6,15 +6,15 @@
 
 namespace angiopose::core {
 
-/// What a hand that draws curves on a frame leans on: `LiveWire` follows the vesselness, `withDrawn` centres on the
-/// opacity. Unlike tracing it needs no vessel to be found.
+/// Images that guide manual drawing of curves on a frame: `LiveWire` follows the vesselness, `withDrawn` centers on the
+/// opacity. Unlike tracing, this does not require that a vessel is found.
 struct DrawingGround {
     ImageF vesselness;   ///< 0…1
-    ImageF opacity;   ///< background flattened, vessels positive
-    Mask2d fieldMask;   ///< 0 where nothing is traced: shutter, border, burned-in text
+    ImageF opacity;   ///< flattened background; vessels positive
+    Mask2d fieldMask;   ///< 0 in regions excluded from tracing: shutter, border, burned-in text
 };
 
-/// Everything is empty for an empty frame and one with values that are not finite. `shutter` as for `findField`.
+/// All images are empty for an empty frame or one with non-finite values. `shutter` as for `findField`.
 DrawingGround drawingGround(const ImageF& frame, Polarity polarity, const TraceOptions& options = {},
                             const Mask2d& shutter = {});
 

@@ -21,7 +21,7 @@ int freeId(const Centerline2d& centerline)
     return id;
 }
 
-/// Points `first` to before `end` as a curve of their own.
+/// Points from `first` up to but not including `end` as a separate curve.
 Curve2d partOf(const Curve2d& curve, std::size_t first, std::size_t end)
 {
     const auto slice = [&](const auto& values) {
@@ -33,7 +33,7 @@ Curve2d partOf(const Curve2d& curve, std::size_t first, std::size_t end)
     return {curve.id, slice(curve.pointsPx), slice(curve.radiusPx)};
 }
 
-/// The runs of points that are kept.
+/// The runs of consecutive points that `keeps` accepts, each as a curve.
 std::vector<Curve2d> keptParts(const Curve2d& curve, const KeepsPoint& keeps)
 {
     std::vector<Curve2d> parts;

@@ -8,26 +8,29 @@
 
 namespace angiopose::core {
 
-// Edits of a traced centreline, each giving a new one: undo is to keep the old. A curve that falls apart leaves its id
-// to its first part; further parts, and drawn curves, get ids above all others. Parts of a single point are dropped.
+// Edits of a traced centerline. Each returns a new centerline, so undo means keeping the old one. When a curve is
+// split, the first part keeps its id; further parts and drawn curves get ids above all others. Single-point parts are
+// dropped.
 
-/// What lies outside the disc.
+/// Keeps the points outside the disc.
 Centerline2d erased(const Centerline2d& centerline, const Eigen::Vector2d& centerPx, double radiusPx);
 
-/// What lies inside the polygon (closed by itself, even-odd rule); everything for fewer than three corners.
+/// Keeps the points inside the polygon (closed implicitly, even-odd rule), or everything if it has fewer than three
+/// corners.
 Centerline2d restrictedTo(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& polygonPx);
 
-/// What lies outside the polygon; everything for fewer than three corners.
+/// Keeps the points outside the polygon, or everything if it has fewer than three corners.
 Centerline2d withoutRegion(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& polygonPx);
 
-/// The curve nearest to `pointPx` in two, at its point nearest to it; unchanged at a curve's end, or if none is near.
+/// Splits the curve nearest to `pointPx` at its nearest point; unchanged at the end of a curve or if no curve is within
+/// reach.
 Centerline2d cutAt(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, double reachPx = 10.0);
 
-/// Without the curve of this id: marked as no vessel.
+/// Removes the curve with this id, which the user marked as not a vessel.
 Centerline2d withoutCurve(const Centerline2d& centerline, int id);
 
-/// With a drawn path as a further curve: smoothed, centred and measured on `opacity` (see `flattenBackground`; vessels
-/// positive) if that is not empty. Unchanged for fewer than two points.
+/// Adds a drawn path as a new curve, smoothed, and centered and measured on `opacity` (see `flattenBackground`; vessels
+/// positive) unless that is empty. Unchanged for fewer than two points.
 Centerline2d withDrawn(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& pathPx,
                        const ImageF& opacity = {}, double maxRadiusPx = 8.0);
 

@@ -8,8 +8,8 @@ namespace angiopose::core {
 namespace {
 
 constexpr int snapReachPx = 4;
-constexpr double snapFalloffPx = 6.0;   // a much stronger vessel may lie this much farther from the pointer
-constexpr std::size_t settledPerCall = 120000;   // about 11 ms: the window must not wait longer
+constexpr double snapFalloffPx = 6.0;   // extra distance from the pointer at which a much stronger vessel may lie
+constexpr std::size_t settledPerCall = 120000;   // takes about 11 ms, to keep the window responsive
 constexpr double dearest = 240.0;
 constexpr std::uint32_t unreachedPixel = std::numeric_limits<std::uint32_t>::max();
 
@@ -19,7 +19,7 @@ struct WireStep {
 };
 constexpr std::array<WireStep, 8> wireSteps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
-/// Cheap on vessels, dear beside them. The root lets faint vessels lead as well.
+/// Low cost on vessels, high cost beside them. The square root lets faint vessels guide the path as well.
 Image2d<std::uint8_t> costsOf(const ImageF& vesselness)
 {
     Image2d<std::uint8_t> costs(vesselness.width, vesselness.height);

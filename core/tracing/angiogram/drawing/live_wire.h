@@ -9,36 +9,36 @@
 
 namespace angiopose::core {
 
-/// Draws along vessels by hand (intelligent scissors, Mortensen & Barrett 1998): from an anchor, the path of least cost
-/// to wherever the pointer is, cheap on vessels. The search from the anchor goes on from call to call, as far as each
-/// needs, so that a moving pointer mostly looks up; one call settles 120 000 pixels at most.
+/// Live-wire tool for drawing along vessels (intelligent scissors, Mortensen & Barrett 1998): finds the least-cost
+/// path, cheap on vessels, from an anchor to the pointer. The search continues from call to call only as far as each
+/// call needs, so a moving pointer mostly reads stored results; one call settles at most 120 000 pixels.
 class LiveWire {
 public:
-    /// `vesselness` 0…1, as `traceAngiogram` gives it.
+    /// `vesselness` 0…1, as returned by `traceAngiogram`.
     explicit LiveWire(const ImageF& vesselness);
 
-    /// Begins a new search where the vessel is strongest within a few px of `pointPx`.
+    /// Starts a new search at the strongest vesselness within a few px of `pointPx`.
     void setAnchor(const Eigen::Vector2d& pointPx);
 
-    /// From the anchor to the strongest vesselness near `pointPx`, in steps of about 1 px; both ends included. Where
-    /// the search has not come that far yet, the straight line; empty without an anchor.
+    /// Path from the anchor to the strongest vesselness near `pointPx`, in steps of about 1 px, both ends included. A
+    /// straight line if the search has not reached that point yet; empty without an anchor.
     std::vector<Eigen::Vector2d> pathTo(const Eigen::Vector2d& pointPx);
 
 private:
     using Pixel = std::uint32_t;
-    static constexpr std::uint32_t bucketCount = 512;   ///< above the largest cost of a step
+    static constexpr std::uint32_t bucketCount = 512;   ///< larger than the highest cost of a step
 
     Pixel snapped(const Eigen::Vector2d& pointPx) const;
     Eigen::Vector2d pointOf(Pixel pixel) const;
     bool searchUntil(Pixel target);
     void settle(Pixel pixel);
 
-    Image2d<std::uint8_t> costs_;   ///< of one px, 1…255
+    Image2d<std::uint8_t> costs_;   ///< cost of one px, 1…255
     ImageF vesselness_;
     std::vector<std::uint32_t> distances_;
-    std::vector<std::uint8_t> arrivals_;   ///< direction of the step that led here
+    std::vector<std::uint8_t> arrivals_;   ///< direction of the step that reached the pixel
     std::vector<std::uint8_t> settled_;
-    std::array<std::vector<Pixel>, bucketCount> buckets_;   ///< by distance modulo their count (Dial 1969)
+    std::array<std::vector<Pixel>, bucketCount> buckets_;   ///< by distance modulo `bucketCount` (Dial 1969)
     std::uint32_t reachedDistance_ = 0;
     std::size_t waiting_ = 0;
     Pixel anchor_ = 0;

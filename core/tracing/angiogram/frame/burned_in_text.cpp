@@ -10,19 +10,19 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double extremeShare = 0.02;   // of the range: as good as the extreme value, after lossy compression
-constexpr double hardEdge = 0.3;   // of the range, from a shape to what surrounds it
-constexpr double hardEdgeOfInk = 0.12;   // where the shape is of one exact value, which X-rays are not
+constexpr double extremeShare = 0.02;   // share of the range that counts as the extreme value after lossy compression
+constexpr double hardEdge = 0.3;   // share of the range, between a shape and its surroundings
+constexpr double hardEdgeOfInk = 0.12;   // if the shape has one exact value, which X-ray images do not
 constexpr int inkLevels = 256;
 constexpr int minInkPx = 40;
 constexpr std::size_t maxInks = 3;
-constexpr double minHardShare = 0.8;   // of a shape's border
+constexpr double minHardShare = 0.8;   // share of a shape's border
 constexpr int minPixelsOfLetter = 4;
 constexpr int minHeightPx = 5;
 constexpr int textMarginPx = 3;
 
-/// Share of the neighbours outside the shape that differ from `value` by at least `step`, two pixels away: the border
-/// itself may be smoothed.
+/// Share of the neighbors outside the shape that differ from `value` by at least `step`, measured two pixels away
+/// because the border may be smoothed.
 double hardShare(const ImageF& frame, const Mask2d& drawn, const std::vector<std::size_t>& pixels, float value,
                  double step)
 {
@@ -41,7 +41,7 @@ double hardShare(const ImageF& frame, const Mask2d& drawn, const std::vector<std
     return all > 0 ? static_cast<double>(hard) / all : 0.0;
 }
 
-/// What may be drawn with: pixels within `tolerance` of one value, with edges of at least `step`.
+/// Possible value of drawn text: pixels within `tolerance` of one value, with edges of at least `step`.
 struct Ink {
     float value = 0.0F;
     float tolerance = 0.0F;
@@ -67,7 +67,7 @@ std::vector<Glyph> glyphsOf(const ImageF& frame, const Ink& ink, double greatest
     return glyphs;
 }
 
-/// How many pixels of each value go on with exactly that value and end at a hard edge on the other side.
+/// For each value, the number of pixels with an equal neighbor on one side and a hard edge on the other.
 std::vector<int> inkCounts(const ImageF& frame, float least, float range)
 {
     std::vector<int> counts(inkLevels + 1);
@@ -85,7 +85,7 @@ std::vector<int> inkCounts(const ImageF& frame, float least, float range)
     return counts;
 }
 
-/// The least and the greatest value, and those that flat shapes with hard edges have most often.
+/// The minimum and maximum values, and the values that occur most often in flat shapes with hard edges.
 std::vector<Ink> inksOf(const ImageF& frame)
 {
     const auto [least, greatest] = std::minmax_element(frame.pixels.begin(), frame.pixels.end());
@@ -117,7 +117,7 @@ void blank(Mask2d& text, const std::vector<Glyph>& row)
         box = {std::min(box.left, glyph.left), std::max(box.right, glyph.right), std::min(box.top, glyph.top),
                std::max(box.bottom, glyph.bottom)};
     }
-    const int margin = textMarginPx + box.height() / 2;   // accents, tails and small signs between
+    const int margin = textMarginPx + box.height() / 2;   // includes accents, descenders and punctuation
     for (int y = std::max(0, box.top - margin); y <= std::min(text.height - 1, box.bottom + margin); ++y) {
         for (int x = std::max(0, box.left - margin); x <= std::min(text.width - 1, box.right + margin); ++x) {
             text.at(x, y) = 255;

@@ -6,8 +6,8 @@
 namespace angiopose::core {
 namespace {
 
-constexpr float edgeShare = 0.1F;   // of the range: this near to one of the levels
-constexpr double minOfLevels = 0.97;   // of the pixels; the rest are edges smoothed on drawing or scaling
+constexpr float edgeShare = 0.1F;   // share of the range: tolerance around one of the two levels
+constexpr double minOfLevels = 0.97;   // share of the pixels; the rest are edges smoothed by drawing or scaling
 
 }   // namespace
 

@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// The mask that a picture of two levels is, apart from blurred edges: vessels white on a larger black ground. Nothing
-/// for any other picture; a frame of an X-ray run is none.
+/// Interprets a two-level image (apart from blurred edges) as a vessel mask: white vessels on a larger black
+/// background. Nothing for any other image, including frames of an X-ray run.
 std::optional<Mask2d> drawnMask(const ImageF& picture);
 
 }   // namespace angiopose::core

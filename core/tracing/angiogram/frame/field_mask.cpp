@@ -11,16 +11,16 @@
 namespace angiopose::core {
 namespace {
 
-// A shutter edge rises over a few pixels; the borders of heart and diaphragm rise over many. In parts of the grey
-// range per pixel, between the measured 0.06 of shutters and 0.02 of organs. All of it is measured on the halved image.
+// A shutter edge rises over a few pixels; the borders of heart and diaphragm rise over many. As a share of the gray
+// range per pixel, between the measured 0.06 of shutters and 0.02 of organs; all measured on the half-size image.
 constexpr double sharpEdgePerPx = 0.07;
 constexpr double fieldSmoothingPx = 1.0;
 constexpr int edgeReachPx = 2;
 constexpr double minShareOfEdge = 0.6;
-constexpr std::size_t smallestDrawnShare = 200;   // one part in so many of the frame
-constexpr int shutterEdgePx = 4;   // of the whole image: as far as the edge is blurred
+constexpr std::size_t smallestDrawnShare = 200;   // minimum area is the frame's area divided by this
+constexpr int shutterEdgePx = 4;   // in full-size pixels: width of the blurred edge
 
-/// Dark parts that reach the image edge and are wider than any vessel.
+/// Dark regions that reach the image edge and are wider than any vessel.
 Mask2d darkBorder(const ImageF& smooth, double threshold, int openingPx)
 {
     Mask2d dark(smooth.width + 2 * openingPx, smooth.height + 2 * openingPx, 255);
@@ -39,7 +39,7 @@ Mask2d darkBorder(const ImageF& smooth, double threshold, int openingPx)
     return border;
 }
 
-/// Mean slope across the inner edge of the border, grey values per px; 0 without a border.
+/// Mean slope across the inner edge of the border, gray values per px; 0 without a border.
 double edgeSlope(const ImageF& smooth, const Mask2d& border)
 {
     double sum = 0.0;
@@ -58,7 +58,7 @@ double edgeSlope(const ImageF& smooth, const Mask2d& border)
     return count > 0 ? sum / count : 0.0;
 }
 
-/// The unexposed border: of several grey levels the one with the sharpest edge, if that is sharp at all.
+/// The unexposed border: of several gray levels, the one with the sharpest edge, or empty if none is sharp enough.
 Mask2d unexposedBorder(const ImageF& image, int openingPx)
 {
     const ImageF smooth = blurred(image, fieldSmoothingPx);
@@ -79,7 +79,7 @@ Mask2d unexposedBorder(const ImageF& image, int openingPx)
     return best;
 }
 
-/// Areas of exactly one value at the image edge, as shutters and frames are drawn in afterwards.
+/// Regions of exactly one value at the image edge, such as digitally drawn shutters and frames.
 Mask2d drawnBorder(const ImageF& image, std::size_t smallestPartPx)
 {
     Mask2d flat(image.width, image.height);
@@ -113,7 +113,7 @@ ImageF negated(ImageF image)
     return image;
 }
 
-/// The image with its marked part in the middle grey of the rest, so that nothing stands out against it.
+/// Replaces the marked part of the image by the median gray value of the rest, so nothing stands out against it.
 ImageF grayedOut(ImageF image, const Mask2d& marked)
 {
     std::vector<float> rest;
@@ -129,7 +129,8 @@ ImageF grayedOut(ImageF image, const Mask2d& marked)
     return image;
 }
 
-/// Whether most of the image's edge is marked, as by a page around the picture; lungs and air are bright at one side.
+/// Whether most of the image's edge is marked, as by a page around the image; lungs and air are bright on only one
+/// side.
 bool surrounds(const Mask2d& marked)
 {
     int count = 0;
@@ -143,7 +144,7 @@ bool surrounds(const Mask2d& marked)
     return count > minShareOfEdge * all;
 }
 
-/// What is not exposed, dark or light: pages and inverted displays have light surrounds.
+/// Unexposed surroundings, dark or light: pages and inverted displays have light ones.
 Mask2d surround(const ImageF& image, int openingPx)
 {
     const Mask2d light = unexposedBorder(negated(image), openingPx);

@@ -10,13 +10,13 @@
 namespace angiopose::core {
 namespace {
 
-// The same contrast agent darkens by a share of the background (Beer-Lambert), of which display curves leave a part: 0
-// would be a fixed difference, 1 a fixed share.
+// The same contrast agent attenuates by a fixed share of the background (Beer-Lambert), part of which display curves
+// remove: 0 would be a fixed difference, 1 a fixed share.
 constexpr double contrastPower = 0.65;
 constexpr float vesselWeight = 0.05F;
-constexpr float darkestShare = 0.3F;   // of the middle background; below, noise would be raised
+constexpr float darkestShare = 0.3F;   // share of the median background; a lower limit would amplify noise
 
-/// Weighted Gaussian mean, sum(w v)/sum(w), on a coarser grid still: only what varies slower than `sigmaPx` is wanted.
+/// Weighted Gaussian mean, sum(w v)/sum(w), on a coarser grid; only variations slower than `sigmaPx` are needed.
 ImageF slowMean(const ImageF& values, const ImageF& weights, double sigmaPx)
 {
     ImageF weighted = values;
@@ -37,7 +37,7 @@ ImageF slowMean(const ImageF& values, const ImageF& weights, double sigmaPx)
     return enlarged(weighted, factor, values.width, values.height);
 }
 
-/// The background without what is darker than it by more than the spread: vessels must not darken it.
+/// The background without pixels darker than it by more than the spread, because vessels must not darken it.
 ImageF backgroundOf(const ImageF& image, const ImageF& exposed, double sigmaPx)
 {
     const ImageF first = slowMean(image, exposed, sigmaPx);
@@ -56,7 +56,7 @@ ImageF backgroundOf(const ImageF& image, const ImageF& exposed, double sigmaPx)
     return slowMean(image, weights, sigmaPx);
 }
 
-/// Factors that bring differences from the background to what they would be at the middle background.
+/// Factors that scale differences from the background to their value at the median background.
 ImageF contrastGain(const ImageF& background, const ImageF& exposed, float black)
 {
     std::vector<float> levels;

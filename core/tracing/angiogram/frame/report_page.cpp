@@ -11,15 +11,15 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t grayLevels = 64;   // of the range, to find the paper's
-constexpr double minPaper = 0.7;   // of the pixels; a narrow field in a black frame may come near it
-constexpr double inkContrast = 0.25;   // of the range, from the paper
-constexpr double maxToneShare = 0.1;   // of the pixels neither paper nor in rows of text: small pictures, frames
-constexpr double greatestLetterShare = 0.05;   // of the longer side
+constexpr std::size_t grayLevels = 64;   // number of bins over the gray range, to find the paper's value
+constexpr double minPaper = 0.7;   // share of the pixels; a narrow field in a black frame may come close
+constexpr double inkContrast = 0.25;   // difference from the paper, share of the gray range
+constexpr double maxToneShare = 0.1;   // share of pixels in large non-letter shapes, such as small images and frames
+constexpr double greatestLetterShare = 0.05;   // share of the longer side
 constexpr std::size_t minLetters = 30;
-constexpr double minInRows = 0.5;   // of the shapes as large as letters; specks lie in no rows
+constexpr double minInRows = 0.5;   // share of the letter-sized shapes; specks do not lie in rows
 
-/// The value of most pixels, where those are nearly all.
+/// The most common gray value, if nearly all pixels have it.
 std::optional<float> paperOf(const ImageF& picture, float low, float range)
 {
     std::array<std::size_t, grayLevels> counts{};
@@ -66,7 +66,7 @@ bool isReportPage(const ImageF& picture)
     }
     const double greatest = greatestLetterShare * std::max(picture.width, picture.height);
     std::vector<Glyph> glyphs;
-    std::size_t tonePx = 0;   // of shapes too large for letters that fill their box, as lines and frames do not
+    std::size_t tonePx = 0;   // pixels in shapes too large for letters
     for (const std::vector<std::size_t>& shape : componentsOf(inkOn(picture, *paper, range))) {
         const Glyph bounds = boundsOf(shape, picture.width);
         if (bounds.height() <= greatest && bounds.width() <= greatest) {

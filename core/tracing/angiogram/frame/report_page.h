@@ -4,8 +4,8 @@
 
 namespace angiopose::core {
 
-/// True for a page of text: dose reports and worksheets are stored among the runs of an examination. Nearly all of it
-/// is of one grey value, and most of the rest are letters in rows. The picture must be finite.
+/// Whether the image is a page of text; dose reports and worksheets are stored among the runs of an examination. Nearly
+/// all of the page has one gray value, and most of the rest are letters in rows. All pixels must be finite.
 bool isReportPage(const ImageF& picture);
 
 }   // namespace angiopose::core

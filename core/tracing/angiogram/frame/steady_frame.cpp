@@ -13,11 +13,12 @@ namespace {
 
 constexpr int reachFrames = 4;
 constexpr int smallestSteadySide = 8;
-constexpr double steadySmoothingPx = 1.5;   // of the halved frame
-// Times what white noise leaves after smoothing; detector noise is not quite white, which takes up about one of them.
+constexpr double steadySmoothingPx = 1.5;   // in pixels of the half-size frame
+// Multiple of the level that white noise has after smoothing; detector noise is not quite white, which accounts for
+// about one of them.
 constexpr double changedMultiple = 4.0;
 constexpr double maxChanged = 0.01;
-constexpr double medianPerSigma = 0.6745;   // of |x| for normal x
+constexpr double medianPerSigma = 0.6745;   // median of |x| for a standard normal x
 constexpr std::size_t steadySamples = 20000;
 
 bool hasFinitePixels(const ImageF& image)
@@ -26,8 +27,8 @@ bool hasFinitePixels(const ImageF& image)
 }
 
 struct Difference {
-    ImageF coarse;   ///< the halved other frame less the halved frame, less `brighterBy`
-    float brighterBy = 0.0F;   ///< the whole of the other frame
+    ImageF coarse;   ///< half-size other frame minus half-size frame, minus `brighterBy`
+    float brighterBy = 0.0F;   ///< median brightness difference of the other frame
 };
 
 Difference differenceOf(const ImageF& coarse, const ImageF& other)
@@ -43,7 +44,8 @@ Difference differenceOf(const ImageF& coarse, const ImageF& other)
     return {std::move(difference), middle};
 }
 
-/// Standard deviation of the noise, from the Laplacian (Immerkær 1996), of which vessels and organs leave little.
+/// Standard deviation of the noise, from the Laplacian (Immerkær 1996), which suppresses most of the vessels and
+/// organs.
 double noiseOf(const ImageF& image)
 {
     std::vector<float> laplacian;
@@ -56,7 +58,7 @@ double noiseOf(const ImageF& image)
     return ranked(std::move(laplacian), 0.5) / (medianPerSigma * std::sqrt(20.0));
 }
 
-/// Where the difference is noise (255), on the halved grid; nothing when too much has changed.
+/// Mask (255) of the pixels whose difference is only noise, on the half-size grid; nothing if too much has changed.
 std::optional<Mask2d> unchangedPixels(const ImageF& difference)
 {
     const double smoothNoise = noiseOf(difference) / (2.0 * std::sqrt(std::numbers::pi) * steadySmoothingPx);
@@ -92,7 +94,7 @@ void add(Sum& sum, const ImageF& frame, const Mask2d& unchanged, float brighterB
     }
 }
 
-/// Adds what is unchanged of the frames to one side (`step` ±1), up to the first that has changed.
+/// Adds the unchanged pixels of the frames on one side (`step` ±1), up to the first frame that has changed.
 void addSide(Sum& sum, const std::vector<ImageF>& frames, int index, int step, const ImageF& coarse)
 {
     for (int k = 1; k <= reachFrames; ++k) {

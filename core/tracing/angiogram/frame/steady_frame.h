@@ -6,10 +6,10 @@
 
 namespace angiopose::core {
 
-/// The frame with less noise where the run stands still: the mean with the frames up to four before and after it, as
-/// far as nothing but noise tells them from it (a phantom, a late phase under breath-hold). A frame in which more than
-/// one pixel in a hundred has changed ends the search to its side, so a beating heart leaves the frame as it is.
-/// Pixels that have changed take no part. `index` must exist.
+/// Reduces noise where the run is static: averages the frame with up to four frames before and after it, as long as
+/// they differ from it only by noise (a phantom, a late phase under breath-hold). A frame in which more than 1 % of the
+/// pixels have changed ends the search on its side, so the frame of a beating heart stays unchanged. Changed pixels are
+/// not averaged. `index` must exist.
 ImageF steadyFrame(const std::vector<ImageF>& frames, int index);
 
 }   // namespace angiopose::core

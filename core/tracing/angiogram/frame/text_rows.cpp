@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t minInRow = 3;
 
-/// Side by side in one line: of about one height, on one level, not farther apart than two letters.
+/// Whether two shapes belong to one line of text: similar height, same baseline, at most two letters apart.
 bool areInOneRow(const Glyph& a, const Glyph& b)
 {
     const int height = std::max(a.height(), b.height());
@@ -18,7 +18,7 @@ bool areInOneRow(const Glyph& a, const Glyph& b)
            gap > 0 && gap <= 2 * height;
 }
 
-/// The glyphs that form one row with the first of `waiting`, taken out of it.
+/// Removes from `waiting` the glyphs that form one row with one of its glyphs, and returns them.
 std::vector<Glyph> takeTextRow(std::vector<Glyph>& waiting)
 {
     std::vector<Glyph> row{waiting.back()};

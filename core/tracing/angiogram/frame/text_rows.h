@@ -5,17 +5,17 @@
 
 namespace angiopose::core {
 
-/// Bounds of one connected shape, px, all inside it.
+/// Bounds of one connected shape, px, inclusive.
 struct Glyph {
     int left, right, top, bottom;
     int height() const { return bottom - top + 1; }
     int width() const { return right - left + 1; }
 };
 
-/// Of the shape with these pixels, as `componentsOf` gives them.
+/// Bounds of the shape with these pixels, as returned by `componentsOf`.
 Glyph boundsOf(const std::vector<std::size_t>& pixels, int imageWidth);
 
-/// Rows of three or more shapes side by side: of about one height, on one level, not farther apart than two letters.
+/// Rows of three or more adjacent shapes: similar height, same baseline, at most two letters apart.
 std::vector<std::vector<Glyph>> textRows(std::vector<Glyph> glyphs);
 
 }   // namespace angiopose::core

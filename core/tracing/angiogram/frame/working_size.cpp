@@ -10,7 +10,7 @@ namespace {
 
 constexpr int minSidePx = 176;
 constexpr int maxSidePx = 767;
-constexpr int maxDoublings = 2;   // beyond, there is nothing to see
+constexpr int maxDoublings = 2;   // further doubling adds no information
 
 }   // namespace
 
@@ -71,7 +71,7 @@ std::vector<Eigen::Vector2d> fromWorkingSize(std::vector<Eigen::Vector2d> points
 {
     const double factor = size.factor();
     for (Eigen::Vector2d& point : pointsPx) {
-        point = (point.array() + 0.5) / factor - 0.5;   // pixel centres are whole numbers
+        point = (point.array() + 0.5) / factor - 0.5;   // pixel centers have integer coordinates
     }
     return pointsPx;
 }

@@ -8,15 +8,16 @@
 
 namespace angiopose::core {
 
-/// Vessels are a few pixels wide in frames of usual size: larger frames are halved until they have it, smaller ones
-/// doubled. The same vessels are then traced alike, whatever the detector's or an export's matrix.
+/// Scaling of a frame to the typical size, in which vessels are a few pixels wide: larger frames are halved and smaller
+/// ones doubled until they have it. The same vessels are then traced equally, whatever the matrix of the detector or
+/// export.
 struct WorkingSize {
     int halvings = 0;   ///< negative: doublings
 
     double factor() const;   ///< px of the working frame per px of the stored one
 };
 
-/// The shorter side gets 176 to 767 px.
+/// Chooses the scaling that gives the shorter side 176 to 767 px.
 WorkingSize workingSizeOf(int width, int height);
 inline WorkingSize workingSizeOf(const ImageF& frame)
 {

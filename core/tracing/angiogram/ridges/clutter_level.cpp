@@ -11,25 +11,25 @@ namespace {
 
 constexpr double rank = 0.9;   // above most noise, below what the flanks of vessels add to the far tail
 constexpr double tailRank = 0.98;
-// Of the values at these ranks, where structures are about; in mere noise it is less.
+// Ratio of the values at these two ranks if structures are present; it is lower for pure noise.
 constexpr double tailRatio = 1.75;
-constexpr double minWeight = 0.5;   // fine vessels shall be found in some noise too
-constexpr int clutterRimPx = 6;   // where filters see the edge of the field
+constexpr double minWeight = 0.5;   // thin vessels must be found despite some noise
+constexpr int clutterRimPx = 6;   // rim in which filters respond to the edge of the field
 constexpr double clearMultiple = 4.0;
 constexpr int flankPx = 10;
-constexpr std::size_t minShareLeft = 10;   // one part in so many, else all of the field counts
+constexpr std::size_t minShareLeft = 10;   // if less than 1/10 of the field is left, all of it counts
 constexpr int maxBands = 4;
 constexpr int minBands = 2;
 constexpr int bandRows = 40;
-constexpr int enoughPixels = 82000;   // for the statistics
-constexpr int marginRows = 12;   // on either side, as filters reach
+constexpr int enoughPixels = 82000;   // enough for the statistics
+constexpr int marginRows = 12;   // on either side, the reach of the filters
 
 struct Band {
     int firstRow = 0;
     int rowCount = 0;
 };
 
-/// The whole image, or in larger ones some evenly spread bands.
+/// The whole image, or several evenly spaced bands if it is large.
 std::vector<Band> bandsOf(int width, int height)
 {
     const int bandCount = std::clamp(enoughPixels / (bandRows * std::max(1, width)), minBands, maxBands);
@@ -44,7 +44,7 @@ std::vector<Band> bandsOf(int width, int height)
     return bands;
 }
 
-/// The band with its margins as an image of its own, bright for dark.
+/// The band with its margins as a separate image with inverted sign.
 ImageF invertedBand(const ImageF& opacity, const Band& band, int firstRow)
 {
     const int endRow = std::min(opacity.height, band.firstRow + band.rowCount + marginRows);
@@ -55,7 +55,7 @@ ImageF invertedBand(const ImageF& opacity, const Band& band, int firstRow)
     return inverted;
 }
 
-/// Ridges of the other sign in all bands; -1 elsewhere.
+/// Ridges of the opposite sign in all bands; -1 elsewhere.
 ImageF invertedRidges(const ImageF& opacity, const RidgeScale& scale)
 {
     ImageF inverted(opacity.width, opacity.height, -1.0F);

@@ -9,14 +9,13 @@
 namespace angiopose::core {
 namespace {
 
-// Finer lines are mostly noise; ground wider than what these see is seen as such by the filters for wide vessels too.
+// Finer lines are mostly noise; the filters for wide vessels already detect background wider than this as such.
 constexpr double finestGroundSigmaPx = 1.4;
 constexpr double coarsestGroundSigmaPx = 2.3;
-constexpr float minRidgeEvidence =
-    1.3F;   // somewhat above that of a vessel, as noise in wide vessels shall not part them
-constexpr float minShareOfEvidence = 0.3F;   // of the evidence of the vessels beside it
+constexpr float minRidgeEvidence = 1.3F;   // slightly above a vessel's, so noise does not split wide vessels
+constexpr float minShareOfEvidence = 0.3F;   // relative to the evidence of the adjacent vessels
 constexpr int neighborReachPx = 5;
-constexpr std::size_t minPixelsOfRidge = 16;   // less is texture
+constexpr std::size_t minPixelsOfRidge = 16;   // fewer pixels are texture
 
 ImageF brightRidges(ImageF opacity, std::vector<RidgeScale> scales)
 {

@@ -13,15 +13,15 @@ constexpr float lowEvidence = 0.9F;
 constexpr float highEvidence = 1.9F;
 constexpr int flankReachPx = 3;
 constexpr float flankShare = 0.35F;
-// Around the ends of strong vessels filters still see a little of them.
+// Filters still respond weakly around the ends of strong vessels.
 constexpr int haloReachPx = 12;
 constexpr float haloShare = 0.15F;
 constexpr double opacitySigmaPx = 2.0;
-constexpr float minOpacityPerRidge = 0.3F;   // a round vessel's opacity is a few times its ridge
+constexpr float minOpacityPerRidge = 0.3F;   // the opacity of a round vessel is a few times its ridge strength
 constexpr std::size_t thresholdSamples = 200000;
 constexpr double noiseMultiple = 4.0;
 constexpr double clutterMultiple = 1.9;
-// In pictures without noise: below this share of the strongest ridges there are only traces of the filters.
+// For images without noise: ridges below this share of the strongest ones are only filter artifacts.
 constexpr double minShareOfFrame = 0.02;
 constexpr double strongestRank = 0.999;
 

@@ -15,33 +15,34 @@ namespace {
 
 constexpr int directionCount = 12;
 constexpr double scaleRatio = 1.5;
-// Somewhat finer than where a round tube answers most strongly (0.7 r), which keeps neighbours apart.
+// Slightly finer than the scale of the strongest response to a round tube (0.7 r), to keep adjacent vessels apart.
 constexpr double sigmaPerRadius = 0.52;
 constexpr double finestSigmaPx = 0.8;
-// Scales above this are filtered on a halved image, where they cost a quarter.
+// Coarser scales are filtered on a half-size image, at a quarter of the cost.
 constexpr double coarsestSigmaOnGrid = 1.7;
 constexpr double lineReachInSigmas = 2.5;
-constexpr double shortestLineReachPx = 4.0;   // the finest scales alone would not average enough noise
-constexpr std::size_t tapCount = 5;   // mostly 1.25 σ apart, which the smoothness at scale σ allows
+constexpr double shortestLineReachPx = 4.0;   // the finest scales alone would not average out enough noise
+constexpr std::size_t tapCount = 5;   // mostly 1.25 σ apart, fine enough for the smoothness at scale σ
 constexpr float slopeWeight = 0.85F;
-// Where the ridge goes on to one side only, as at blobs, it counts less by this share of the difference.
+// A ridge that continues on one side only, as at blobs, is reduced by this share of the difference.
 constexpr float oneSidedPenalty = 0.5F;
 constexpr int rowsPerStrip = 32;
-constexpr int maxFilterThreads = 2;   // more wait for memory
+constexpr int maxFilterThreads = 2;   // more threads only wait for memory
 
-/// Scale-normalised first and second Gaussian derivatives of some rows of an image.
+/// Scale-normalized first and second Gaussian derivatives of some rows of an image.
 struct Derivatives {
     ImageF x, y, xx, xy, yy;
 };
 
-/// Rows above, at and below the one to differentiate, starting at its second pixel.
+/// The row to differentiate and the rows above and below it, starting at its second pixel.
 struct ThreeRows {
     const float* above;
     const float* here;
     const float* below;
 };
 
-/// Central differences of a row without its first and last pixel. Only here are the targets known not to overlap.
+/// Central differences of a row without its first and last pixel. The `__restrict` pointers state that the targets do
+/// not overlap.
 ANGIOPOSE_WIDE_VECTORS
 void differentiateRow(const ThreeRows& rows, Derivatives& d, std::size_t start, float sigma)
 {
@@ -64,7 +65,7 @@ void differentiateRow(const ThreeRows& rows, Derivatives& d, std::size_t start, 
     }
 }
 
-/// Derivatives of the rows from `firstRow` on, as many as `d` has; beyond the image they repeat its edge rows.
+/// Derivatives of as many rows as `d` has, from `firstRow` on; edge rows are repeated beyond the image.
 void differentiate(const ImageF& smooth, int firstRow, double sigmaPx, Derivatives& d)
 {
     for (int row = 0; row < d.x.height; ++row) {
@@ -79,7 +80,8 @@ void differentiate(const ImageF& smooth, int firstRow, double sigmaPx, Derivativ
     }
 }
 
-/// Whole-pixel steps along one direction, from back to front, with Gaussian weights that sum to that of the scale.
+/// Whole-pixel steps along one direction, from back to front, with Gaussian weights that sum to the weight of the
+/// scale.
 struct LineTaps {
     std::array<int, tapCount> dx{};
     std::array<int, tapCount> dy{};
@@ -110,7 +112,7 @@ LineTaps lineTaps(double angle, const RidgeScale& scale)
     return taps;
 }
 
-/// Curvature minus slope across direction `n`, for the pixels of one row.
+/// Curvature minus slope across the direction, along its normal `n`, for the pixels of one row.
 ANGIOPOSE_WIDE_VECTORS
 void ridgeRow(const Derivatives& d, std::size_t start, const Eigen::Vector2f& n, float* ridge)
 {
@@ -142,7 +144,7 @@ void fillRidges(const Derivatives& d, double angle, int margin, ImageF& ridges)
     }
 }
 
-/// Raises `strongest` to the mean ridge along the line through each pixel, less the one-sided penalty. `rows` are the
+/// Raises `strongest` to the mean ridge along the line through each pixel, minus the one-sided penalty. `rows` are the
 /// ridge rows already shifted by the taps, from back to front.
 ANGIOPOSE_WIDE_VECTORS
 void raiseToLineMean(float* strongest, int width, const std::array<const float*, tapCount>& rows,
@@ -157,7 +159,7 @@ void raiseToLineMean(float* strongest, int width, const std::array<const float*,
     }
 }
 
-/// What one thread needs to work on strips of rows; a strip fits the cache.
+/// Working memory of one thread for strips of rows; a strip fits into the cache.
 class StripWorker {
 public:
     StripWorker(const ImageF& smooth, const RidgeScale& scale)
@@ -170,7 +172,7 @@ public:
         d_ = {strip, strip, strip, strip, strip};
     }
 
-    /// Raises the rows from `top` on.
+    /// Raises the rows of the strip that starts at row `top`.
     void raise(int top, ImageF& best)
     {
         const int rowCount = std::min(rowsPerStrip, smooth_.height - top);
@@ -197,8 +199,8 @@ private:
     Derivatives d_;
 };
 
-/// Raises `best` to the largest line mean over all directions at one scale; every row comes out the same whoever works
-/// on it.
+/// Raises `best` to the largest line mean over all directions at one scale; the result does not depend on the number of
+/// threads.
 void raiseToRidges(const ImageF& image, const RidgeScale& scale, ImageF& best)
 {
     const int workers = std::min(maxFilterThreads, threadCount(0));
@@ -241,7 +243,7 @@ ImageF ridgeStrength(const ImageF& opacity, const std::vector<RidgeScale>& scale
     }
     ImageF grid = opacity;
     double gridSpacingPx = 1.0;
-    std::vector<ImageF> levels{ImageF(grid.width, grid.height)};   // strongest ridges per grid, each half the last
+    std::vector<ImageF> levels{ImageF(grid.width, grid.height)};   // strongest ridges per grid, sizes halving
     for (const RidgeScale& scale : scales) {
         while (scale.sigmaPx / gridSpacingPx > coarsestSigmaOnGrid &&
                std::min(grid.width, grid.height) >= 2 * smallestSide) {

@@ -6,22 +6,22 @@
 
 namespace angiopose::core {
 
-/// One size of filter.
+/// Scale of a ridge filter.
 struct RidgeScale {
     double sigmaPx = 1.0;
-    double weight = 1.0;   ///< of its ridges
+    double weight = 1.0;   ///< weight of the ridges at this scale
 };
 
-/// The scales that together see vessels of these radii, finest first, all of weight 1.
+/// Scales that together cover vessels of these radii, finest first, all with weight 1.
 std::vector<RidgeScale> ridgeScales(double minRadiusPx, double maxRadiusPx);
 
-/// Strength of the best bright ridge through each pixel over `scales` and directions, ≥ 0, in grey values of `opacity`.
-/// Along each direction: second derivative minus slope across it (Gaussian derivatives at scale σ, made steerable:
-/// Freeman & Adelson 1991; edges have both and cancel), averaged along it over ±2.5 σ, at least ±4 px, against noise,
-/// less where only one half of that line has a ridge.
+/// Strength of the best bright ridge through each pixel over `scales` and directions, ≥ 0, in gray values of `opacity`.
+/// For each direction: second derivative minus slope across it (Gaussian derivatives at scale σ, made steerable:
+/// Freeman & Adelson 1991; edges have both and cancel), averaged along it over ±2.5 σ, at least ±4 px, to suppress
+/// noise, and reduced if only one half of that line has a ridge.
 ImageF ridgeStrength(const ImageF& opacity, const std::vector<RidgeScale>& scales);
 
-/// The same at all scales of these radii.
+/// Ridge strength over all scales of these radii.
 ImageF ridgeStrength(const ImageF& opacity, double minRadiusPx, double maxRadiusPx);
 
 }   // namespace angiopose::core

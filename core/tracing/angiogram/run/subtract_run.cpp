@@ -13,8 +13,8 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t maxMaskFrames = 8;
-constexpr double emptyShare = 0.15;   // of the rise from the emptiest to the fullest frame
-constexpr double minRise = 1.5;   // fullest to first frame, or the run begins with contrast
+constexpr double emptyShare = 0.15;   // share of the rise from the lowest to the peak opacification
+constexpr double minRise = 1.5;   // ratio of the peak frame to the first; below, the run begins with contrast
 
 std::optional<Message> problemWith(const std::vector<ImageF>& frames, const SubtractionPlan& plan)
 {
@@ -35,13 +35,13 @@ std::optional<Message> problemWith(const std::vector<ImageF>& frames, const Subt
     return {};
 }
 
-/// A frame that could not be decoded, or one that shows nothing: no mask for others, and nothing to subtract from.
+/// Whether a frame could not be decoded or shows nothing; it is neither usable as a mask nor subtracted.
 bool isBlank(const ImageF& frame)
 {
     return std::ranges::all_of(frame.pixels, [&](float value) { return value == frame.pixels.front(); });
 }
 
-/// Blank frames are no masks where others are.
+/// Removes blank frames from the mask frames unless all of them are blank.
 void leaveOutBlank(const std::vector<ImageF>& frames, std::vector<int>& maskFrames)
 {
     std::vector<int> shown = maskFrames;
@@ -51,7 +51,7 @@ void leaveOutBlank(const std::vector<ImageF>& frames, std::vector<int>& maskFram
     }
 }
 
-/// The plan with its mask frames chosen.
+/// Completes the plan by choosing the mask frames.
 Result<SubtractionPlan> settledPlan(const std::vector<ImageF>& frames, Polarity polarity, SubtractionPlan plan)
 {
     if (const auto problem = problemWith(frames, plan)) {
@@ -71,7 +71,7 @@ Result<SubtractionPlan> settledPlan(const std::vector<ImageF>& frames, Polarity 
     return plan;
 }
 
-/// Index of the one mask of a frame; nothing where it lies outside the run.
+/// Index of the single mask of a frame; nothing if it lies outside the run.
 std::optional<std::size_t> intervalMask(const MaskInterval& interval, int frame, int frameCount)
 {
     const int first = interval.reversedFrom.value_or(0);
@@ -89,7 +89,7 @@ SubtractedFrame subtractedFrame(const ImageF& frame, const ImageF& mask, const S
     return {subtracted(frame, mask, shift, plan.relation), shift};
 }
 
-/// `averaged` is the mean of the mask frames, unless masks follow the frames.
+/// Subtracts the mask from one frame. `averaged` is the mean of the mask frames; interval plans ignore it.
 SubtractedFrame subtractedFrame(const std::vector<ImageF>& frames, std::size_t index, const ImageF& averaged,
                                 const SubtractionPlan& plan)
 {
@@ -126,7 +126,7 @@ std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity p
     if (!(most > 0.0)) {
         return {};
     }
-    if (most < minRise * opacity(shown.front())) {   // bones and edges of organs are ridges too
+    if (most < minRise * opacity(shown.front())) {   // bones and organ edges are ridges too
         const auto isOpacified = [&](int frame) {
             return showsContrast(frames[static_cast<std::size_t>(frame)], polarity, shutter);
         };

@@ -9,51 +9,53 @@
 
 namespace angiopose::core {
 
-using StopCheck = std::function<bool()>;   ///< true: give up, the result is not wanted any more
+using StopCheck = std::function<bool()>;   ///< true: cancel, the result is no longer needed
 
-/// One mask for each frame (DICOM's time interval differences, PS3.3 C.7.6.10.1): `offset` frames before it; or, while
-/// the frames from `reversedFrom` on go forwards, the masks go backwards from `offset` frames before that one.
+/// One mask for each frame (DICOM's time interval differences, PS3.3 C.7.6.10.1): the frame `offset` frames before it;
+/// or, with `reversedFrom`, the masks run backward from `offset` frames before `reversedFrom` while the frames run
+/// forward from it.
 struct MaskInterval {
-    int offset = 1;   ///< below 0: masks lie behind
+    int offset = 1;   ///< negative: masks come after their frames
     std::optional<int> reversedFrom = {};
 
     bool operator==(const MaskInterval&) const = default;
 };
 
-/// How the frames of a run are freed from bones and organs.
+/// Settings for subtracting bones and organs from the frames of a run.
 struct SubtractionPlan {
-    std::vector<int> maskFrames = {};   ///< averaged; none: chosen by `suggestMaskFrames`
-    std::optional<MaskInterval> interval = {};   ///< instead of `maskFrames`
-    std::optional<Eigen::Vector2d> maskShiftPx = {};   ///< right and down, for all frames; none: found for each
+    std::vector<int> maskFrames = {};   ///< averaged; empty: chosen by `suggestMaskFrames`
+    std::optional<MaskInterval> interval = {};   ///< replaces `maskFrames`
+    std::optional<Eigen::Vector2d> maskShiftPx = {};   ///< right and down, for all frames; absent: per frame
     PixelRelation relation = PixelRelation::Linear;
 
     bool operator==(const SubtractionPlan&) const = default;
 };
 
-/// A subtracted run, with what was decided on the way.
+/// A subtracted run, with the mask frames and shifts that were used.
 struct SubtractedRun {
-    std::vector<ImageF> frames;   ///< polarity as before
+    std::vector<ImageF> frames;   ///< polarity unchanged
     std::vector<int> maskFrames;   ///< averaged; empty for intervals
-    std::vector<Eigen::Vector2d> maskShiftsPx;   ///< one per frame; zero where a frame has no mask and stays as it is
+    std::vector<Eigen::Vector2d> maskShiftsPx;   ///< one per frame; zero for a frame without mask (unchanged)
 };
 
-/// What becomes of the stored frames before they are shown, traced and registered (`angiogram.subtraction` of a case).
+/// Processing of the stored frames before they are shown, traced and registered (`angiogram.subtraction` of a case).
 struct RunTreatment {
     bool isSubtracted = false;
-    bool isComposite = false;   ///< every frame shows all the contrast medium of the run
+    bool isComposite = false;   ///< every frame shows all the contrast agent of the run
     SubtractionPlan plan = {};
-    std::optional<Polarity> polarity = {};   ///< none: as the file says
+    std::optional<Polarity> polarity = {};   ///< absent: as stated in the file
 
     bool changesFrames() const { return isSubtracted || isComposite || polarity; }
     bool operator==(const RunTreatment&) const = default;
 };
 
-/// The first frames, before the contrast medium arrives: up to eight with hardly more opacification than the least,
-/// frame 0 among them; frame 0 alone where only tracing tells that it shows no contrast while the fullest does. Empty
-/// when the run begins with contrast, or has fewer than two frames. `shutter` as for `findField`.
+/// Suggests the first frames, before the contrast agent arrives: up to eight with hardly more opacification than the
+/// minimum, including frame 0; frame 0 alone if only tracing shows that it has no contrast while the peak-opacification
+/// frame does. Empty if the run begins with contrast or has fewer than two frames. `shutter` as for `findField`.
 std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity polarity, const Mask2d& shutter = {});
 
-/// Every frame less the averaged mask. Fails when mask frames do not exist, none can be suggested, or sizes differ.
+/// Subtracts the averaged mask from every frame. Fails if mask frames do not exist, none can be suggested, or sizes
+/// differ.
 Result<SubtractedRun> subtractRun(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
                                   const StopCheck& isStopRequested = {});
 
@@ -62,11 +64,11 @@ struct SubtractedFrame {
     Eigen::Vector2d maskShiftPx = Eigen::Vector2d::Zero();
 };
 
-/// One frame as `subtractRun` gives it, for looking while masks and shift are being chosen.
+/// One frame as `subtractRun` returns it, for a preview while masks and shift are being chosen.
 Result<SubtractedFrame> subtractFrame(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
                                       int frame);
 
-/// The run as the treatment makes it; headers, suggested frame and size stay. Fails as `subtractRun` does.
+/// Applies the treatment to a run; headers, suggested frame and size stay unchanged. Fails as `subtractRun` does.
 Result<Angiogram> treatedRun(const Angiogram& stored, const RunTreatment& treatment,
                              const StopCheck& isStopRequested = {});
 

@@ -14,12 +14,13 @@
 namespace angiopose::core {
 namespace {
 
-// Filling is judged on a coarse copy of each frame: where a vessel is does not matter here, only how much there is.
+// Opacification is measured on a coarse copy of each frame, because only the amount of vessel matters here, not its
+// position.
 constexpr int widestSidePx = 300;
 constexpr double minRadiusPx = 1.5;
 constexpr double maxRadiusPx = 4.0;
 constexpr std::size_t smallestVesselPx = 60;
-constexpr double fullShare = 0.97;   // differences below this are noise
+constexpr double fullShare = 0.97;   // smaller differences are noise
 
 bool isTraceable(const ImageF& frame, const ImageF& first)
 {
@@ -53,7 +54,7 @@ double shareAbove(const ImageF& ridges, float threshold)
     }
     std::size_t count = 0;
     for (const std::vector<std::size_t>& component : componentsOf(above)) {
-        count += component.size() >= smallestVesselPx ? component.size() : 0;   // smaller ones are noise
+        count += component.size() >= smallestVesselPx ? component.size() : 0;   // smaller components are noise
     }
     return static_cast<double>(count) / static_cast<double>(above.pixels.size());
 }

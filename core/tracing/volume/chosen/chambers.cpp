@@ -3,11 +3,11 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minSeedRadiusMm = 5.0;   ///< thinner vessels say nothing about how wide their trunk is
+constexpr double minSeedRadiusMm = 5.0;   ///< thinner vessels do not indicate the width of their trunk
 constexpr double minChamberRadiusMm = 4.0;   ///< thinner leaks are left to pruning
-constexpr double minNeckShare = 0.3;   ///< of the radius beyond it: stenoses and compressed lumens are wider
-constexpr double minWideNeckShare = 0.5;   ///< of what is wider than the seeds' vessel: an open valve is narrower
-constexpr double maxChamberShare = 1.35;   ///< of the radius at the seed
+constexpr double minNeckShare = 0.3;   ///< relative to the radius beyond; stenoses and compressed lumens are wider
+constexpr double minWideNeckShare = 0.5;   ///< if wider than the seeds' vessel; an open valve is narrower
+constexpr double maxChamberShare = 1.35;   ///< relative to the radius at the seed
 
 }   // namespace
 

@@ -15,24 +15,24 @@
 
 namespace angiopose::core {
 
-constexpr double chosenShare = 0.9;   ///< of the stage "vessels", when the lumen is known
+constexpr double chosenShare = 0.9;   ///< progress share of the stage "vessels" at which the lumen is known
 
-/// The lumen that is to be traced, cropped.
+/// The lumen to be traced, cropped.
 struct ChosenLumen {
     VoxelMask lumen;
-    VoxelBox box;   ///< where it lies in the whole, patient axis order
+    VoxelBox box;   ///< position in the whole volume, patient axis order
     Messages warnings;   ///< about seeds
-    std::vector<TracedPiece> leftOut;   ///< pieces, the largest first
-    std::vector<Eigen::Vector3d> startsInPatient;   ///< where its vessels were reached from; empty: nowhere special
+    std::vector<TracedPiece> leftOut;   ///< connected components, the largest first
+    std::vector<Eigen::Vector3d> startsInPatient;   ///< starting points of its vessels; empty: none in particular
 };
 
-/// What the seeds ask for, or without seeds the first great vessel (all of them, where all pieces are wanted), else all
-/// or the largest of the pieces of a mask in patient axis order. `fill` may be empty. Fails for seeds in no vessel and
-/// when stopped.
+/// Selects the lumen to be traced in a mask with patient axis order: the vessels at the seeds, or without seeds the
+/// first great vessel (all of them if all components are wanted), or else all components or the largest. `fill` may be
+/// empty. Fails for seeds outside any vessel and when stopped.
 Result<ChosenLumen> chosenLumen(VoxelMask whole, VesselTracingOptions options, const VoxelFill& fill,
                                 const std::vector<GreatVessel>& greatVessels, TracingProgress& progress);
 
-/// The same, with places counted from `low`; `fill` must outlive the result.
+/// Shifts a fill so that voxels are counted from `low`; `fill` must outlive the result.
 VoxelFill movedBy(const VoxelFill& fill, const Eigen::Vector3i& low);
 
 }   // namespace angiopose::core

@@ -5,14 +5,14 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::uint8_t enclosed = 0;   ///< until found otherwise
+constexpr std::uint8_t enclosed = 0;   ///< until proved otherwise
 constexpr std::uint8_t inside = 1;
 constexpr std::uint8_t outside = 2;
 constexpr std::uint8_t filled = 2;
-constexpr int maxOfTheNeighbors = 17;   ///< of 26; beside a flat wall 9 are set, in a blunt corner 15
+constexpr int maxOfTheNeighbors = 17;   ///< out of 26; next to a flat wall 9 are set, in an obtuse corner 15
 
-/// One pass over the rows, `step` = 1 upwards or -1 downwards: what lies beside, behind or below something outside is
-/// outside.
+/// One pass over the rows, upward (`step` = 1) or downward (-1): marks voxels as outside if the neighbor beside, behind
+/// or below is outside.
 bool sweep(VoxelMask& mask, int step, TracingProgress* progress)
 {
     const Eigen::Vector3i& size = mask.geometry.size;
@@ -30,7 +30,7 @@ bool sweep(VoxelMask& mask, int step, TracingProgress* progress)
             const bool isRimRow = !isWithin(j - step, size.y()) || !isWithin(k - step, size.z());
             const std::uint8_t* behind = isRimRow ? nullptr : row - step * strideY;
             const std::uint8_t* below = isRimRow ? nullptr : row - step * strideZ;
-            bool isOutside = true;   // what comes before the row
+            bool isOutside = true;   // state before the first voxel of the row
             for (int i = first(size.x()); isWithin(i, size.x()); i += step) {
                 if (row[i] == enclosed && (isOutside || isRimRow || behind[i] == outside || below[i] == outside)) {
                     row[i] = outside;

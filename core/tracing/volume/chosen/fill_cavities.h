@@ -7,16 +7,16 @@
 
 namespace angiopose::core {
 
-/// Sets to 2 what is enclosed by the mask: thinning would leave a shell around it. What was set becomes 1. Nothing more
-/// is filled once `progress`, where given, says stop.
+/// Sets cavities enclosed by the mask to 2, because thinning would leave a shell around them; set voxels become 1.
+/// Stops filling when `progress`, if given, requests a stop.
 void fillCavities(VoxelMask& mask, TracingProgress* progress = nullptr);
 
-/// Whether a voxel that is not set may be a hole.
+/// Whether an unset voxel may be a hole.
 using HoleFilter = std::function<bool(int i, int j, int k)>;
 
-/// Sets to 2 what most neighbours of are set and, where given, `isHole` agrees to; larger holes take several rounds.
-/// Noise makes holes that are open to a side, and thinning would leave a loop around each. Walls of vessels stay where
-/// they are.
+/// Sets voxels to 2 if most of their neighbors are set and `isHole`, if given, accepts them; larger holes take several
+/// rounds. Noise makes holes that are open to one side, and thinning would leave a loop around each. Vessel walls stay
+/// in place.
 void fillHoles(VoxelMask& mask, const HoleFilter& isHole = {});
 
 }   // namespace angiopose::core

@@ -6,7 +6,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double wallMm = 4.0;   ///< a flap or a stent's wires, or two walls, and what they blur
+constexpr double wallMm = 4.0;   ///< flap, stent wires or two walls, including their blurring
 constexpr double minRadiusMm = 4.0;
 constexpr double minParallel = 0.85;   ///< cosine; pulmonary arteries cross the aorta
 
@@ -16,7 +16,7 @@ bool isLumen(const VoxelMask& lumen, const Eigen::Affine3d& voxelFromPatient, co
     return lumen.geometry.contains(at) && lumen.at(at.x(), at.y(), at.z()) != 0;
 }
 
-/// Mostly within.
+/// Whether most of the trunk lies inside the lumen.
 bool holds(const VoxelMask& lumen, const Trunk& trunk)
 {
     const Eigen::Affine3d voxelFromPatient = lumen.geometry.patientFromVoxel().inverse();
@@ -32,7 +32,7 @@ Eigen::Vector3d directionAt(const Trunk& trunk, std::size_t n)
         .normalized();
 }
 
-/// No more than a wall away, and in the same direction.
+/// Whether the trunks run parallel here, no more than a wall apart.
 bool isBeside(const Trunk& trunk, std::size_t at, const Trunk& other)
 {
     const Eigen::Vector3d direction = directionAt(trunk, at);

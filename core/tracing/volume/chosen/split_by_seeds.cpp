@@ -16,11 +16,11 @@ namespace {
 constexpr std::uint8_t unreachedVoxel = 1;
 constexpr std::uint8_t vessel = 2;
 constexpr std::uint8_t other = 3;
-constexpr double maxBallBeyondSection = 1.3;   ///< largest ball over section
+constexpr double maxBallBeyondSection = 1.3;   ///< largest ball relative to the cross-section
 constexpr double minNeckFromSeed =
-    0.45;   ///< of the thinner one's radius, from a seed to a vessel that continues its own
+    0.45;   ///< relative to the thinner radius, between a seed and a vessel that continues its own
 
-/// A voxel that is next to flooded ones: the widest comes first, of equal ones the earliest.
+/// Voxel next to flooded ones; the widest is processed first, ties in order of insertion.
 struct Shore {
     std::uint16_t width = 0;
     std::uint32_t turn = 0;
@@ -34,7 +34,8 @@ class Flood {
 public:
     Flood(VoxelMask& mask, const DistanceMap& distances) : mask_(mask), distances_(distances) {}
 
-    /// Places off a vessel's middle stand for it: else a wider neighbour would be there first.
+    /// Floods from the vessel's middle when a place lies off it; otherwise a wider neighboring region would get there
+    /// first.
     void start(const std::vector<Eigen::Vector3d>& placesInPatient, std::uint8_t label)
     {
         for (const Eigen::Vector3d& place : placesInPatient) {
@@ -44,7 +45,7 @@ public:
         }
     }
 
-    /// Markers are flooded at once, where nothing is yet.
+    /// Labels markers at once, if they are not labeled yet.
     void start(const std::vector<std::uint32_t>& voxels, std::uint8_t label)
     {
         for (const std::uint32_t voxel : voxels) {
@@ -98,7 +99,7 @@ private:
     std::uint32_t turn_ = 0;
 };
 
-/// Finds what belongs to starts, again and again in one mask.
+/// Repeatedly finds the region that belongs to given starts in one mask.
 class Splitter {
 public:
     Splitter(VoxelMask& mask, const VesselTracingOptions& options, const VoxelFill& fill, TracingProgress& progress)
@@ -110,7 +111,7 @@ public:
     {
     }
 
-    /// Labels what belongs to these places.
+    /// Labels the region that belongs to these places.
     void split(const std::vector<Eigen::Vector3d>& startsInPatient)
     {
         for (std::uint8_t& voxel : mask_.voxels) {
@@ -130,15 +131,15 @@ public:
         flood.run(progress_);
     }
 
-    /// After `split`.
+    /// Whether the labeled vessel contains a place; valid after `split`.
     bool holds(const Eigen::Vector3d& placeInPatient) const
     {
         const auto voxel = voxelNear(mask_, placeInPatient);
         return voxel && mask_.voxels[*voxel] == vessel;
     }
 
-    /// Labels what belongs to the first great vessel that holds the seed, else to the seed itself; the places that this
-    /// was reached from.
+    /// Labels the region of the first great vessel that contains the seed, or else of the seed itself; returns the
+    /// places it was started from.
     std::vector<Eigen::Vector3d> splitFor(const Eigen::Vector3d& seed, const std::vector<GreatVessel>& greatVessels)
     {
         const auto around = std::find_if(greatVessels.begin(), greatVessels.end(),
@@ -156,15 +157,15 @@ public:
             return {seed};
         }
         split(points);
-        if (!holds(seed)) {   // wider than the stretch that was found
+        if (!holds(seed)) {   // the seed's vessel is wider than the detected section
             points.push_back(seed);
             split(points);
         }
         return points;
     }
 
-    /// Points of its axes in this mask, without those from which the way up the distances leads out of it, into
-    /// something wider that touches.
+    /// Axis points of the great vessel in this mask, except those from which the steepest ascent of the distances leads
+    /// into something wider that touches it.
     std::vector<Eigen::Vector3d> middlesOf(const GreatVessel& great) const
     {
         std::vector<Eigen::Vector3d> middles;
@@ -181,8 +182,8 @@ public:
     }
 
 private:
-    /// After `split` for a seed: points of the first great vessel that it leads to on a way about as wide as this and
-    /// the vessel of the seed are; none when there is no such.
+    /// Valid after `split` for a seed: points of the first great vessel that the seed leads to on a path about as wide
+    /// as this vessel and the seed's own; empty if there is none.
     std::vector<Eigen::Vector3d> continuedIn(const std::vector<GreatVessel>& greatVessels) const
     {
         for (const GreatVessel& great : greatVessels) {
@@ -209,7 +210,7 @@ private:
     const VoxelFill& fill_;
     TracingProgress& progress_;
     DistanceMap distances_;
-    Necks necks_;   ///< of the last split
+    Necks necks_;   ///< necks of the last split
 };
 
 }   // namespace

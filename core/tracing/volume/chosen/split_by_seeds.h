@@ -11,13 +11,13 @@
 
 namespace angiopose::core {
 
-/// Takes out of a mask what is reached from a place to avoid on a wider way than from a seed, so that vessels that hang
-/// together part at their narrowest place (flooding of the distance map from markers, Meyer 1994). What lies beyond
-/// necks (see `voxelsBeyondNecks`) and, where `fill` is given, vessels of other blood are avoided as well. Places that
-/// lie in nothing are ignored. Incomplete when stopped.
+/// Removes from a mask everything that is reached from a place to avoid on a wider path than from a seed, so connected
+/// vessels are separated at their narrowest place (marker-based flooding of the distance map, Meyer 1994). Regions
+/// beyond necks (see `voxelsBeyondNecks`) and, if `fill` is given, vessels with other blood are avoided as well. Places
+/// outside the mask are ignored. Incomplete when stopped.
 ///
-/// A seed stands for the great vessel whose vessels hold it, so that all places in these give the same; only a seed in
-/// none of them stands for itself. Without seeds the first great vessel is asked for. Returns the places that the
+/// A seed stands for the great vessel whose vessels contain it, so all places in them give the same result; only a seed
+/// outside all of them stands for itself. Without seeds the first great vessel is used. Returns the places that the
 /// vessels were reached from.
 std::vector<Eigen::Vector3d> splitBySeeds(VoxelMask& mask, const VesselTracingOptions& options, const VoxelFill& fill,
                                           const std::vector<GreatVessel>& greatVessels, TracingProgress& progress);

@@ -13,13 +13,13 @@ namespace {
 constexpr double full = 200.0;
 constexpr double maxFillOfCoarse = 1.2;
 
-/// Of one block along one axis: the voxels that it holds parts of, or lies between where voxels are longer than blocks.
+/// Extent of one block along one axis: the voxels that it overlaps, or lies between if voxels are longer than blocks.
 struct Extent {
     int first = 0;
-    std::vector<double> weights;   ///< of the voxels from `first` on; their sum is 1
+    std::vector<double> weights;   ///< weights of the voxels from `first` on; their sum is 1
 };
 
-/// A voxel of the index n is weighed by `weightOf(n)`; those beyond the scan do not count.
+/// Builds an extent from `weightOf(n)`, the weight of the voxel with index n; voxels outside the scan do not count.
 template <class WeightOf>
 Extent extentOf(double low, double high, int size, const WeightOf& weightOf)
 {
@@ -52,7 +52,7 @@ std::vector<Extent> extentsAlong(int size, double spacingMm, double blockMm)
     return extents;
 }
 
-/// Means over blocks of one size, whatever the voxels of the scan.
+/// Mean values over blocks of one size, independent of the scan's voxel size.
 class BlockMeans {
 public:
     BlockMeans(const VoxelMask& lumen, const VoxelFill& fill, double blockMm)
@@ -75,7 +75,7 @@ public:
         return grid;
     }
 
-    /// Of one slice of blocks, i fastest.
+    /// Means of one slice of blocks, i fastest.
     std::vector<double> slice(std::size_t k) const
     {
         std::vector<double> means;
@@ -103,7 +103,8 @@ public:
     }
 
 private:
-    /// Means over the block's z, of all columns and rows: blocks share voxels, and asking for their fill is what costs.
+    /// Means over the block's z for all columns and rows; blocks share voxels, and evaluating their fill is the
+    /// expensive part.
     std::vector<double> planeOf(const Extent& z) const
     {
         const Eigen::Vector3i& size = lumen_.geometry.size;

@@ -11,15 +11,15 @@
 
 namespace angiopose::core {
 
-/// A lumen with all that belongs to it, and the great vessels in it.
+/// A lumen with all voxels that belong to it, and its great vessels.
 struct LumenWithGreatVessels {
     VoxelMask lumen;
     std::vector<GreatVessel> great;
 };
 
-/// Where there are stents, great vessels are sought with and without what lies beside the wires: walks end where a
-/// vessel is much wider from one section to the next, be it by what wires hide or where a stent widens it. Those whose
-/// first is of greater worth are taken. Incomplete when stopped.
+/// Finds the great vessels. In scans with stents, searches with and without the lumen beside the wires, because
+/// tracking ends where the width changes abruptly between sections, either hidden by wires or widened by a stent; keeps
+/// the result whose first vessel has the higher worth. Incomplete when stopped.
 LumenWithGreatVessels findGreatVessels(SegmentedLumen segmented, const VoxelFill& fill, int threads,
                                        TracingProgress& progress, double blockMm = usualBlockMm);
 

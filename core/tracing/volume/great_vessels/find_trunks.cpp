@@ -10,15 +10,15 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minRadiusInBlocks = 1.3;   ///< or in voxels, if these are longer; thinner vessels are not seen
-constexpr double minSlendernessOfPiece = 3.0;   ///< a single chamber of the heart has 2
-constexpr double usualRadiusMm = 15.0;   ///< of the widest arteries; more counts no more, chambers have it
-constexpr double maxSlenderness = 20.0;   ///< that counts: else thin vessels would win
+constexpr double minRadiusInBlocks = 1.3;   ///< or in voxels, if these are longer; thinner vessels are not detected
+constexpr double minSlendernessOfPiece = 3.0;   ///< a single heart chamber has 2
+constexpr double usualRadiusMm = 15.0;   ///< of the widest arteries; larger ones (chambers) score no higher
+constexpr double maxSlenderness = 20.0;   ///< maximum that counts; otherwise thin vessels would win
 constexpr std::size_t minPointsOfTrunk = 6;
 constexpr std::uint8_t inTube = 1;
 constexpr std::uint8_t inTrunk = 2;
 
-/// Middles of the lumen, the widest first.
+/// Local middles of the lumen, the widest first.
 std::vector<std::uint32_t> middlesOf(const DistanceMap& distances, double minMm)
 {
     const VolumeGeometry& grid = distances.geometry;
@@ -33,7 +33,7 @@ std::vector<std::uint32_t> middlesOf(const DistanceMap& distances, double minMm)
                 const auto row = static_cast<std::size_t>(grid.size.x());
                 const std::size_t slice = row * static_cast<std::size_t>(grid.size.y());
                 const std::uint16_t here = distances.units[at];
-                int sides = 0;   // axes along which it is the middle
+                int sides = 0;   // number of axes along which the voxel is the middle
                 for (const std::size_t step : {std::size_t{1}, row, slice}) {
                     sides += here >= distances.units[at - step] && here >= distances.units[at + step] ? 1 : 0;
                 }
@@ -48,7 +48,7 @@ std::vector<std::uint32_t> middlesOf(const DistanceMap& distances, double minMm)
     return middles;
 }
 
-/// Marks what lies within the tube: walks from there would only repeat it.
+/// Marks the voxels inside the tube, because tracking from there would only repeat it.
 void mark(VoxelMask& seen, const Tube& tube, std::uint8_t value)
 {
     const VolumeGeometry& grid = seen.geometry;
@@ -70,7 +70,7 @@ void mark(VoxelMask& seen, const Tube& tube, std::uint8_t value)
     }
 }
 
-/// Mostly within trunks that were found before.
+/// Whether most of the tube lies in trunks found before.
 bool isRepeated(const Tube& tube, const VoxelMask& seen)
 {
     const VolumeGeometry& grid = seen.geometry;
@@ -81,7 +81,8 @@ bool isRepeated(const Tube& tube, const VoxelMask& seen)
     return 2 * inSeen > static_cast<std::ptrdiff_t>(tube.pointsMm.size());
 }
 
-/// The wider, the more slender it must be: two chambers of the heart in a row are wider than arteries and slender by 4.
+/// Whether a trunk is long enough for its width: the wider, the more slender it must be, because two heart chambers in
+/// a row are wider than arteries and have a slenderness of 4.
 bool isTrunk(const Trunk& trunk)
 {
     const double unusual = std::max(1.0, trunk.medianRadiusMm() / usualRadiusMm);

@@ -13,20 +13,20 @@ namespace angiopose::core {
 struct Trunk {
     std::vector<Eigen::Vector3d> pointsInPatient;   ///< on its axis, LPS mm
     std::vector<double> radiusMm;
-    double fill = 1.0;   ///< mean on the axis: 1 as the blood of the scan
+    double fill = 1.0;   ///< mean along the axis; 1: as bright as the scan's blood
 
     double medianRadiusMm() const;
-    double slenderness() const;   ///< length in its greatest radius
+    double slenderness() const;   ///< length relative to its largest radius
 
-    /// How much it is like an aorta or another main artery: long, wide, along the body and well
-    /// filled: a false lumen and veins often are less so.
+    /// Resemblance to an aorta or another main artery: long, wide, aligned with the body and well opacified; a false
+    /// lumen and veins are often less so.
     double worth() const;
 
     bool operator==(const Trunk&) const = default;
 };
 
-/// The stretches that look like great vessels: cross-sections round, width changing slowly from one to the next, longer
-/// than wide. That of the greatest worth comes first. Found by walking both ways from the widest places of `lumen`,
+/// Finds vessel stretches that look like great vessels: round cross-sections, width changing slowly from one to the
+/// next, longer than wide; the one of highest worth comes first. Tracks both ways from the widest places of `lumen`,
 /// whose distances are given. Incomplete when stopped.
 std::vector<Trunk> findTrunks(const CoarseBlood& blood, const DistanceMap& distances, TracingProgress& progress);
 

@@ -11,17 +11,17 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double maxGapInRadii = 2.0;   ///< of both radii together, from a trunk's end to the axis of the next
+constexpr double maxGapInRadii = 2.0;   ///< in sums of both radii, from a trunk's end to the next axis
 constexpr double maxGapOfSameBlood = 2.5;
-constexpr double minSlendernessOfTrunks = 5.0;   ///< of one of the trunks; two chambers of the heart in a row reach 4.5
-constexpr double minLengthMm = 40.0;   ///< of that trunk: marrow, ureters and dense gut are seen in shorter stretches
+constexpr double minSlendernessOfTrunks = 5.0;   ///< required of one trunk; two heart chambers in a row reach 4.5
+constexpr double minLengthMm = 40.0;   ///< length of that trunk; marrow, ureters and dense bowel are shorter
 constexpr double minNeckBetween =
-    0.45;   ///< of the thinner one's radius, on the way between; those that touch have 0.3
-constexpr double maxBeyondSection = 1.3;   ///< largest ball over section: else it lies in something that touches
-constexpr double maxFillStep = 0.2;   ///< between blood of the same artery; of veins and of organs it is other
-constexpr double maxStepOfSameBlood = 0.1;   ///< as much as it changes along a whole aorta
-constexpr double leastOfOther = 0.5;   ///< thinner over wider radius: else one leaves the other
-constexpr double minOfFirst = 0.01;   ///< of the first trunk's worth: stumps of branches lead from one to the next
+    0.45;   ///< neck between trunks relative to the thinner radius; touching vessels have 0.3
+constexpr double maxBeyondSection = 1.3;   ///< largest ball over section; above, it lies in a touching structure
+constexpr double maxFillStep = 0.2;   ///< between blood of the same artery; veins and organs differ more
+constexpr double maxStepOfSameBlood = 0.1;   ///< as much as it varies along a whole aorta
+constexpr double leastOfOther = 0.5;   ///< thinner relative to wider radius; below, one branches from the other
+constexpr double minOfFirst = 0.01;   ///< relative to the first trunk's worth; excludes stumps that link trunks
 
 /// Decides whether trunks continue one another.
 class Joiner {
@@ -41,7 +41,7 @@ public:
 private:
     enum class Blood { Same, Alike, Other };
 
-    /// Chambers of the heart hold the same blood as arteries, too.
+    /// Classifies the blood by its fill; heart chambers contain the same blood as arteries, so slenderness counts too.
     static Blood bloodOf(const Trunk& trunk, const Trunk& other)
     {
         const double step = std::abs(trunk.fill - other.fill);
@@ -49,8 +49,9 @@ private:
         return step > maxFillStep ? Blood::Other : step > maxStepOfSameBlood || !isSlender ? Blood::Alike : Blood::Same;
     }
 
-    /// Where the blood is the same, the way between is narrow only if it is so beside the balls that fit into the
-    /// lumen: torn aortas are flattened, and their sections wider than any ball.
+    /// Whether a trunk's end continues in the other trunk. With the same blood, the path between them counts as narrow
+    /// only relative to the balls that fit into the lumen: dissected aortas are flattened, and their sections are wider
+    /// than any ball.
     bool isJoinedAt(const Trunk& trunk, std::size_t end, const Trunk& other, Blood blood) const
     {
         const Eigen::Vector3d& tip = trunk.pointsInPatient[end];
@@ -91,8 +92,8 @@ private:
         return (by.pointsInPatient[beside] - place).norm() <= by.radiusMm[beside];
     }
 
-    /// Along the trunk the point nearest to one of its points that the other does not surround: walks may lead through
-    /// a wall into what touches, where no neck is seen any more. That point itself where there is none.
+    /// Nearest trunk point, starting from `from`, that lies outside the other trunk: tracking may lead through a wall
+    /// into a touching structure, where no neck is detectable any more. Returns `from` if there is none.
     static std::size_t nearestOutside(std::size_t from, const Trunk& trunk, const Trunk& other)
     {
         const std::size_t count = trunk.pointsInPatient.size();
@@ -120,7 +121,7 @@ private:
         return medianOf(std::move(balls));
     }
 
-    /// Of the vessel around: the last section of a walk need not lie in its middle.
+    /// Middle of the surrounding vessel, because the last tracked section need not lie in its middle.
     Eigen::Vector3i middleAt(const Eigen::Vector3d& inPatient, double radiusMm) const
     {
         const VolumeGeometry& grid = distances_.geometry;
@@ -145,7 +146,7 @@ Eigen::Vector3d GreatVessel::middleInPatient() const
 
 double GreatVessel::worth() const
 {
-    double worth = 0.0;   // many small branches make no great vessel
+    double worth = 0.0;   // combined so that many small branches do not make a great vessel
     for (const Trunk& trunk : trunks) {
         worth = std::hypot(worth, trunk.worth());
     }
@@ -182,7 +183,7 @@ std::vector<GreatVessel> greatVessels(const CoarseBlood& blood, int threads, Tra
             if (isJoined) {
                 vessel.trunks.push_back(left[t]);
                 left.erase(left.begin() + static_cast<std::ptrdiff_t>(t));
-                t = 0;   // those passed over may continue this one
+                t = 0;   // trunks rejected before may continue this one
             } else {
                 ++t;
             }

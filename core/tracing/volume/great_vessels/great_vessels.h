@@ -8,16 +8,16 @@
 
 namespace angiopose::core {
 
-/// Trunks that continue one another: the parts of an aorta before, in and behind its arch.
+/// Trunks that continue one another, such as the ascending aorta, arch and descending aorta.
 struct GreatVessel {
-    std::vector<Trunk> trunks;   ///< that of the greatest worth first
+    std::vector<Trunk> trunks;   ///< the one of highest worth first
 
-    Eigen::Vector3d middleInPatient() const;   ///< half way along the first trunk
+    Eigen::Vector3d middleInPatient() const;   ///< halfway along the first trunk
     double worth() const;
-    bool surrounds(const Eigen::Vector3d& placeInPatient) const;   ///< within one of the sections
+    bool surrounds(const Eigen::Vector3d& placeInPatient) const;   ///< whether the point lies within a section
 };
 
-/// The great vessels of a scan, that of the greatest worth first. Incomplete when stopped.
+/// Finds the great vessels of a scan, the one of highest worth first. Incomplete when stopped.
 std::vector<GreatVessel> greatVessels(const CoarseBlood& blood, int threads, TracingProgress& progress);
 
 }   // namespace angiopose::core

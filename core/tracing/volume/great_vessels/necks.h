@@ -10,23 +10,22 @@
 
 namespace angiopose::core {
 
-/// From a voxel to the middle of the vessel around it: the way up the distances.
+/// Path from a voxel to the middle of the surrounding vessel, by steepest ascent of the distances.
 std::vector<std::uint32_t> wayToMiddle(std::uint32_t voxel, const DistanceMap& distances);
 
-/// How wide the ways from the seeds are.
+/// Narrowest widths along the paths from the seeds.
 struct Necks {
-    std::vector<std::uint16_t> units;   ///< for each voxel the narrowest place on the widest way to it from any seed,
-                                        ///< in the units of the distances; 0 where no way leads
-    double seedRadiusMm = 0.0;   ///< of the widest vessel at a seed
+    std::vector<std::uint16_t> units;   ///< per voxel: neck of the widest path, in distance units; 0: not connected
+    double seedRadiusMm = 0.0;   ///< radius of the widest vessel at a seed
 };
 
-/// Ways within a mask from the middle of the vessels at the seeds (LPS mm); seeds in nothing are ignored. Incomplete
-/// when stopped.
+/// Widest paths within a mask from the middle of the vessels at the seeds (LPS mm); seeds outside the mask are ignored.
+/// Incomplete when stopped.
 Necks necksOf(const VoxelMask& mask, const DistanceMap& distances, const std::vector<Eigen::Vector3d>& seedsInPatient,
               TracingProgress& progress);
 
-/// The narrowest place on the widest way between two voxels, in mm, that strays from the box around both by no more
-/// than `aroundMm`; 0 where no way leads.
+/// Narrowest place, in mm, on the widest path between two voxels that leaves the box around both by at most `aroundMm`;
+/// 0 if they are not connected.
 double neckMm(const DistanceMap& distances, const Eigen::Vector3i& from, const Eigen::Vector3i& to, double aroundMm);
 
 }   // namespace angiopose::core

@@ -10,23 +10,23 @@ namespace angiopose::core {
 namespace {
 
 constexpr double blockMm = 2.5;
-constexpr double minBoneFill = 1.5;   ///< brighter than blood by half
-constexpr double minBoneShare = 0.25;   ///< of a block's voxels
+constexpr double minBoneFill = 1.5;   ///< brighter than blood by half of its contrast
+constexpr double minBoneShare = 0.25;   ///< share of a block's voxels
 constexpr double maxAirFill = -1.0;
 constexpr int sectors = 48;
-constexpr int minSectors = 44;   ///< with bone in them; ribs and hips close less
+constexpr int minSectors = 44;   ///< sectors that contain bone; ribs and hips close fewer
 constexpr double minRingMm = 30.0;
 constexpr double maxRingMm = 130.0;
-constexpr double minSoftShare = 0.8;   ///< of what the ring encloses; a chest holds air
-constexpr double innerShare = 0.75;   ///< of the ring's radius: what it encloses
-constexpr double minHeightMm = 20.0;   ///< of closed rings
-constexpr double besideTableMm = 4.5;   ///< from a sinus' wall to the bone
-constexpr double minWithinMm = 25.0;   ///< of a vessel within the vault, for its course to say something
-constexpr double maxBesideOfArtery = 0.5;   ///< of that; the petrous bone is beside the carotid
+constexpr double minSoftShare = 0.8;   ///< share of the enclosed area; a chest contains air
+constexpr double innerShare = 0.75;   ///< share of the ring's radius that counts as enclosed
+constexpr double minHeightMm = 20.0;   ///< total height of closed rings
+constexpr double besideTableMm = 4.5;   ///< maximum distance from a sinus wall to the bone
+constexpr double minWithinMm = 25.0;   ///< minimum length within the vault for a course to be evaluated
+constexpr double maxBesideOfArtery = 0.5;   ///< share of that length; the petrous bone lies next to the carotid
 constexpr double minBesideOfSinus = 0.6;
-constexpr double minFillOfLate = 0.75;   ///< of a sinus that is filled as arteries are
-constexpr double maxOutward = 0.45;   ///< at the middle of the head
-constexpr double entryMm = 25.0;   ///< from the lower face of the scan, or from where the vault begins
+constexpr double minFillOfLate = 0.75;   ///< fill of a sinus opacified as much as arteries
+constexpr double maxOutward = 0.45;   ///< near the middle of the head
+constexpr double entryMm = 25.0;   ///< from the lower face of the scan, or from the base of the vault
 
 std::size_t sectorOf(const Eigen::Vector2d& aside)
 {
@@ -36,7 +36,7 @@ std::size_t sectorOf(const Eigen::Vector2d& aside)
 
 enum class Block : std::uint8_t { Soft, Bone, Air };
 
-/// What fills one block of `per` voxels along each axis.
+/// Classifies one block of `per` voxels along each axis.
 Block blockAt(const Eigen::Array3i& block, const Eigen::Array3i& per, const VoxelFill& fill)
 {
     int bone = 0;
@@ -45,7 +45,7 @@ Block blockAt(const Eigen::Array3i& block, const Eigen::Array3i& per, const Voxe
     for (int n = 0; n < per.prod(); ++n) {
         const Eigen::Array3i in(n % per.x(), n / per.x() % per.y(), n / (per.x() * per.y()));
         if ((per > 2).any() && in.x() % 2 + in.y() % 2 + in.z() % 2 > 0) {
-            continue;   // every second tells enough
+            continue;   // every second voxel is enough
         }
         const Eigen::Array3i at = block * per + in;
         const double share = fill(at.x(), at.y(), at.z());
@@ -56,7 +56,7 @@ Block blockAt(const Eigen::Array3i& block, const Eigen::Array3i& per, const Voxe
     return bone >= minBoneShare * looked ? Block::Bone : sum < maxAirFill * looked ? Block::Air : Block::Soft;
 }
 
-/// What fills the blocks of a scan.
+/// Classifies all blocks of a scan.
 VoxelGrid<Block> blocksOf(const VolumeGeometry& grid, const VoxelFill& fill, int threads, TracingProgress& progress)
 {
     const Eigen::Array3i per = (blockMm / grid.spacingMm.array()).round().max(1.0).cast<int>();
@@ -129,7 +129,7 @@ BoneRing ringIn(const VoxelGrid<Block>& blocks, int k)
     return ring;
 }
 
-/// Lowest and highest place on its axes.
+/// Lowest and highest axis points.
 std::pair<Eigen::Vector3d, Eigen::Vector3d> endsOf(const GreatVessel& great)
 {
     Eigen::Vector3d low = great.trunks.front().pointsInPatient.front();

@@ -7,23 +7,23 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minTrustInWall = 0.5;   ///< a sixth of the rays may miss the wall: branches leave there
-constexpr double minFlatTrust = 0.1;   ///< of a section that is closed: the true lumen of a torn aorta
+constexpr double minTrustInWall = 0.5;   ///< a sixth of the rays may miss the wall, at branch origins
+constexpr double minFlatTrust = 0.1;   ///< for a closed section, such as the true lumen of a dissection
 constexpr double minClosed = 0.95;
-constexpr double maxWidening = 1.3;   ///< from one section to the next
-constexpr double maxAside = 0.5;   ///< of the radius, from the way expected to the section's centre
+constexpr double maxWidening = 1.3;   ///< between consecutive sections
+constexpr double maxAside = 0.5;   ///< in radii, from the expected point to the section's center
 constexpr double stepInRadii = 0.5;
-constexpr int maxMissed = 3;   ///< sections in a row: a wide branch leaves over one diameter or two
+constexpr int maxMissed = 3;   ///< consecutive sections: a wide branch origin spans one or two diameters
 constexpr int maxSteps = 1000;
 
-/// Where the walk stands.
+/// Current state of the tracking.
 struct Walker {
     Eigen::Vector3d pointMm;
     Eigen::Vector3d direction;
     double radiusMm;
 };
 
-/// Round, or flattened but with walls on all sides.
+/// Whether the section is round, or flattened with walls on all sides.
 bool isTube(const CrossSection& section)
 {
     return section.trust >= minTrustInWall || (section.trust >= minFlatTrust && section.closed >= minClosed);
@@ -35,11 +35,11 @@ bool isLike(const CrossSection& section, const Eigen::Vector3d& expected, double
            radiusMm <= maxWidening * section.radiusMm && (section.centerMm - expected).norm() <= maxAside * radiusMm;
 }
 
-/// Across the vessel: of the round sections in 13 directions the least.
+/// Start section across the vessel: the smallest of the round sections in 13 directions.
 std::optional<Walker> startAt(const Eigen::Vector3d& startMm, double radiusMm, const TubeGround& ground)
 {
     std::optional<Walker> best;
-    for (int n = 14; n < 27; ++n) {   // one of each two opposite neighbours
+    for (int n = 14; n < 27; ++n) {   // one of each pair of opposite neighbors
         const Eigen::Vector3i neighbor(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
         const Eigen::Vector3d direction = neighbor.cast<double>().normalized();
         const CrossSection section = crossSection({startMm, direction, radiusMm, ground.voxelMm}, ground.fill);
@@ -50,7 +50,7 @@ std::optional<Walker> startAt(const Eigen::Vector3d& startMm, double radiusMm, c
     return best;
 }
 
-/// From the start on, without it.
+/// Tracks in one direction from the start, excluding the start.
 Tube walkOneWay(Walker walker, const TubeGround& ground)
 {
     Tube tube;

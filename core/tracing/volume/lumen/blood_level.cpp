@@ -13,28 +13,28 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t levelBins = 300;
-constexpr int coarseStep = 3;   ///< voxels between two looked at, along each axis
-constexpr double maxAirHu = -500.0;   ///< values below this: a CT in HU
+constexpr int coarseStep = 3;   ///< sampling step in voxels, along each axis
+constexpr double maxAirHu = -500.0;   ///< values below this indicate a CT in HU
 constexpr double wholeAirHu = -1000.0;
-constexpr double darkHu = -20.0;   ///< fat lies below; counts from 0 have nothing there but noise around air
-constexpr double darkShare = 0.001;   ///< of the voxels
-constexpr double denseHu = 800.0;   ///< bone and metal; of HU moved by some 1000 so that air is 0, the whole body
-constexpr double maxDenseShare = 0.2;   ///< of the voxels
-constexpr double minContrastHu = 150.0;   ///< of blood to tissue in CT; less is an organ or the marrow of bone
-constexpr double minContrastShare = 0.15;   ///< without HU: of the way from tissue to dense bone, some 1000 HU
+constexpr double darkHu = -20.0;   ///< fat lies below; zero-based scales have only noise around air there
+constexpr double darkShare = 0.001;   ///< share of the voxels
+constexpr double denseHu = 800.0;   ///< bone and metal; for HU shifted by about 1000 (air at 0), the whole body
+constexpr double maxDenseShare = 0.2;   ///< share of the voxels
+constexpr double minContrastHu = 150.0;   ///< blood minus tissue in CT; less is an organ or bone marrow
+constexpr double minContrastShare = 0.15;   ///< without HU: share of the tissue-to-bone range, about 1000 HU
 constexpr double minBloodMl = 0.03;
-constexpr double shareOfGreatest = 0.01;   ///< of the mass of the heaviest peak, to be a peak at all
-constexpr double airShare = 0.05;   ///< of the range of values, from the lowest: air
-constexpr double minBodyShare = 0.05;   ///< of the air's volume; vessels alone fill less
-constexpr double minMuscleShare = 0.2;   ///< of the largest peak of the body, which may be fat
-constexpr double unchanged = 0.04;   ///< of the range of values: around a voxel "nothing changes"
+constexpr double shareOfGreatest = 0.01;   ///< minimum volume of a peak relative to the largest peak
+constexpr double airShare = 0.05;   ///< share of the value range, from the lowest, that counts as air
+constexpr double minBodyShare = 0.05;   ///< relative to the air's volume; vessels alone fill less
+constexpr double minMuscleShare = 0.2;   ///< relative to the largest peak of the body, which may be fat
+constexpr double unchanged = 0.04;   ///< share of the value range below which surroundings count as homogeneous
 
-constexpr int brightStep = 2;   ///< voxels between two looked at for the brightest
-constexpr double brightestMl = 0.5;   ///< ten millimetres of a common carotid artery hold as much
-constexpr double airOfBrightest = 0.08;   ///< of the way from the lowest value to blood
-constexpr double minOfTissue = 1.5;   ///< blood over tissue
+constexpr int brightStep = 2;   ///< sampling step in voxels in the search for the brightest
+constexpr double brightestMl = 0.5;   ///< volume of 10 mm of a common carotid artery
+constexpr double airOfBrightest = 0.08;   ///< share of the range from the lowest value to blood
+constexpr double minOfTissue = 1.5;   ///< ratio of blood to tissue
 
-/// Smoothed histogram of the voxels around which nothing changes.
+/// Smoothed histogram of the voxels with homogeneous surroundings.
 struct Histogram {
     double low = 0.0;
     double binWidth = 1.0;
@@ -43,14 +43,14 @@ struct Histogram {
     double valueOf(std::size_t bin) const { return low + binWidth * (static_cast<double>(bin) + 0.5); }
 };
 
-/// Reads values at places of the patient's axis order.
+/// Reads values in patient axis order.
 class Reader {
 public:
     Reader(const Volume& volume, const AxisOrder& order) : volume_(volume), order_(order) {}
 
     double at(int i, int j, int k) const { return volume_.value(order_.stored(i, j, k)); }
 
-    /// Over a voxel and its six neighbours: less noise.
+    /// Mean over a voxel and its six neighbors, to reduce noise.
     double mean(int i, int j, int k) const
     {
         return (at(i, j, k) + at(i - 1, j, k) + at(i + 1, j, k) + at(i, j - 1, k) + at(i, j + 1, k) + at(i, j, k - 1) +
@@ -58,7 +58,7 @@ public:
                7.0;
     }
 
-    /// The greatest difference to the surroundings two voxels away.
+    /// Largest difference from the surroundings two voxels away.
     double change(int i, int j, int k, double center) const
     {
         double greatest = 0.0;
@@ -90,13 +90,13 @@ private:
 };
 
 struct Range {
-    double low = 0.0;   ///< in HU that of air, also where none was left in the scan
-    double high = 0.0;   ///< all but a few per thousand lie below
+    double low = 0.0;   ///< for HU the value of air, even if the scan contains none
+    double high = 0.0;   ///< 99.8th percentile of the sampled values
     bool isHu = false;
 };
 
-/// Whether the values are Hounsfield units: there is air, or in a scan cropped without any there is fat, and little is
-/// as dense as all of the body would be if the values were HU moved above 0.
+/// Whether the values are Hounsfield units: the scan contains air, or fat if it is cropped, and only few values are as
+/// dense as the whole body would be if HU were shifted above 0.
 bool showsHu(std::vector<float>& values, double low)
 {
     const auto dark = values.begin() + static_cast<std::ptrdiff_t>(darkShare * static_cast<double>(values.size()));
@@ -121,12 +121,12 @@ Range rangeOf(const Reader& reader)
     return {isHu ? std::min(low, wholeAirHu) : low, high, isHu};
 }
 
-/// Of the voxels above a value, with every `step`-th along each axis.
+/// Histogram of the voxels above a value, sampling every `step`-th voxel along each axis.
 Histogram histogramOf(const Reader& reader, const Range& range, double above, int step)
 {
     Histogram histogram;
     histogram.low = range.low;
-    histogram.binWidth = (1.5 * (range.high - range.low)) / levelBins;   // blood may be rare: look beyond
+    histogram.binWidth = (1.5 * (range.high - range.low)) / levelBins;   // covers rare blood beyond the range
     reader.visit(3, step, [&](int i, int j, int k) {
         if (reader.at(i, j, k) <= above) {
             return;
@@ -137,7 +137,7 @@ Histogram histogramOf(const Reader& reader, const Range& range, double above, in
             histogram.ml[static_cast<std::size_t>(bin)] += reader.voxelMl() * step * step * step;
         }
     });
-    for (int round = 0; round < 3; ++round) {   // nearly a Gaussian of 2.4 bins
+    for (int round = 0; round < 3; ++round) {   // close to a Gaussian of 2.4 bins
         std::vector<double> smooth(levelBins, 0.0);
         for (std::size_t b = 0; b < levelBins; ++b) {
             for (std::size_t n = b < 2 ? 0 : b - 2; n <= std::min(levelBins - 1, b + 2); ++n) {
@@ -151,7 +151,7 @@ Histogram histogramOf(const Reader& reader, const Range& range, double above, in
 
 struct Peak {
     std::size_t bin = 0;
-    double ml = 0.0;   ///< between the valleys on both sides
+    double ml = 0.0;   ///< volume between the adjacent valleys
 };
 
 std::vector<Peak> peaksOf(const Histogram& histogram, double above)
@@ -187,8 +187,8 @@ std::size_t highestBin(const Histogram& histogram, double above, double below)
     return best;
 }
 
-/// Without Hounsfield units the highest peak of all. Where that is the air around the patient, the brightest of those
-/// that are large enough for muscle and organs: fat is darker, blood and bone are less.
+/// Tissue value without Hounsfield units: the highest peak. If that is the air around the patient, the brightest peak
+/// large enough for muscle and organs: fat is darker, and blood and bone have less volume.
 double tissueWithoutHu(const Histogram& histogram, const Range& range)
 {
     const std::size_t highest = highestBin(histogram, range.low - 1.0, std::numeric_limits<double>::max());
@@ -210,13 +210,13 @@ double tissueWithoutHu(const Histogram& histogram, const Range& range)
     return histogram.valueOf(isBelowBlood ? muscle->bin : highest);
 }
 
-/// In CT the highest peak of muscle and organs.
+/// Tissue value: in CT, the highest peak of muscle and organs.
 double tissueValue(const Histogram& histogram, const Range& range, bool isHu)
 {
     return isHu ? histogram.valueOf(highestBin(histogram, 0.0, 130.0)) : tissueWithoutHu(histogram, range);
 }
 
-/// Median of what lies above the threshold.
+/// Median of the values above the threshold.
 double typicalAbove(const Reader& reader, double threshold)
 {
     std::vector<float> values;
@@ -233,7 +233,7 @@ double typicalAbove(const Reader& reader, double threshold)
     return *middle;
 }
 
-/// The value above which there are so many ml, of the voxels looked at.
+/// The value above which the sampled voxels have a volume of `ml`.
 double valueAbove(std::vector<float>& values, double ml, double mlOfOne)
 {
     const auto count = static_cast<std::ptrdiff_t>(std::min(ml / mlOfOne, static_cast<double>(values.size()) - 1.0));
@@ -242,7 +242,7 @@ double valueAbove(std::vector<float>& values, double ml, double mlOfOne)
     return *at;
 }
 
-/// Most of the values between the two lie around it.
+/// Mode of the values between `low` and `high`.
 double maxCommon(const std::vector<float>& values, double low, double high)
 {
     constexpr std::size_t bins = 60;
@@ -292,7 +292,7 @@ Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, 
     level.tissue = tissueValue(histogramOf(reader, range, range.low - 1.0, coarseStep), range, isHu);
     const double minBlood =
         threshold ? *threshold : level.tissue + (isHu ? minContrastHu : minContrastShare * (range.high - level.tissue));
-    // Blood may be rare, so that every voxel counts.
+    // Every voxel counts here, because blood may be rare.
     const Histogram histogram = histogramOf(reader, range, minBlood, 1);
     const std::vector<Peak> peaks = peaksOf(histogram, minBlood);
     double greatest = minBloodMl;

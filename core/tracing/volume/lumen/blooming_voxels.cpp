@@ -17,7 +17,7 @@ public:
         }
     }
 
-    /// One step further down along the axes that `isOpen` for it.
+    /// Descends one step farther, along the axes for which `isOpen` is set.
     void advance(const Eigen::Array<bool, 3, 1>& isOpen)
     {
         std::vector<std::uint32_t> next;
@@ -56,7 +56,7 @@ private:
     const BloomingBits& bits_;
     const VoxelFill& fill_;
     double minFill_;
-    std::vector<std::uint32_t> shore_;   ///< where the ways have come to
+    std::vector<std::uint32_t> shore_;   ///< voxels reached last
 };
 
 }   // namespace

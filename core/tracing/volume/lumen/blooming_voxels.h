@@ -9,17 +9,17 @@
 
 namespace angiopose::core {
 
-/// Marks of a voxel.
+/// Bits that mark a voxel.
 struct BloomingBits {
-    std::uint8_t bright = 8;   ///< skirts lie around these
-    std::uint8_t solid = 4;   ///< never in a skirt
-    std::uint8_t blooming = 64;   ///< what is set
+    std::uint8_t bright = 8;   ///< sources of blooming
+    std::uint8_t solid = 4;   ///< never marked as blooming
+    std::uint8_t blooming = 64;   ///< the bit to set
 };
 
-/// Sets `skirt` in `flags` wherever it only ever gets darker on the way there from something bright, in at most `reach`
-/// steps along each axis: blurring, motion and streaks around bone and dense contrast medium pass every brightness,
-/// that of blood too, while a vessel beside them is brighter again than what lies between. Ways end at less than
-/// `minFill`. Incomplete when stopped.
+/// Sets `blooming` in `flags` for voxels that are reached from something bright by strictly decreasing values, in at
+/// most `reach` steps along each axis: blurring, motion and streaks around bone and dense contrast agent pass through
+/// every brightness, including that of blood, while an adjacent vessel is brighter again than the gap. Descents end
+/// below `minFill`. Incomplete when stopped.
 void markBlooming(VoxelMask& flags, const BloomingBits& bits, const VoxelFill& fill, double minFill,
                   const Eigen::Vector3i& reach, TracingProgress& progress);
 

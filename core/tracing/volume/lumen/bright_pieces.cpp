@@ -8,11 +8,11 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double joinMm = 1.25;   ///< half of what may lie between the voxels of one piece
+constexpr double joinMm = 1.25;   ///< half of the maximum gap between voxels of one component
 constexpr std::uint8_t betweenPieces = 1;
 constexpr std::uint8_t bright = 2;
 
-/// Sets to `between` what lies near anything bright.
+/// Marks the voxels near anything bright as `betweenPieces`.
 void widen(VoxelMask& mask)
 {
     const Eigen::Vector3i& size = mask.geometry.size;

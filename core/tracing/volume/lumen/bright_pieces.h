@@ -9,18 +9,18 @@
 
 namespace angiopose::core {
 
-/// What bright voxels are, by the size of the piece that they belong to.
+/// Marks for bright voxels, by the size of their connected component.
 struct BrightMarks {
     std::uint8_t large = 8;   ///< bone
-    std::uint8_t small = 16;   ///< chalk in the wall of a vessel
+    std::uint8_t small = 16;   ///< calcified plaque in a vessel wall
     std::uint8_t metal = 32;   ///< large, but a stent
 };
 
-/// What of a large piece is metal.
+/// Selects the metal part of a large component.
 using MetalOf = std::function<VoxelPiece(const VoxelPiece& piece)>;
 
-/// Turns what is set into `marks`. What lies within some millimetres belongs to one piece: where voxels are fine, the
-/// wires of a stent and the beams of bone fall apart. Large pieces have `minLargeMl` or more.
+/// Replaces set voxels by `marks`. Voxels within some millimeters of each other form one component, because stent wires
+/// and bone trabeculae are disconnected at fine voxel sizes. Large components have at least `minLargeMl`.
 void markBrightPieces(VoxelMask& mask, double minLargeMl, const BrightMarks& marks, const MetalOf& metalOf = {});
 
 }   // namespace angiopose::core

@@ -11,23 +11,23 @@ namespace angiopose::core {
 namespace {
 
 constexpr double cellMm = 12.0;
-constexpr int samplesAlong = 5;   ///< of a cell, along each axis
-constexpr double overNoise = 1.6;   ///< a cell's median over that of air, for it to be tissue
-constexpr double airCells = 0.05;   ///< of the cells, if there is any
-constexpr double minOfRange = 0.02;   ///< of the brightest cell: darker is air where air has no noise
+constexpr int samplesAlong = 5;   ///< samples per cell, along each axis
+constexpr double overNoise = 1.6;   ///< ratio of a tissue cell's median to that of air
+constexpr double airCells = 0.05;   ///< quantile of the cells that is taken as air
+constexpr double minOfRange = 0.02;   ///< relative to the brightest cell; darker is noise-free air
 constexpr std::size_t minCells = 60;
 constexpr int coilRounds = 10;
-constexpr double otherTissue = 0.7;   ///< natural logarithm: organs that differ more say nothing of the coil
-constexpr double coilStiffness = 1e-3;   ///< of the cells, against bends that few cells ask for
+constexpr double otherTissue = 0.7;   ///< natural logarithm; organs that differ more are ignored
+constexpr double coilStiffness = 1e-3;   ///< relative to the number of cells; damps curvature driven by few cells
 constexpr double minFallOff = 2.0;
-constexpr double maxFallOff = 8.0;   ///< beyond, noise alone would be made brighter
+constexpr double maxFallOff = 8.0;   ///< a larger correction would only amplify noise
 constexpr double maxScatter = 0.3;   ///< median deviation from the field, natural logarithm
-constexpr double minExplained = 0.5;   ///< of the variance of the tissue
+constexpr double minExplained = 0.5;   ///< share of the tissue's variance
 constexpr double maxStoredOfCoil = 32000.0;
 
 using Terms = Eigen::Matrix<double, 10, 1>;
 
-/// `place` from -1 to 1 along each axis.
+/// Polynomial terms of the field; `place` from -1 to 1 along each axis.
 Terms termsAt(const Eigen::Vector3d& place)
 {
     Terms terms;
@@ -41,10 +41,10 @@ Terms termsAt(const Eigen::Vector3d& place)
 struct Cell {
     Eigen::Vector3d place;
     double median = 0.0;
-    double logarithm = 0.0;   ///< of its signal without noise
+    double logarithm = 0.0;   ///< logarithm of the noise-corrected signal
 };
 
-/// Places and values of a scan in patient axis order.
+/// Positions and values of a scan in patient axis order.
 class CoilScan {
 public:
     CoilScan(const Volume& volume, const AxisOrder& order) : volume_(volume), order_(order) {}
@@ -97,7 +97,7 @@ private:
     const AxisOrder& order_;
 };
 
-/// Those that hold tissue rather than air.
+/// Keeps the cells that contain tissue rather than air.
 std::vector<Cell> tissueAmong(std::vector<Cell> cells)
 {
     if (cells.empty()) {
@@ -123,13 +123,13 @@ Terms fieldThrough(const std::vector<Cell>& cells)
     }
     field[0] = medianOf(std::move(logarithms));
     for (int round = 0; round < coilRounds; ++round) {
-        const double reach = otherTissue * (round < coilRounds / 2 ? 2.0 : 1.0);   // the first field is flat
+        const double reach = otherTissue * (round < coilRounds / 2 ? 2.0 : 1.0);   // the initial field is flat
         Eigen::Matrix<double, 10, 10> normal = Eigen::Matrix<double, 10, 10>::Zero();
         Terms right = Terms::Zero();
         for (const Cell& cell : cells) {
             const Terms terms = termsAt(cell.place);
             const double off = (cell.logarithm - field.dot(terms)) / reach;
-            const double weight = std::abs(off) < 1.0 ? std::pow(1.0 - off * off, 2) : 0.0;   // Tukey's
+            const double weight = std::abs(off) < 1.0 ? std::pow(1.0 - off * off, 2) : 0.0;   // Tukey's biweight
             normal += weight * terms * terms.transpose();
             right += weight * cell.logarithm * terms;
         }
@@ -139,7 +139,7 @@ Terms fieldThrough(const std::vector<Cell>& cells)
     return field;
 }
 
-/// Of the body, how far the field's logarithm reaches; nothing where it does not explain the tissue.
+/// Range of the field's logarithm over the body; nothing if the field does not explain the tissue.
 struct FieldReach {
     double low = 0.0;
     double high = 0.0;

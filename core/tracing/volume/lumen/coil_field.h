@@ -7,14 +7,14 @@
 
 namespace angiopose::core {
 
-/// A scan as a coil would give it that receives alike everywhere.
+/// A scan with the coil's inhomogeneity removed (bias-field correction).
 struct BiasCorrectedScan {
-    Volume volume;   ///< the values of where the coil receives best
-    double fallOff = 1.0;   ///< how many times weaker the coil received elsewhere in the body
+    Volume volume;   ///< scaled to where the coil's sensitivity is highest
+    double fallOff = 1.0;   ///< factor by which the coil received weaker elsewhere in the body
 };
 
-/// MR scans whose tissue gets darker from one place to another by more than half, evenly enough to be the coil's doing:
-/// none for CT, where air, fat and organs alone differ. Takes as much memory as the scan.
+/// Corrects MR scans whose tissue darkens from one place to another by more than half, smoothly enough to be caused by
+/// the coil; nothing for CT, where only air, fat and organs differ. Uses as much memory as the scan.
 std::optional<BiasCorrectedScan> biasCorrected(const Volume& volume, const AxisOrder& order);
 
 }   // namespace angiopose::core

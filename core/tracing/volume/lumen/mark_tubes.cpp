@@ -15,13 +15,13 @@ namespace {
 constexpr int blockSize = 64;
 constexpr std::array<double, 3> scalesInVoxels{0.9, 1.7, 3.0};
 constexpr double reachInSigmas = 3.0;
-constexpr float minCurvature = 0.075F;   ///< times σ², of the blood's contrast; a vessel of radius σ has 0.3
-constexpr float minRoundness = 0.33F;   ///< weaker over stronger curvature across: a sheet has none
-constexpr float maxAlong = 0.75F;   ///< curvature along over the weaker one across: a ball has 1
+constexpr float minCurvature = 0.075F;   ///< times σ², relative to blood contrast; a vessel of radius σ has 0.3
+constexpr float minRoundness = 0.33F;   ///< weaker over stronger curvature across; a sheet has 0
+constexpr float maxAlong = 0.75F;   ///< curvature along over the weaker one across; a ball has 1
 
-/// Part of the scan with a margin, as share of blood.
+/// Part of the scan with a margin, as fraction of blood.
 struct TubeBlock {
-    Eigen::Vector3i low;   ///< its first voxel in the volume, margin included; may lie outside
+    Eigen::Vector3i low;   ///< first voxel in the volume, margin included; may lie outside
     Eigen::Vector3i size;
     std::vector<float> fill;
 
@@ -54,14 +54,14 @@ std::vector<float> gaussian(double sigma)
     return kernel;
 }
 
-/// Smooths along one axis; at the block's rim the outermost values go on.
+/// Smooths along one axis; values at the rim of the block are repeated.
 void smoothAlong(TubeBlock& block, std::vector<float>& scratch, int axis, double sigma)
 {
     const std::vector<float> kernel = gaussian(sigma);
     const int reach = static_cast<int>(kernel.size() / 2);
     const std::ptrdiff_t stride = axis == 0 ? 1 : axis == 1 ? block.size.x() : block.size.x() * block.size.y();
     const int count = block.size[axis];
-    // Runs of values that lie side by side: rows for the second axis, slices for the third.
+    // Number of adjacent values per run: rows for the second axis, slices for the third.
     const std::ptrdiff_t run = axis == 0 ? 1 : stride;
     const auto total = static_cast<std::ptrdiff_t>(block.fill.size());
     std::fill(scratch.begin(), scratch.end(), 0.0F);
@@ -90,7 +90,7 @@ void smoothAlong(TubeBlock& block, std::vector<float>& scratch, int axis, double
     block.fill.swap(scratch);
 }
 
-/// Second derivatives by central differences, in mm, times `factor`.
+/// Second derivatives by central differences, in mm, multiplied by `factor`.
 Eigen::Matrix3f curvatureAt(const TubeBlock& block, std::ptrdiff_t at, const Eigen::Vector3f& spacing, float factor)
 {
     const float* f = &block.fill[static_cast<std::size_t>(at)];
@@ -122,7 +122,7 @@ bool isTube(const Eigen::Matrix3f& hessian)
            std::abs(values[2]) < -maxAlong * values[1];
 }
 
-/// One scan, its settings, and the work on one block.
+/// Marks tubes in one scan, block by block.
 class TubeMarker {
 public:
     TubeMarker(const Volume& volume, const AxisOrder& order, const BloodLevel& level, double minFill)

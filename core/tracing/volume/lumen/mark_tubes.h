@@ -9,16 +9,16 @@
 
 namespace angiopose::core {
 
-/// Marks of a voxel.
+/// Bits that mark a voxel.
 struct TubeBits {
-    std::uint8_t bright = 1;   ///< its surroundings hold half or more of blood, noise smoothed away
-    std::uint8_t tube = 2;   ///< it is bright along a line
+    std::uint8_t bright = 1;   ///< smoothed surroundings contain at least half blood
+    std::uint8_t tube = 2;   ///< bright along a line
 };
 
-/// Sets `bits` in `flags` (patient axis order). A line is where two curvatures of the smoothed brightness are strong
-/// and alike and the third is weak (Sato 1998, Frangi 1998), at one of three scales up to three voxels. Only voxels
-/// that hold at least `minFill` of blood are looked at. Works in blocks, so that it needs little memory. Incomplete
-/// when stopped.
+/// Sets `bits` in `flags` (patient axis order). A line is a place where two curvatures of the smoothed brightness are
+/// strong and similar and the third is weak (Sato 1998, Frangi 1998), at one of three scales up to three voxels. Only
+/// voxels with a blood fraction of at least `minFill` are evaluated. Works in blocks to save memory. Incomplete when
+/// stopped.
 void markTubes(const Volume& volume, const AxisOrder& order, const BloodLevel& level, double minFill, VoxelMask& flags,
                const TubeBits& bits, int threads, TracingProgress& progress);
 

@@ -10,15 +10,15 @@ namespace angiopose::core {
 namespace {
 
 constexpr double maxBoneHu = 2000.0;
-constexpr double maxBoneFill = 5.0;   ///< in scans without Hounsfield units
-constexpr double solidReachMm = 6.0;   ///< bright as far as this to all sides: no stent, blurred as it may be
-constexpr double aroundMetalMm = 2.0;   ///< from its brightest voxels, what they blur and the thinner wires between
-constexpr double besideWiresMm = 3.0;   ///< beyond what the wires blur
+constexpr double maxBoneFill = 5.0;   ///< for scans without Hounsfield units
+constexpr double solidReachMm = 6.0;   ///< bright to this distance on all sides: not a stent, even if blurred
+constexpr double aroundMetalMm = 2.0;   ///< from its brightest voxels; includes their blur and thinner wires
+constexpr double besideWiresMm = 3.0;   ///< beyond the blur of the wires
 constexpr double brightFill = 1.6;
 constexpr double minBesideFill = 0.7;
-constexpr double minBesideShare = 0.38;   ///< of what is not bright itself; wires in a sternum have 0.3
+constexpr double minBesideShare = 0.38;   ///< share of the voxels that are not bright; wires in a sternum have 0.3
 
-/// The places so many voxels away along each axis.
+/// The six positions at distance `reach` along the axes.
 std::array<Eigen::Vector3i, 6> sidesOf(const Eigen::Vector3i& voxel, const Eigen::Vector3i& reach)
 {
     const Eigen::Vector3i x(reach.x(), 0, 0);
@@ -27,7 +27,7 @@ std::array<Eigen::Vector3i, 6> sidesOf(const Eigen::Vector3i& voxel, const Eigen
     return {voxel - x, voxel + x, voxel - y, voxel + y, voxel - z, voxel + z};
 }
 
-/// Looks along the axes from the voxels of one piece.
+/// Samples the surroundings of one component along the axes.
 class Surroundings {
 public:
     Surroundings(const VolumeGeometry& grid, const VoxelFill& fill)
@@ -81,7 +81,7 @@ bool isStent(const VoxelPiece& piece, const VolumeGeometry& grid, const VoxelFil
     return around.isBlood() || isThinStent(piece, grid, fill);
 }
 
-/// The voxels of a piece that lie around `metal`.
+/// Voxels of a component near `metal`.
 VoxelPiece partAround(const VoxelPiece& metal, const VoxelPiece& piece, const VolumeGeometry& grid)
 {
     const VoxelBox box = boxAround(metal, grid, aroundMetalMm);

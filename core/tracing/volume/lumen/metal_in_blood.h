@@ -7,10 +7,10 @@
 
 namespace angiopose::core {
 
-/// What of a piece that is brighter than blood is a stent: somewhere brighter than any bone, of thin wires, and with
-/// blood beside much of it or, where it is too thin for that, beyond both its ends. Wires in bone, electrodes on the
-/// skin, devices and dense contrast medium lack one of these. Where bone is so close that it is in the same piece, what
-/// lies around the brightest voxels alone. Empty when nothing is.
+/// Selects the part of a component brighter than blood that is a stent: it is somewhere brighter than any bone, has
+/// thin wires, and has blood next to much of it or, if it is too thin for that, beyond both ends. Wires in bone, skin
+/// electrodes, devices and dense contrast agent fail one of these tests. If bone is so close that it belongs to the
+/// same component, only the surroundings of the brightest voxels are taken. Empty if there is no stent.
 VoxelPiece metalInBlood(const VoxelPiece& piece, const VolumeGeometry& grid, const BloodLevel& level,
                         const VoxelFill& fill);
 

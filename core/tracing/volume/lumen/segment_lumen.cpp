@@ -19,26 +19,26 @@ namespace angiopose::core {
 namespace {
 
 constexpr TubeBits bits;
-constexpr std::uint8_t core = 4;   ///< evenly as bright as blood
+constexpr std::uint8_t core = 4;   ///< homogeneous and as bright as blood
 constexpr std::uint8_t tooBright = 8;
-constexpr std::uint8_t calcification = 16;   ///< too bright, but in a small piece
-constexpr std::uint8_t metal = 32;   ///< too bright, of a stent with blood within
+constexpr std::uint8_t calcification = 16;   ///< too bright, but in a small component
+constexpr std::uint8_t metal = 32;   ///< too bright, part of a stent with blood inside
 constexpr std::uint8_t blooming = 64;   ///< see `markBlooming`
 constexpr std::uint8_t wallBits = tooBright | metal;
 
-constexpr double minTubeFill = 0.25;   ///< share of blood in a voxel of a thin vessel
+constexpr double minTubeFill = 0.25;   ///< fraction of blood in a voxel of a thin vessel
 constexpr double minCoreFill = 0.55;
-constexpr double maxFillOfLumen = 1.6;   ///< brighter: bone, metal, contrast before it has mixed
-constexpr double maxMetal = 6.0;   ///< in sections: how bright beyond that says nothing more
+constexpr double maxFillOfLumen = 1.6;   ///< brighter: bone, metal, contrast agent before mixing
+constexpr double maxMetal = 6.0;   ///< in cross-sections; higher values add no information
 constexpr double maxUneven = 0.18;   ///< standard deviation within a core
-constexpr double maxBrightMl = 0.1;   ///< of pieces brighter than blood: calcifications are smaller
+constexpr double maxBrightMl = 0.1;   ///< components brighter than blood; calcifications are smaller
 constexpr double coreReachMm = 1.4;   ///< from a core to its wall; at least two voxels
-constexpr double rimMm = 1.5;   ///< around bone and metal, what blurring makes as bright as blood; at least a voxel
-constexpr int maxWireWidth = 2;   ///< voxels up to its crest
-constexpr double bloomingMm = 4.0;   ///< from bone and dense contrast medium, how far streaks and blurring lead
-constexpr double cortexReachMm = 1.4;   ///< from marrow to the shell of its bone; at least two voxels
-constexpr double maxBoneWall = 0.3;   ///< of a vessel's wall
-constexpr double minCoreShare = 0.2;   ///< of a piece that may lie in bright walls all the same: a stented vessel
+constexpr double rimMm = 1.5;   ///< around bone and metal, where blurring looks like blood; at least one voxel
+constexpr int maxWireWidth = 2;   ///< voxels up to the wire's crest
+constexpr double bloomingMm = 4.0;   ///< reach of streaks and blurring from bone and dense contrast agent
+constexpr double cortexReachMm = 1.4;   ///< from marrow to its cortical bone; at least two voxels
+constexpr double maxBoneWall = 0.3;   ///< share of a vessel's wall
+constexpr double minCoreShare = 0.2;   ///< share of cores; above, a component with bright walls is a stented vessel
 
 class Segmenter {
 public:
@@ -76,7 +76,7 @@ public:
     }
 
 private:
-    /// Along each axis.
+    /// Number of voxels along each axis.
     Eigen::Vector3i voxelsIn(double mm, int least) const
     {
         return (mm / order_.geometry.spacingMm.array()).round().cast<int>().max(least);
@@ -110,7 +110,8 @@ private:
         return [this](int i, int j, int k) { return fillAt(i, j, k); };
     }
 
-    /// What is brighter than blood: large pieces are bone and metal, small ones chalk in the wall of a vessel.
+    /// Marks voxels brighter than blood: large components are bone and metal, small ones are calcified plaque in a
+    /// vessel wall.
     void markTooBright(TracingProgress& progress)
     {
         eachSlice(progress, [&](int k) {
@@ -129,8 +130,8 @@ private:
         });
     }
 
-    /// Wires of a wide vessel are its wall. Those of a thin one blur into each other, so that they are all that is seen
-    /// of it.
+    /// Wires of a wide vessel are its wall. Those of a thin vessel blur together and are the only part of it that is
+    /// visible, so they become lumen.
     void openThinStents(TracingProgress& progress)
     {
         std::vector<VoxelPiece> wide;
@@ -162,7 +163,8 @@ private:
         });
     }
 
-    /// As bright as blood here and some way off to all six sides; beyond the rim the scan goes on as it ends.
+    /// Whether the scan is as bright as blood here and at some distance on all six sides; edge values are repeated
+    /// beyond the rim.
     bool isEven(int i, int j, int k) const
     {
         const int x = coreReach_.x();
@@ -200,8 +202,8 @@ private:
         return false;
     }
 
-    /// Cores, what is bright around them, and tubes with what is bright beside them; but no rim of bone or metal, which
-    /// blurring makes look like blood.
+    /// Selects cores, bright voxels around them, and tubes with adjacent bright voxels; excludes the rim of bone or
+    /// metal, which looks like blood due to blurring.
     void choose(VoxelMask& lumen, int k) const
     {
         for (int j = 0; j < size_.y(); ++j) {
@@ -233,7 +235,8 @@ private:
         }
     }
 
-    /// Marrow can be as bright as blood, but is uneven and lies in a shell of bone.
+    /// Whether a component is marrow, which can be as bright as blood but is inhomogeneous and surrounded by cortical
+    /// bone.
     bool isMarrow(const VoxelPiece& piece, const VoxelMask& lumen) const
     {
         std::size_t cores = 0;
@@ -270,11 +273,11 @@ private:
     const BloodLevel& level_;
     Eigen::Vector3i size_;
     int threads_;
-    Eigen::Vector3i coreReach_;   ///< voxels along each axis, as are those below
+    Eigen::Vector3i coreReach_;   ///< voxels along each axis, as for the following reaches
     Eigen::Vector3i rim_;
     Eigen::Vector3i bloomingReach_;
     Eigen::Vector3i cortexReach_;
-    std::vector<VoxelPiece> stents_;   ///< of all, later of wide vessels alone
+    std::vector<VoxelPiece> stents_;   ///< all stents; later only those of wide vessels
     VoxelMask flags_;
 };
 

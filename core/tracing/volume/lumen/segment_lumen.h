@@ -9,21 +9,22 @@
 
 namespace angiopose::core {
 
-/// Voxels that can be lumen, in patient axis order.
+/// Lumen candidates, in patient axis order.
 struct SegmentedLumen {
-    /// 2 where the scan is evenly bright as blood (the core of wide vessels), 1 what belongs around such cores and what
-    /// is bright along lines (thin vessels, also below the threshold).
+    /// 2 for voxels as bright as blood in homogeneous surroundings (cores of wide vessels), 1 for voxels around such
+    /// cores and bright along lines (thin vessels, also below the threshold).
     VoxelMask clear;
     VoxelPiece besideWires;   ///< see `lumenBesideWires`
 };
 
-/// Bone is mostly no lumen: its shells are sheets, its inside is uneven. Incomplete when stopped.
+/// Segments the lumen; bone is mostly excluded because its cortex forms sheets and its inside is inhomogeneous.
+/// Incomplete when stopped.
 SegmentedLumen segmentLumen(const Volume& volume, const AxisOrder& order, const BloodLevel& level, int threads,
                             TracingProgress& progress);
 
-/// How far each place of the scan is filled with blood, by linear interpolation; bright voxels that are not of `lumen`
-/// (bone beside a vessel) count as tissue, voxels of value 2 (filled holes) as blood. `lumen` and `order` have the same
-/// geometry; all must outlive the result.
+/// Fraction of blood at each point of the scan, by linear interpolation; bright voxels outside `lumen` (bone next to a
+/// vessel) count as tissue, voxels of value 2 (filled holes) as blood. `lumen` and `order` must have the same geometry;
+/// all arguments must outlive the result.
 BloodFill fillOf(const Volume& volume, const AxisOrder& order, const BloodLevel& level, const VoxelMask& lumen);
 
 }   // namespace angiopose::core

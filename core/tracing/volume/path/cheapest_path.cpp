@@ -12,12 +12,12 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minMarginMm = 15.0;   // of the searched part, around both ends
+constexpr double minMarginMm = 15.0;   // margin of the search box around both ends
 constexpr double maxMarginMm = 40.0;
 constexpr double marginPerWay = 0.35;
 constexpr std::size_t settledPerReport = 4096;
 
-/// A step to one of the 26 neighbours.
+/// A step to one of the 26 neighbors.
 struct NeighborStep {
     Eigen::Vector3i way;
     float lengthMm;
@@ -37,7 +37,7 @@ std::array<NeighborStep, 26> neighborSteps(const Eigen::Vector3d& spacingMm)
 }
 
 struct Waiting {
-    float key;   ///< distance and half the straight way on, less half the straight way back
+    float key;   ///< distance plus half the straight distance ahead, minus half that back
     float distance;
     std::uint32_t voxel;
     bool operator>(const Waiting& other) const { return key > other.key; }
@@ -45,7 +45,7 @@ struct Waiting {
 
 using WaitingVoxels = std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>>;
 
-/// One search from both ends over a box of voxels, counted from its first.
+/// Bidirectional search over a box of voxels, counted from its first voxel.
 class PathSearch {
 public:
     PathSearch(const VolumeGeometry& box, const Eigen::Vector3i& first, const VoxelCost& cost)
@@ -61,7 +61,7 @@ public:
             reach(cells_.at(ends_[side]), ends_[side], 0.0F, side);
         }
         for (std::size_t settled = 0; !isFound() && settled < maxSettled;) {
-            // Where fewer wait less is seen until both meet.
+            // Expanding the side with the shorter queue visits fewer voxels.
             settled += settleNext(waiting_[0].size() <= waiting_[1].size() ? 0 : 1) ? 1 : 0;
             if (settled % settledPerReport == 0 &&
                 !progress.advance(static_cast<double>(settled) / static_cast<double>(maxSettled))) {
@@ -72,7 +72,7 @@ public:
     }
 
 private:
-    /// No way over a voxel that still waits is cheaper; nor is there one once an end's are used up.
+    /// Whether the cheapest path is known: no path over a waiting voxel can be cheaper, or one side is exhausted.
     bool isFound() const
     {
         return waiting_[0].empty() || waiting_[1].empty() || waiting_[0].top().key + waiting_[1].top().key >= shortest_;
@@ -96,7 +96,7 @@ private:
                                   (voxel - end).cast<double>().cwiseProduct(box_.spacingMm).norm());
     }
 
-    /// False for one that came on a cheaper way since.
+    /// Settles the next voxel; false if a cheaper path has reached it in the meantime.
     bool settleNext(std::size_t side)
     {
         const Waiting next = waiting_[side].top();
@@ -114,7 +114,7 @@ private:
             }
             SearchCell& there = cells_.at(at);
             if (there.distance[side] <= next.distance) {
-                continue;   // as near already
+                continue;   // already as near
             }
             const float distance = next.distance + 0.5F * (perMm + costAt(there, at)) * steps_[n].lengthMm;
             if (distance < there.distance[side]) {
@@ -164,8 +164,8 @@ private:
     SearchCells cells_;
     std::array<Eigen::Vector3i, 2> ends_;
     std::array<WaitingVoxels, 2> waiting_;
-    float shortest_ = std::numeric_limits<float>::infinity();   ///< of the ways that are known
-    Eigen::Vector3i meeting_ = Eigen::Vector3i::Zero();   ///< a voxel on it
+    float shortest_ = std::numeric_limits<float>::infinity();   ///< length of the best path so far
+    Eigen::Vector3i meeting_ = Eigen::Vector3i::Zero();   ///< a voxel on that path
 };
 
 }   // namespace

@@ -11,18 +11,19 @@ namespace angiopose::core {
 namespace {
 
 constexpr double lookEveryMm = 2.0;
-constexpr std::ptrdiff_t steadyReach = 7;   // places before and behind: stents, chalk and gaps do not count as blood
-constexpr double bloodRank = 0.75;   // of these: thin stretches are dim by blurring
-constexpr double besideInShells = 1.5;   // how far from the axis what is around a vessel begins
-constexpr double clearlyDarker = 0.5;   // of the vessel's height: not another vessel beside it
-constexpr double withinBlood = 0.5;   // of the usual height over tissue: all around is blood
-constexpr double otherVessel = 0.4;   // what is less dark is blurred with another vessel
-constexpr double rankBeside = 0.75;   // of what is darker
+constexpr std::ptrdiff_t steadyReach = 7;   // positions before and after; stents, plaque and gaps do not count
+constexpr double bloodRank = 0.75;   // quantile of these; blurring dims thin stretches
+constexpr double besideInShells = 1.5;   // distance from the axis at which the surroundings begin
+constexpr double clearlyDarker = 0.5;   // share of the vessel's contrast; excludes adjacent vessels
+constexpr double withinBlood = 0.5;   // share of the typical contrast; below, all surroundings are blood
+constexpr double otherVessel = 0.4;   // share of the contrast; brighter values are blurred with another vessel
+constexpr double rankBeside = 0.75;   // quantile of the darker values
 constexpr double maxFillBeside = 0.35;
-constexpr std::size_t minAround = 6;   // of 26 places
+constexpr std::size_t minAround = 6;   // out of 26 positions
 
-/// What is right beside the vessel, where enough is darker than it; else what is farther around. Beside lung or fat the
-/// rest must not look half like blood.
+/// Refines the tissue value from the immediate surroundings of the vessel, if enough of them are darker than it;
+/// otherwise keeps the wider surroundings. Next to lung or fat, the remaining surroundings must not look half like
+/// blood.
 VesselLook lookBeside(const PathGround& ground, const Eigen::Vector3i& voxel, VesselLook look)
 {
     const double heightOfBlood = look.blood - look.tissue;
@@ -46,7 +47,7 @@ VesselLook lookBeside(const PathGround& ground, const Eigen::Vector3i& voxel, Ve
     return look;
 }
 
-/// Where a vessel is so wide that there is nothing else around its axis, tissue is as on the rest of the way.
+/// Takes the tissue value from the rest of the path if a vessel is so wide that nothing else surrounds its axis.
 void lookBeyondBlood(std::vector<VesselLook>& looks)
 {
     std::vector<double> heights;
@@ -125,7 +126,7 @@ BloodFill LookAlongPath::quickFill() const
     };
 }
 
-/// Each look by those around it.
+/// Smooths each look by those around it.
 void LookAlongPath::steady()
 {
     const std::vector<VesselLook> found = looks_;

@@ -7,17 +7,18 @@
 
 namespace angiopose::core {
 
-/// What a vessel looks like along its path: brightness changes on the way, by the contrast's age or the coil, and what
-/// lies around it too. The volume must outlive it.
+/// Appearance of a vessel along its path, where the brightness of the vessel (contrast timing, coil) and of its
+/// surroundings changes. The volume must outlive it.
 class LookAlongPath {
 public:
-    /// Points in mm along the grid's axes.
+    /// Measures the look at points in mm along the grid's axes.
     LookAlongPath(const PathGround& ground, const std::vector<Eigen::Vector3d>& pointsMm);
 
-    /// Share of blood near the path: 0 as around the vessel, 1 as in it.
+    /// Fraction of blood near the path: 0 as in the surroundings, 1 as in the vessel.
     double fill(const Eigen::Vector3d& pointMm) const;
 
-    /// The same, which looks up once for all points within a millimetre what the vessel is like there. For one thread.
+    /// Faster variant of `fill` that looks up the vessel's appearance once for all points within a millimeter. Not
+    /// thread-safe.
     BloodFill quickFill() const;
 
 private:

@@ -5,13 +5,14 @@
 
 namespace angiopose::core {
 
-/// Where somebody pointed at a vessel.
+/// End of a path, where the user pointed at a vessel.
 struct PathEnd {
-    Eigen::Vector3i voxel = Eigen::Vector3i::Zero();   ///< the likeliest of a vessel near there
+    Eigen::Vector3i voxel = Eigen::Vector3i::Zero();   ///< most likely vessel voxel nearby
     VesselLook look;
 };
 
-/// Fails for a place outside the scan, or in nothing brighter than what is around it.
+/// Finds the vessel voxel for a point. Fails if the point lies outside the scan or in nothing brighter than its
+/// surroundings.
 Result<PathEnd> pathEnd(const PathGround& ground, const Eigen::Vector3d& placeInPatient);
 
 }   // namespace angiopose::core

@@ -7,22 +7,22 @@
 namespace angiopose::core {
 namespace {
 
-// From coronary branches to the aorta: just beyond the wall of each.
+// Radii from coronary branches to the aorta, each just beyond the wall.
 constexpr std::array shellRadiiMm{1.2, 1.8, 2.6, 3.6, 5.0, 7.0, 10.0, 14.0};
 constexpr double shellBeyondWall = 1.2;
-constexpr double clearDrop = 0.4;   // of a voxel's height above tissue, to what lies beside it
-// Along a straight tube about 9 of 13 directions leave it; in a wall 4, where it goes on flat 0.
+constexpr double clearDrop = 0.4;   // drop beside the voxel, relative to its contrast to tissue
+// In a straight tube, about 9 of 13 directions lead out of it; in a sheet-like wall 4, in a homogeneous region 0.
 constexpr double minShareOfTube = 0.35;
 constexpr double shareOfTube = 0.65;
 constexpr int directions = 13;
 constexpr double tissueReachMm = 6.0;
-constexpr double tissueRank = 0.3;   // of the values around: the vessel and its neighbours fill less than the rest
+constexpr double tissueRank = 0.3;   // quantile of the surrounding values; the vessels fill less than the rest
 
-/// Steps in every second of 26 directions, none opposite to another.
+/// Steps in half of the 26 directions, no two of them opposite.
 std::vector<Eigen::Vector3i> halfShell(double radiusMm, const Eigen::Vector3d& spacingMm)
 {
     std::vector<Eigen::Vector3i> steps;
-    for (int n = 14; n < 27; ++n) {   // the second half of the 26 neighbours
+    for (int n = 14; n < 27; ++n) {   // the second half of the 26 neighbors
         const Eigen::Vector3d way(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
         const Eigen::Vector3d step = (radiusMm * way.normalized()).cwiseQuotient(spacingMm);
         steps.emplace_back(step.array().round().cast<int>());
@@ -30,7 +30,7 @@ std::vector<Eigen::Vector3i> halfShell(double radiusMm, const Eigen::Vector3d& s
     return steps;
 }
 
-/// 0…1, how much of a tube's middle a voxel is that is brighter than that many pairs of places.
+/// Share 0…1 to which a voxel is the middle of a tube, from the number of opposite pairs that are darker than it.
 double shareOfPairs(int darker)
 {
     const double share = static_cast<double>(darker) / directions;
@@ -64,7 +64,7 @@ double PathGround::valueAt(const Eigen::Vector3i& voxel) const
     return volume_.value(volume_.geometry.index(inside.x(), inside.y(), inside.z()));
 }
 
-/// Pairs of which both places have at most that value; 0 once fewer than `atLeast` can be left.
+/// Number of pairs with both values at most `limit`; returns 0 as soon as fewer than `atLeast` remain possible.
 int PathGround::darkerPairs(const Shell& shell, const Eigen::Vector3i& voxel, double limit, int atLeast) const
 {
     const VolumeGeometry& grid = volume_.geometry;

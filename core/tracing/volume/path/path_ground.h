@@ -8,50 +8,49 @@
 
 namespace angiopose::core {
 
-/// What vessels of a scan look like around two places that somebody says lie in one.
+/// Appearance of vessels in a scan, in its own values.
 struct VesselLook {
     double blood = 1.0;   ///< value of the scan
-    double tissue = 0.0;   ///< around it; below `blood`
+    double tissue = 0.0;   ///< value of the surroundings; below `blood`
 };
 
-/// How much of a tube's middle a voxel is.
+/// Resemblance of a voxel to the middle of a tube.
 struct TubeLook {
-    double share =
-        0.0;   ///< 0…1: in how many directions the scan is darker on both sides, at the distance where most are
+    double share = 0.0;   ///< 0…1: share of directions darker on both sides, at the best distance
     double shellMm = 0.0;   ///< that distance: the wall lies within it
 };
 
-/// How much like the inside of a vessel the voxels of a scan are. The volume must outlive it.
+/// Measures how much the voxels of a scan look like the inside of a vessel. The volume must outlive it.
 class PathGround {
 public:
-    /// Tubes wider than the radius are none.
+    /// Ignores tubes wider than the radius.
     explicit PathGround(const Volume& volume, double widestRadiusMm = 13.0);
 
     const Volume& volume() const { return volume_; }
 
-    /// The likeliest voxel of a vessel around a place, within `reachMm`.
+    /// The most likely vessel voxel within `reachMm` of a position.
     Eigen::Vector3i likeliestNear(const Eigen::Vector3i& voxel, double reachMm) const;
 
-    /// Blood at the voxel, tissue by what lies around it.
+    /// Appearance at a voxel: blood from its own value, tissue from its surroundings.
     VesselLook lookAt(const Eigen::Vector3i& voxel) const;
 
-    /// How much a voxel is the middle of a tube; neither in a chamber nor in a wall.
+    /// Computes how much a voxel resembles the middle of a tube; low in chambers and in walls.
     TubeLook tube(const Eigen::Vector3i& voxel, double tissue) const;
 
-    /// The share alone, which is found sooner.
+    /// Only the share of `tube`, which is faster to compute.
     double tubeShare(const Eigen::Vector3i& voxel, double tissue) const;
 
-    /// Values in 26 directions at a distance.
+    /// Values in 26 directions at the given distance.
     std::vector<double> valuesAround(const Eigen::Vector3i& voxel, double distanceMm) const;
 
-    double valueAt(const Eigen::Vector3i& voxel) const;   ///< beyond the rim the last voxels go on
+    double valueAt(const Eigen::Vector3i& voxel) const;   ///< edge values are repeated beyond the rim
 
 private:
-    /// Pairs of opposite places at one distance.
+    /// Opposite pairs of positions at one distance.
     struct Shell {
         double radiusMm = 0.0;
-        std::vector<Eigen::Vector3i> steps;   ///< 13, and their opposites
-        std::vector<std::ptrdiff_t> offsets;   ///< the same among the voxels as stored
+        std::vector<Eigen::Vector3i> steps;   ///< 13 steps; their opposites complete the pairs
+        std::vector<std::ptrdiff_t> offsets;   ///< the same steps as offsets in voxel storage
         Eigen::Vector3i reach = Eigen::Vector3i::Zero();
     };
     int darkerPairs(const Shell& shell, const Eigen::Vector3i& voxel, double limit, int atLeast) const;

@@ -10,17 +10,17 @@
 
 namespace angiopose::core {
 
-/// What a search from two ends knows of a voxel.
+/// State of a voxel in a bidirectional search.
 struct SearchCell {
     static constexpr std::uint8_t notReached = 255;
     static constexpr float unknown = -1.0F;
 
     float perMm = unknown;
     std::array<float, 2> distance{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
-    std::array<std::uint8_t, 2> arrival{notReached, notReached};   ///< the step that led here
+    std::array<std::uint8_t, 2> arrival{notReached, notReached};   ///< step that reached the voxel, per side
 };
 
-/// The cells of a box of voxels, made by tiles where a search comes: it sees little of its box.
+/// Cells of a box of voxels, allocated in tiles on demand because a search visits only a small part of its box.
 class SearchCells {
 public:
     explicit SearchCells(const Eigen::Vector3i& size)

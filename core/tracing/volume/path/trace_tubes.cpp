@@ -14,10 +14,10 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double maxWidening = 1.4;   // over the vessel that a branch leaves
+constexpr double maxWidening = 1.4;   // relative to the vessel that a branch leaves
 constexpr double radiusNoiseMm = 0.3;
 
-/// The voxels inside the branches, in the order of the scan.
+/// The voxels inside the branches, in the scan's axis order.
 VoxelMask lumenOf(const VesselTree& tree, const VolumeGeometry& grid)
 {
     VoxelMask lumen(grid);
@@ -29,7 +29,7 @@ VoxelMask lumenOf(const VesselTree& tree, const VolumeGeometry& grid)
     return lumen;
 }
 
-/// True where a branch is wider than the vessel it leaves is there: a vein that touches an artery, no branch of it.
+/// Whether a branch is wider than its parent at its origin: such a branch is a vein that touches an artery.
 bool widens(const VesselBranch& branch, const VesselBranch& parent)
 {
     const Eigen::Vector3d& start = branch.pointsInPatient.front();
@@ -42,7 +42,7 @@ bool widens(const VesselBranch& branch, const VesselBranch& parent)
     return medianOf(branch.radiusMm) > maxWidening * parent.radiusMm[nearest] + radiusNoiseMm;
 }
 
-/// Without branches that widen, and what leaves those; `paths` as the branches.
+/// Removes branches that widen and their descendants; `paths` in the same order as the branches.
 VesselTree withoutWidening(const VesselTree& tree, const std::vector<BranchPath>& paths)
 {
     VesselTree kept;

@@ -7,10 +7,11 @@
 
 namespace angiopose::core {
 
-/// Thin vessels of a scan, reached from seeds through what is like a tube (ALGORITHMS §9.13): coronary arteries beside
-/// filled chambers, hepatic arteries beside the portal vein. Chambers, organs and vessels wider than a centimetre end
-/// them. `minBranchRadiusMm`, `threshold` and places to avoid do not count. Fails without a seed, for seeds outside the
-/// scan or in nothing bright, and where nothing long enough was found; ends as stopped when the observer says so.
+/// Traces thin vessels of a scan from seeds through tube-like structures (ALGORITHMS §9.13): coronary arteries next to
+/// opacified chambers, hepatic arteries next to the portal vein. Tracing ends at chambers, organs and vessels wider
+/// than a centimeter. `minBranchRadiusMm`, `threshold` and places to avoid are ignored. Fails without a seed, for seeds
+/// outside the scan or in nothing bright, and if nothing long enough is found; returns as stopped if the observer
+/// requests it.
 Result<TracedVessels> traceTubes(const Volume& volume, const VesselTracingOptions& options,
                                  const TracingObserver& observe = {});
 

@@ -13,34 +13,34 @@
 namespace angiopose::core {
 namespace {
 
-// Costs of a millimetre (see `costOfVoxel`): below the first a voxel is a tube's, as of 0.7 of the blood's height and
-// half a tube; what costs more adds to a way's debt.
+// Cost per millimeter (see `costOfVoxel`) up to which a voxel counts as tube, corresponding to 0.7 of the blood's
+// contrast and half a tube; a higher cost adds to the path's debt.
 constexpr double tubeCost = 3.3;
-constexpr double maxDebt = 9.0;   // about 3 mm of a chamber, a quarter of a mm of tissue
-constexpr double paidBack = 0.5;   // of what a tube's voxel costs less
-constexpr double memoryMm = 12.0;   // over which the look of a way follows what it runs through
-constexpr double fadingMm = 100.0;   // over which the contrast of an artery fades
-constexpr double minOfFull = 0.6;   // a vein, later filled, has less
-constexpr double radiusInShell = 0.35;   // at least
+constexpr double maxDebt = 9.0;   // about 3 mm of a chamber or a quarter of a mm of tissue
+constexpr double paidBack = 0.5;   // share of the cost saved in tube voxels that reduces the debt
+constexpr double memoryMm = 12.0;   // length over which the expected look adapts to the path
+constexpr double fadingMm = 100.0;   // length over which the contrast of an artery fades
+constexpr double minOfFull = 0.6;   // a later-opacified vein has less
+constexpr double radiusInShell = 0.35;   // lower limit of the radius, relative to the shell
 constexpr double blurInVoxels = 1.0;
 constexpr std::size_t maxGrown = 2'000'000;
 constexpr std::size_t grownPerReport = 4096;
-constexpr double radiusOfShell = 0.75;   // the wall lies within the shell that is darker
+constexpr double radiusOfShell = 0.75;   // the wall lies within the darker shell
 constexpr int noBranch = -1;
 
-/// What a way is like at a voxel.
+/// State of a path at a voxel.
 struct ReachedVoxel {
     double cost = std::numeric_limits<double>::infinity();
-    double wayMm = 0.0;   ///< from the seed
+    double wayMm = 0.0;   ///< distance from the seed
     double debt = 0.0;
     VesselLook look;
-    double fullBlood = 0.0;   ///< of the vessel where it is not dimmed by being thin
-    std::size_t before = 0;   ///< the voxel it came from; itself: a seed
+    double fullBlood = 0.0;   ///< blood value of the vessel where thinness does not dim it
+    std::size_t before = 0;   ///< previous voxel; for a seed the voxel itself
     bool isTube = false;
     bool isSettled = false;
-    int branch = noBranch;   ///< whose lumen it is in
-    std::size_t axis = 0;   ///< and beside which voxel of it
-    bool isTooShort = false;   ///< a way to here was looked at, and was no branch
+    int branch = noBranch;   ///< branch whose lumen contains the voxel
+    std::size_t axis = 0;   ///< nearest axis voxel of that branch
+    bool isTooShort = false;   ///< a path to here was checked and is too short for a branch
 };
 
 struct WaitingWay {
@@ -83,7 +83,7 @@ public:
 
     bool isCutShort() const { return settled_ >= maxGrown; }
 
-    /// The ends that are farthest from what is a branch already, one after the other.
+    /// Builds branches from the tube ends, those with the longest path first.
     std::vector<BranchPath> branches()
     {
         std::vector<std::size_t> ends;
@@ -135,7 +135,7 @@ private:
         }
     }
 
-    /// What a mm costs there. A tube too wide to be dimmed by blurring that is darker than the vessel so far is a vein.
+    /// Cost per mm at a voxel. A tube too wide to be dimmed by blurring but darker than the vessel so far is a vein.
     double costAt(const Eigen::Vector3i& voxel, const ReachedVoxel& here) const
     {
         const double value = ground_.valueAt(voxel);
@@ -147,7 +147,7 @@ private:
         return costOfTube(value, tube.share, here.look);
     }
 
-    /// The share of its blood's height that blurring leaves in the middle of a tube with the wall within `shellMm`.
+    /// Share of the blood's contrast that blurring leaves in the middle of a tube whose wall lies within `shellMm`.
     double fullnessOf(double shellMm) const
     {
         const double radiusInBlur = radiusInShell * shellMm / (blurInVoxels * std::cbrt(grid_.spacingMm.prod()));
@@ -177,13 +177,13 @@ private:
         waiting_.push({cost, indexOf(voxel)});
     }
 
-    /// The way back from an end to a branch or a seed, where it is long enough to be a branch.
+    /// Follows the path back from an end to a branch or seed, and adds it if it is long enough for a branch.
     void addBranch(std::size_t end, std::vector<BranchPath>& paths)
     {
         std::vector<std::size_t> way{end};
         while (reached_.at(way.back()).branch == noBranch && reached_.at(way.back()).before != way.back()) {
             if (reached_.at(way.back()).isTooShort) {
-                return;   // from farther on it was too short as well
+                return;   // already too short from farther away
             }
             way.push_back(reached_.at(way.back()).before);
         }
@@ -199,7 +199,7 @@ private:
         path.parent = start.branch;
         path.generation = start.branch == noBranch ? 0 : paths[static_cast<std::size_t>(start.branch)].generation + 1;
         if (start.branch != noBranch) {
-            way.back() = start.axis;   // its own tube is claimed, not the axis it leaves
+            way.back() = start.axis;   // only its own tube is claimed, not the axis it leaves
         }
         std::ranges::reverse(way);
         for (const std::size_t voxel : way) {
@@ -212,7 +212,7 @@ private:
         paths.push_back(std::move(path));
     }
 
-    /// What lies within the tube around a voxel of a branch is that branch's.
+    /// Assigns the voxels within the tube around a voxel of a branch to that branch.
     void claimAround(std::size_t voxel, double radiusMm, int branch)
     {
         const Eigen::Vector3i middle = grid_.voxelAt(voxel);

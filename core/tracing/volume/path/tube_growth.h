@@ -8,14 +8,14 @@
 
 namespace angiopose::core {
 
-/// Radius beyond which nothing is a thin vessel.
+/// Maximum radius of a thin vessel.
 inline constexpr double widestTubeMm = 5.0;
 
-/// Where tubes lead from seeds.
+/// Tubes grown from seeds.
 struct GrownTubes {
     std::vector<BranchPath> paths;   ///< parents before children; mm along the grid's axes, radii assumed
-    VesselLook look;   ///< of all of them, the median
-    bool isCutShort = false;   ///< more was reached than is searched
+    VesselLook look;   ///< median over all tubes
+    bool isCutShort = false;   ///< the search limit was reached
 };
 
 struct TubeLimits {
@@ -23,9 +23,8 @@ struct TubeLimits {
     double assumedRadiusMm = 1.5;
 };
 
-/// Grows from seed voxels over what is the middle of a tube (ALGORITHMS §9.13): a way may cross a few mm of anything
-/// else, at a debt that tube pays back. Every branch is the cheapest way to the end it was grown to. Empty when
-/// stopped.
+/// Grows tubes from seed voxels along tube middles (ALGORITHMS §9.13): a path may cross a few mm of other material,
+/// which incurs a debt that tube voxels pay back. Every branch is the cheapest path to its end. Empty when stopped.
 GrownTubes growTubes(const PathGround& ground, const std::vector<Eigen::Vector3i>& seeds, const TubeLimits& limits,
                      TracingProgress& progress);
 

@@ -13,9 +13,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double outsideFill = 0.35;   // below: no vessel there
+constexpr double outsideFill = 0.35;   // lower values: no vessel
 constexpr double sayOutsideMm = 2.0;
-constexpr double assumedRadiusMm = 1.5;   // of which the first cross-sections are looked for
+constexpr double assumedRadiusMm = 1.5;   // radius assumed for the first cross-sections
 constexpr double pointSpacingMm = 1.0;
 
 std::vector<Eigen::Vector3d> placesOf(const std::vector<Eigen::Vector3i>& path, const VolumeGeometry& grid)
@@ -27,7 +27,7 @@ std::vector<Eigen::Vector3d> placesOf(const std::vector<Eigen::Vector3i>& path, 
     return placesMm;
 }
 
-/// The way as a smooth, centred curve with radii.
+/// Converts the path to a smooth, centered curve with radii.
 VesselBranch centerdBranch(const std::vector<Eigen::Vector3d>& placesMm, const VolumeGeometry& grid,
                            const LookAlongPath& look, TracingProgress& progress)
 {
@@ -42,7 +42,7 @@ VesselBranch centerdBranch(const std::vector<Eigen::Vector3d>& placesMm, const V
     return branch;
 }
 
-/// Length of the path on which it is not in a vessel.
+/// Length of the path outside any vessel.
 double lengthOutside(const std::vector<Eigen::Vector3d>& placesMm, const LookAlongPath& look)
 {
     double outsideMm = 0.0;

@@ -9,17 +9,17 @@
 
 namespace angiopose::core {
 
-/// One vessel that was traced between two places.
+/// A vessel traced between two points.
 struct VesselPath {
-    VesselBranch branch;   ///< from the first to the second place, patient LPS, with radii; without id
-    double outsideMm = 0.0;   ///< length on which it runs through nothing like a vessel
+    VesselBranch branch;   ///< from the first to the second point, patient LPS, with radii; no id
+    double outsideMm = 0.0;   ///< length through material that does not look like a vessel
     Messages warnings;
 };
 
-/// The vessel of a scan between two places in it (patient LPS mm), by a path of least cost through what is as bright as
-/// there and dark on both sides (ALGORITHMS §8.9), centred in its cross-sections. For vessels that tracing misses.
-/// Fails where a place lies outside the scan or in nothing brighter than what is around it, or no way was found; ends
-/// as stopped when the observer says so.
+/// Traces the vessel between two points of a scan (patient LPS mm) by the least-cost path through voxels as bright as
+/// at the points and dark on both sides (ALGORITHMS §8.9), centered in its cross-sections. For vessels missed by
+/// tracing. Fails if a point lies outside the scan or in nothing brighter than its surroundings, or if no path is
+/// found; returns as stopped if the observer requests it.
 Result<VesselPath> vesselBetween(const Volume& volume, const Eigen::Vector3d& fromInPatient,
                                  const Eigen::Vector3d& toInPatient, const TracingObserver& observe = {});
 

@@ -6,11 +6,11 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double farAboveBlood = 1.4;   // bone, chalk and metal: beyond blood's height over tissue by this
-constexpr double dimming = 3.0;   // of the likeness, beyond it
-constexpr double shareWithoutTube = 0.15;   // of what speaks for a vessel, as bright as one but no tube
+constexpr double farAboveBlood = 1.4;   // bone, plaque and metal: relative to blood's contrast to tissue
+constexpr double dimming = 3.0;   // decay rate of the likeness above that
+constexpr double shareWithoutTube = 0.15;   // weight of a voxel as bright as a vessel but not in a tube
 
-/// 0…1 between tissue and blood; less again for what is brighter than blood.
+/// 0…1 between tissue and blood; decreases again for values far brighter than blood.
 double likeness(double value, const VesselLook& look)
 {
     const double fill = (value - look.tissue) / (look.blood - look.tissue);

@@ -11,13 +11,13 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t soonSettled = 30'000;   // a way through thin vessels alone is found in fewer
+constexpr std::size_t soonSettled = 30'000;   // enough for a path through thin vessels only
 constexpr std::size_t maxSettled = 3'000'000;
-constexpr double coarsestMm = 3.2;   // of the blocks
-constexpr double nearInBlocks = 2.5;   // of the way over blocks: where voxels are searched
+constexpr double coarsestMm = 3.2;   // maximum side of the blocks
+constexpr double nearInBlocks = 2.5;   // search distance around the path over blocks
 constexpr double minNearMm = 4.0;
 
-/// What vessels look like on the way from one end to the other: changing evenly.
+/// Expected look of the vessels between both ends, linearly interpolated.
 class LookOnTheWay {
 public:
     LookOnTheWay(const Eigen::Vector3d& fromMm, const VesselLook& from, const Eigen::Vector3d& toMm,
@@ -50,7 +50,7 @@ VoxelCost costBetween(const PathGround& ground, const PathEnd& from, const PathE
             cheapestPerMm};
 }
 
-/// Twice as long as a voxel is narrow, and about cubic.
+/// Block size in voxels: twice the shortest voxel side, approximately cubic.
 Eigen::Vector3i blockOf(const VolumeGeometry& grid)
 {
     const double sideMm = 2.0 * grid.spacingMm.minCoeff();
@@ -66,7 +66,7 @@ PathEnd endInBlocks(const PathGround& blocks, const Eigen::Vector3i& voxel)
     return end;
 }
 
-/// Blocks near the way over them.
+/// Blocks near the path over blocks.
 VoxelMask nearWay(const std::vector<Eigen::Vector3i>& way, const VolumeGeometry& blocks)
 {
     VoxelMask near(blocks);

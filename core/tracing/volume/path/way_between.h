@@ -7,9 +7,9 @@
 
 namespace angiopose::core {
 
-/// The cheapest way from one end to the other through what looks like them (ALGORITHMS §9.12), both included. Where it
-/// is not found soon, blocks of voxels are searched first and the voxels near that way then. Empty when stopped, or
-/// where no way is found.
+/// The cheapest path between both ends, inclusive, through voxels that look like them (ALGORITHMS §9.12). If it is not
+/// found quickly, searches blocks of voxels first and then the voxels near that path. Empty if stopped or if there is
+/// no path.
 std::vector<Eigen::Vector3i> wayBetween(const PathGround& ground, const PathEnd& from, const PathEnd& to,
                                         TracingProgress& progress);
 

@@ -12,25 +12,25 @@
 
 namespace angiopose::core {
 
-/// The wires of stents in wide vessels.
+/// Wires of stents in wide vessels.
 struct StentWires {
     std::vector<VoxelPiece> pieces;
-    std::function<bool(int i, int j, int k)> isBeside;   ///< near them and may be lumen: bone is not
+    std::function<bool(int i, int j, int k)> isBeside;   ///< near the wires and possibly lumen (not bone)
 };
 
-/// What is known of each voxel around stents, and the labels of pieces of lumen there. Places are counted from the low
-/// corner of a box around the stents. The arguments must outlive it.
+/// Voxel data around stents, and the labels of lumen components there. Positions are counted from the low corner of a
+/// box around the stents. The constructor arguments must outlive it.
 class StentSite {
 public:
     using Label = std::uint32_t;
 
-    /// Shares of blood in a piece of lumen, wires left out.
+    /// Fractions of blood in a lumen component, excluding wires.
     struct Fills {
         std::vector<double> all;
-        std::vector<double> inner;   ///< where the lumen is above 1
+        std::vector<double> inner;   ///< voxels with a lumen value above 1
     };
 
-    /// With `aroundMm` on all sides of the stents; nothing is labelled yet.
+    /// Covers the stents with a margin of `aroundMm` on all sides; nothing is labeled yet.
     StentSite(const VoxelMask& lumen, const StentWires& wires, const VoxelFill& fill, double aroundMm);
 
     const VolumeGeometry& geometry() const { return labels.geometry; }
@@ -55,7 +55,7 @@ public:
         }
     }
 
-    /// Those of the places around that have one.
+    /// Visits the labeled voxels of the 27-neighborhood.
     template <class Visit>
     void eachLabelAround(const Eigen::Vector3i& at, const Visit& visit) const
     {
@@ -67,7 +67,7 @@ public:
         }
     }
 
-    VoxelGrid<Label> labels;   ///< 0 where there is none
+    VoxelGrid<Label> labels;   ///< 0: no label
 
 private:
     const VoxelMask& lumen_;

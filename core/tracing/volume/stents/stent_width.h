@@ -8,8 +8,8 @@
 
 namespace angiopose::core {
 
-/// Whether the vessel of a stent is so wide that its blood stands clear of what the wires blur: voxels that carry
-/// `core` in `flags` lie well away from the wires, but not far. Only then can the wires be told from the blood, and be
+/// Whether a stented vessel is so wide that its blood is separate from the blur of the wires: voxels with `core` set in
+/// `flags` lie well away from the wires, but not far. Only then can the wires be distinguished from the blood and form
 /// its wall.
 bool isWideStent(const VoxelPiece& wires, const VoxelMask& flags, std::uint8_t core, int threads,
                  TracingProgress& progress);

@@ -12,22 +12,22 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minFillBetweenWires = 0.5;   ///< the wall between wires
-constexpr double minBlood = 0.8;   ///< of what is seen between wires
-constexpr double minNeckWithin = 0.45;   ///< of the thinner lumen's radius, within one vessel
-constexpr double minOpenShare = 0.5;   ///< of where two pieces meet, in one vessel
-constexpr double maxOpeningInRadii = 4.0;   ///< of a branch; the lumens of a torn aorta meet over more
-constexpr double besideOpeningMm = 10.0;   ///< around an opening, to tell the blood by
-constexpr std::size_t minInnerOfLumen = 12;   ///< voxels that tell it
-constexpr double maxDifference = 0.15;   ///< between blood of one vessel
+constexpr double minFillBetweenWires = 0.5;   ///< above: wall between wires
+constexpr double minBlood = 0.8;   ///< fill of blood visible between wires
+constexpr double minNeckWithin = 0.45;   ///< relative to the thinner lumen's radius, within one vessel
+constexpr double minOpenShare = 0.5;   ///< open share of a contact area within one vessel
+constexpr double maxOpeningInRadii = 4.0;   ///< span of a branch opening; the lumens of a dissection meet over more
+constexpr double besideOpeningMm = 10.0;   ///< around an opening, for comparing the blood
+constexpr std::size_t minInnerOfLumen = 12;   ///< minimum voxels for the comparison
+constexpr double maxDifference = 0.15;   ///< between blood of the same vessel
 
 using Label = StentSite::Label;
 using Pair = std::pair<Label, Label>;
 
-/// Where two pieces meet.
+/// Contact area of two components.
 struct Contact {
     std::vector<Eigen::Vector3i> places;
-    std::vector<Eigen::Vector3i> open;   ///< those of them where blood is seen
+    std::vector<Eigen::Vector3i> open;   ///< positions where blood is visible
 
     VoxelBox box() const
     {
@@ -40,7 +40,7 @@ struct Contact {
     }
 };
 
-/// Grows the pieces of the lumen around stents.
+/// Grows the lumen components around stents.
 class Widening {
 public:
     Widening(const VoxelMask& lumen, const StentWires& wires, const VoxelFill& fill, TracingProgress& progress)
@@ -49,7 +49,7 @@ public:
         labelPieces(progress);
     }
 
-    /// One voxel further.
+    /// Grows by one voxel.
     void advance()
     {
         std::vector<Eigen::Vector3i> next;
@@ -64,7 +64,7 @@ public:
         shore_.swap(next);
     }
 
-    /// Sets what was left between pieces of one vessel, unless yet another piece is beside it.
+    /// Fills the gaps between components of one vessel, unless yet another component is adjacent.
     void join()
     {
         std::map<Label, Label> vessels = piecesToVessels();
@@ -94,7 +94,8 @@ private:
         site_.labels.at(at.x(), at.y(), at.z()) = label;
     }
 
-    /// What hangs together on ways about as wide as itself: a tear in a flap is narrow beside the lumens.
+    /// Labels components that are connected by paths about as wide as themselves; a tear in a dissection flap is narrow
+    /// compared with the lumens.
     void labelPieces(TracingProgress& progress)
     {
         VoxelMask part(site_.geometry());
@@ -112,7 +113,7 @@ private:
         }
     }
 
-    /// Up to the crest of a wire, or between wires.
+    /// Whether growth may continue: up to the crest of a wire, or between wires.
     bool leads(const Eigen::Vector3i& from, const Eigen::Vector3i& to) const
     {
         const double fill = site_.fillAt(to);
@@ -120,11 +121,11 @@ private:
         return fill >= minFillBetweenWires && (isRising || !site_.isWire(from)) && site_.isBesideWires(to);
     }
 
-    /// Whether it lies between different pieces; notes where they meet and where blood is seen there.
+    /// Whether a voxel lies between different components; records the contact and whether blood is visible there.
     bool isParting(const Eigen::Vector3i& at, Label label)
     {
         const bool isBlood = !site_.isWire(at) && site_.fillAt(at) >= minBlood;
-        std::map<Label, bool> others;   // whether blood is seen on the way
+        std::map<Label, bool> others;   // whether blood is visible on the way
         site_.eachLabelAround(at, [&](Label its, const Eigen::Vector3i& beside) {
             if (its != label) {
                 others[its] = others[its] || (isBlood && !site_.isWire(beside));
@@ -157,7 +158,7 @@ private:
         return vessels;
     }
 
-    /// One lumen that wires cross, or a branch that leaves between them.
+    /// Whether two components are one lumen crossed by wires, or a branch that leaves between them.
     bool isOneVessel(const Pair& pair, const Contact& contact) const
     {
         if (contact.open.empty() || !isSameBlood(pair, contact)) {
@@ -174,7 +175,7 @@ private:
         return site_.geometry().spacingMm.cwiseProduct((box.high - box.low).cast<double>()).norm();
     }
 
-    /// Or one of them is too thin to tell.
+    /// Whether both components have the same blood, or one is too thin to decide.
     bool isSameBlood(const Pair& pair, const Contact& contact) const
     {
         const VoxelBox box = contact.box();
@@ -188,11 +189,11 @@ private:
         return std::abs(medianOf(first.inner) - medianOf(second.inner)) <= maxDifference;
     }
 
-    StentSite site_;   ///< labelled with the pieces
-    std::vector<Eigen::Vector3i> shore_;   ///< what was taken last
-    VoxelPiece taken_;   ///< in the whole scan
-    std::map<Label, double> radiusMm_;   ///< of the pieces where they are widest
-    std::map<Pair, Contact> contacts_;   ///< by the pieces that meet
+    StentSite site_;   ///< labeled with the components
+    std::vector<Eigen::Vector3i> shore_;   ///< most recently added voxels
+    VoxelPiece taken_;   ///< in indices of the whole scan
+    std::map<Label, double> radiusMm_;   ///< maximum radius of the components
+    std::map<Pair, Contact> contacts_;   ///< by pair of adjacent components
 };
 
 }   // namespace

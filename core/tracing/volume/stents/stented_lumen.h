@@ -8,11 +8,11 @@
 
 namespace angiopose::core {
 
-/// What belongs to the lumen beside wires, where it was kept clear of all that they blur: up to the crest of each wire,
-/// where its middle and the vessel's wall lie, and between wires as far as blood is seen, in at most `steps` voxels.
-/// What wires part stays apart, as the lumens of a torn aorta do. Two parts become one where the blood is the same
-/// (voxels above 1 are inner ones) or a vessel is too thin to tell, and it is seen between wires mostly, or in a place
-/// no larger than a branch. Incomplete when stopped.
+/// Lumen beside stent wires, from which the segmentation kept clear: up to the crest of each wire, where its middle and
+/// the vessel's wall lie, and between wires as far as blood is visible, within at most `steps` voxels. Lumens separated
+/// by wires stay separate, as those of an aortic dissection. Two parts become one if their blood is the same (voxels
+/// above 1 are inner ones) or a vessel is too thin to decide, and if blood is visible over most of their contact area
+/// or in an area no larger than a branch. Incomplete when stopped.
 VoxelPiece lumenBesideWires(const VoxelMask& lumen, const StentWires& wires, const VoxelFill& fill, int steps,
                             TracingProgress& progress);
 

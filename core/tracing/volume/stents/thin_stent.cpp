@@ -9,22 +9,21 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minFillOfStent = 0.7;   ///< of blood, as of a large vessel
+constexpr double minFillOfStent = 0.7;   ///< fraction of blood, as in a large vessel
 constexpr double maxFillOfStent = 1.6;
-constexpr double minSlendernessOfStent =
-    1.6;   ///< spread along over spread across: of a tube as long as twice its width
-constexpr double maxAcrossMm = 3.5;   ///< spread across of a tube of 8 mm with its blur
-constexpr double endShare = 0.25;   ///< of half the length
-constexpr double beyondMm = 2.0;   ///< from a tip to the middle of where blood is looked for
+constexpr double minSlendernessOfStent = 1.6;   ///< spread along over spread across; a tube twice as long as wide
+constexpr double maxAcrossMm = 3.5;   ///< spread across a tube of 8 mm with its blur
+constexpr double endShare = 0.25;   ///< relative to half the length
+constexpr double beyondMm = 2.0;   ///< from a tip to the center of the blood search
 constexpr double aroundMm = 3.0;
 
-/// Where a long thin piece ends, and where it leads to from there.
+/// End of a long thin component, and its outward direction.
 struct PieceEnd {
     Eigen::Vector3d tipMm;
     Eigen::Vector3d outwards;
 };
 
-/// The outermost part of a piece on one side of its middle, along its longest axis.
+/// End of a component on one side of its middle, along its longest axis.
 PieceEnd endOf(const std::vector<Eigen::Vector3d>& pointsMm, const Eigen::Vector3d& middleMm,
                const Eigen::Vector3d& towards)
 {
@@ -52,7 +51,7 @@ PieceEnd endOf(const std::vector<Eigen::Vector3d>& pointsMm, const Eigen::Vector
     return {outer + (0.5 * endShare * farthest) * outwards, outwards};
 }
 
-/// A tube too thin to see the blood within its wires, with vessel beyond both its ends.
+/// A tube too thin to show blood inside its wires, with a vessel beyond both ends.
 class ThinTube {
 public:
     ThinTube(const VoxelPiece& piece, const VolumeGeometry& grid, const VoxelFill& fill) : grid_(grid), fill_(fill)
@@ -78,7 +77,7 @@ public:
     }
 
 private:
-    /// Evenly as bright as blood somewhere close beyond the tip: the vessel may bend there.
+    /// Whether there is homogeneous blood close beyond the tip; the vessel may curve there.
     bool isBloodBeyond(const PieceEnd& end) const
     {
         const Eigen::Array3d middle =
@@ -98,7 +97,7 @@ private:
         return false;
     }
 
-    /// Here and at the six places beside it.
+    /// Whether the voxel and its six neighbors are as bright as blood.
     bool isBloodAt(const Eigen::Vector3i& voxel) const
     {
         const auto isBlood = [this](const Eigen::Vector3i& at) {
@@ -118,7 +117,7 @@ private:
     std::vector<Eigen::Vector3d> pointsMm_;
     Eigen::Vector3d middleMm_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d axis_ = Eigen::Vector3d::UnitZ();
-    double acrossMm_ = 0.0;   ///< standard deviations of the points, as is that along
+    double acrossMm_ = 0.0;   ///< standard deviation of the points; `alongMm_` too
     double alongMm_ = 0.0;
 };
 

@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// Whether a piece of metal is a tube so thin that no blood is seen within or beside it, with a vessel beyond both its
-/// ends: wires in bone and clips have none, a lead or a catheter only at one.
+/// Whether a metal component is a tube too thin to show blood inside or beside it, with a vessel beyond both ends:
+/// wires in bone and clips have none, a lead or catheter only at one end.
 bool isThinStent(const VoxelPiece& piece, const VolumeGeometry& grid, const VoxelFill& fill);
 
 }   // namespace angiopose::core

@@ -34,7 +34,7 @@ public:
 
 private:
     struct Basin {
-        std::uint32_t joined = 0;   ///< the basin that it is part of; itself when of none
+        std::uint32_t joined = 0;   ///< basin it was merged into, or itself
         std::uint16_t summit = 0;
     };
 
@@ -48,7 +48,7 @@ private:
 
     std::uint16_t summitOf(std::uint32_t basin) const { return basins_[basin - 1].summit; }
 
-    /// Its highest neighbour's basin takes it; others are joined to that if the way is wide enough.
+    /// Assigns a voxel to the basin of its highest neighbor; merges adjacent basins if the neck is wide enough.
     void flood(std::uint32_t voxel)
     {
         std::uint32_t own = 0;

@@ -7,9 +7,9 @@
 
 namespace angiopose::core {
 
-/// Parts a lumen at its necks: a number from 1 for each voxel in it, the same for what hangs together on a way that is
-/// at least `minNeck` times as wide as the narrower of the two at its widest; 0 outside (flooding of the distance map
-/// from its summits, Meyer 1994).
+/// Splits a lumen at its necks: labels from 1 for its voxels, equal if they are connected by a path at least `minNeck`
+/// times as wide as the maximum width of the narrower part; 0 outside (flooding of the distance map from its maxima,
+/// Meyer 1994).
 std::vector<std::uint32_t> wideBasins(const DistanceMap& distances, double minNeck);
 
 }   // namespace angiopose::core

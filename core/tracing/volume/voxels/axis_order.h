@@ -7,7 +7,7 @@
 
 namespace angiopose::core {
 
-/// A box of voxels: from `low` up to, but without, `high`.
+/// Box of voxels, from `low` up to but excluding `high`.
 struct VoxelBox {
     Eigen::Vector3i low = Eigen::Vector3i::Zero();
     Eigen::Vector3i high = Eigen::Vector3i::Zero();
@@ -16,11 +16,11 @@ struct VoxelBox {
     bool operator==(const VoxelBox&) const = default;
 };
 
-/// The same voxels counted along the patient's axes: i to the left, j to the back, k to the head, as near as the stored
-/// axes allow. Work in this order does not depend on how a scan happens to be stored.
+/// Maps voxels counted along the patient's axes (i to the left, j to the back, k to the head, as closely as the stored
+/// axes allow) to the stored order, so results do not depend on how a scan is stored.
 struct AxisOrder {
-    VolumeGeometry geometry;   ///< of the counted voxels
-    std::ptrdiff_t first = 0;   ///< where voxel (0, 0, 0) is stored
+    VolumeGeometry geometry;   ///< geometry of the reordered voxels
+    std::ptrdiff_t first = 0;   ///< stored index of voxel (0, 0, 0)
     std::array<std::ptrdiff_t, 3> strides{};
 
     std::size_t stored(int i, int j, int k) const
@@ -32,11 +32,11 @@ struct AxisOrder {
 
 AxisOrder patientAxisOrder(const VolumeGeometry& stored);
 
-/// The part within `box`, counted from its low corner.
+/// Restricts the order to `box`, counted from its low corner.
 AxisOrder cropped(const AxisOrder& order, const VoxelBox& box);
 VolumeGeometry cropped(const VolumeGeometry& geometry, const VoxelBox& box);
 
-/// `box` grown by `margin` voxels to all sides, as far as the volume goes.
+/// `box` enlarged by `margin` voxels on all sides, within the volume.
 VoxelBox grown(const VoxelBox& box, int margin, const VolumeGeometry& within);
 
 }   // namespace angiopose::core

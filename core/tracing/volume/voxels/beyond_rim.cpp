@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double longestCut = 2.5;   ///< length over width of a cut across a vessel
+constexpr double longestCut = 2.5;   ///< maximum length over width of a cut across a vessel
 constexpr int maxLayers = 60;
 
 /// One side of the grid: the plane at `position` across `axis`; `outwards` is -1 or +1.
@@ -19,14 +19,14 @@ struct Face {
     int outwards = 1;
 };
 
-/// Where the lumen meets a face, and how many layers it is continued by.
+/// Intersection of the lumen with a face, and the number of layers added beyond it.
 struct Cut {
     Face face;
     std::vector<Eigen::Vector3i> voxels;
     int layers = 0;
 };
 
-/// How many layers a cut is worth: a round one as many as its radius; none when it is a long one.
+/// Number of layers for a cut: as many as its radius if it is round, none if it is elongated.
 int layersOf(const std::vector<Eigen::Vector3i>& voxels, int axis)
 {
     Eigen::Vector3i low = voxels.front();
@@ -45,7 +45,7 @@ int layersOf(const std::vector<Eigen::Vector3i>& voxels, int axis)
     return std::min(maxLayers, static_cast<int>(std::ceil(1.2 * radius)) + 1);
 }
 
-/// The connected cuts in one face.
+/// Finds the connected cuts in one face.
 void findCuts(const VoxelMask& mask, const Face& face, std::vector<Cut>& cuts)
 {
     const Eigen::Vector3i& size = mask.geometry.size;

@@ -12,9 +12,9 @@ namespace angiopose::core {
 namespace {
 
 constexpr double seedReachMm = 3.0;
-constexpr double farSeedReachMm = 10.0;   ///< to the core of a wide vessel, which begins two voxels inside its wall
+constexpr double farSeedReachMm = 10.0;   ///< to the core of a wide vessel, which starts two voxels inside its wall
 
-/// Of those of at least `minValue`.
+/// The nearest voxel of at least `minValue` within `reachMm`.
 std::optional<std::uint32_t> nearestVoxel(const VoxelMask& mask, const Eigen::Vector3d& placeInPatient, double reachMm,
                                           std::uint8_t minValue)
 {
@@ -77,7 +77,7 @@ std::size_t largestPiece(const VoxelMask& mask, const std::vector<VoxelPiece>& p
     return best;
 }
 
-/// Sets the chosen pieces to 1, all else to 0.
+/// Sets the chosen components to 1 and everything else to 0.
 void keepOnly(VoxelMask& mask, const std::vector<VoxelPiece>& pieces, const std::set<std::size_t>& chosen)
 {
     std::fill(mask.voxels.begin(), mask.voxels.end(), std::uint8_t{0});
@@ -108,7 +108,7 @@ Result<std::set<std::size_t>> chosenOf(const VoxelMask& mask, const std::vector<
 
 Message placeInMessage(const Eigen::Vector3d& point)
 {
-    const auto tenth = [](double value) { return Quantity{std::round(10.0 * value) / 10.0 + 0.0, 1}; };   // no "-0.0"
+    const auto tenth = [](double value) { return Quantity{std::round(10.0 * value) / 10.0 + 0.0, 1}; };   // no -0.0
     return says::place(tenth(point.x()), tenth(point.y()), tenth(point.z()));
 }
 

@@ -14,31 +14,31 @@
 
 namespace angiopose::core {
 
-/// "(x, y, z)" in mm, for a message.
+/// Formats a point as "(x, y, z)" in mm for a message.
 Message placeInMessage(const Eigen::Vector3d& point);
 
-/// The set voxel that is nearest to a place in the patient (LPS mm), if there is one within 3 mm.
+/// The nearest set voxel within 3 mm of a point in the patient (LPS mm); nothing if there is none.
 std::optional<std::uint32_t> voxelNear(const VoxelMask& mask, const Eigen::Vector3d& seedInPatient);
 
-/// Seeds moved to the lumen that they were meant for.
+/// Seeds, moved into the lumen they were meant for.
 struct SeedsInLumen {
     std::vector<Eigen::Vector3d> inPatient;
     Messages warnings;   ///< about seeds that were moved far
 };
 
-/// Seeds up to 3 mm beside the lumen stay where they are; others are moved to the middle of a wide vessel (voxels above
-/// 1) within 10 mm: what does not fill, as thrombus and chalk, is part of the vessel too. Fails, naming it, for a seed
-/// that has neither.
+/// Keeps seeds up to 3 mm beside the lumen in place, and moves others to the middle of a wide vessel (voxels above 1)
+/// within 10 mm, because unopacified parts such as thrombus and calcified plaque belong to the vessel too. Fails,
+/// naming the seed, if there is neither.
 Result<SeedsInLumen> seedsInLumen(const VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient);
 
-/// Leaves of a mask what is asked for: the pieces that hold the seeds (LPS mm, within 3 mm), or without seeds all or
-/// the largest: that with the most voxels above 1 (cores of vessels), of equal ones that with the most voxels. Returns
-/// the others, the largest first. Fails, naming it, for a seed that lies in no piece, for an empty mask, and when
-/// stopped.
+/// Restricts a mask to the requested connected components: those that contain the seeds (LPS mm, within 3 mm), or
+/// without seeds all or the largest, i.e. the one with the most voxels above 1 (cores of vessels), in a tie the one
+/// with the most voxels. Returns the others, the largest first. Fails for a seed in no component (naming it), for an
+/// empty mask, and when stopped.
 Result<std::vector<TracedPiece>> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient,
                                                   TracedPieces withoutSeeds, TracingProgress& progress);
 
-/// Its size, and the place in it that is nearest to its middle.
+/// Size of a component, and its voxel nearest to its middle.
 TracedPiece pieceOf(const VoxelPiece& voxels, const VolumeGeometry& grid);
 
 Stopped stoppedTracing();

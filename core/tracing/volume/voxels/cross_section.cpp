@@ -14,11 +14,11 @@ namespace {
 
 constexpr std::size_t rayCount = 24;
 constexpr double stepInVoxels = 0.25;
-constexpr double thinInVoxels = 2.2;   ///< below this radius a section is weighed rather than measured
+constexpr double thinInVoxels = 2.2;   ///< below this radius, the area is integrated instead of measured
 constexpr double brighterThanBlood = 1.6;
-constexpr double maxBlood = 1.3;   ///< that counts when a section is weighed
-constexpr double blurInVoxels = 0.8;   ///< from the middle of something thin to half its brightness
-constexpr double minFillOfCenter = 0.15;   ///< of the centre, to be a vessel at all
+constexpr double maxBlood = 1.3;   ///< upper limit of the fill in that integration
+constexpr double blurInVoxels = 0.8;   ///< from the middle of a thin structure to half its brightness
+constexpr double minFillOfCenter = 0.15;   ///< at the center, to count as a vessel
 
 struct Ray {
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();
@@ -40,8 +40,8 @@ std::array<Ray, rayCount> raysAcross(const Eigen::Vector3d& tangent)
     return rays;
 }
 
-/// The wall is where the fill falls below the level. Wires and chalk on it blur far beyond it: there it is where they
-/// are brightest, or as far within their edge as blurring spreads it.
+/// Finds the wall, where the fill falls below the level. Wires and calcified plaque on the wall blur far beyond it;
+/// then the wall is at their brightest point, or inside their edge by the extent of the blurring.
 void findWall(Ray& ray, const SectionPlane& plane, const BloodFill& fill, double level, double reachMm)
 {
     const double step = stepInVoxels * plane.voxelMm;
@@ -66,7 +66,7 @@ void findWall(Ray& ray, const SectionPlane& plane, const BloodFill& fill, double
     ray.isOpen = true;
 }
 
-/// Rays that run into a branch or a neighbour end where the others do, roughly.
+/// Limits rays that run into a branch or an adjacent vessel to about the length of the others; returns the median.
 double limitToMedian(std::array<Ray, rayCount>& rays)
 {
     std::vector<double> walls;
@@ -82,7 +82,7 @@ double limitToMedian(std::array<Ray, rayCount>& rays)
     return median;
 }
 
-/// Radius of the disc that holds as much blood as the section, above what its surroundings hold.
+/// Radius of the disc that contains as much blood as the section, above the background of its surroundings.
 double weighedRadius(const std::array<Ray, rayCount>& rays, const Eigen::Vector3d& center, const SectionPlane& plane,
                      const BloodFill& fill, double radius)
 {
@@ -100,7 +100,7 @@ double weighedRadius(const std::array<Ray, rayCount>& rays, const Eigen::Vector3
         for (const Ray& ray : rays) {
             ring += std::min(fill(center + away * ray.direction), maxBlood) - background;
         }
-        blood += ring / rayCount * 2.0 * away * step;   // over π
+        blood += ring / rayCount * 2.0 * away * step;   // divided by π
     }
     return std::sqrt(std::max(0.0, blood / (1.0 - background)));
 }
@@ -132,7 +132,7 @@ CrossSection crossSection(const SectionPlane& plane, const BloodFill& fill)
     section.centerMm += 2.0 / 3.0 * cubes / std::max(squares, 1e-12);
     section.radiusMm = std::sqrt(squares / rayCount);
     if (median < thinInVoxels * plane.voxelMm) {
-        // Blurring only widens; a tenth is left to noise.
+        // Blurring only widens a vessel; 10 % is left for noise.
         section.radiusMm =
             std::min(1.1 * section.radiusMm, weighedRadius(rays, section.centerMm, plane, fill, section.radiusMm));
     }

@@ -17,7 +17,7 @@ std::uint16_t inUnits(double value)
     return static_cast<std::uint16_t>(std::min(std::round(value), static_cast<double>(farthest)));
 }
 
-/// Distance along one row to the nearest clear voxel of that row.
+/// Distance along one row to the nearest clear voxel in that row.
 void measureRow(const std::uint8_t* mask, std::uint16_t* units, int count, double step)
 {
     int last = -count - 1;   // nearest clear voxel behind
@@ -56,7 +56,7 @@ public:
         const double squaredStep = step * step;
         const std::size_t apexes = build(count, squaredStep);
         if (apexes == 0) {
-            return;   // nothing clear anywhere
+            return;   // no clear voxel anywhere
         }
         std::size_t a = 0;
         for (int i = 0; i < count; ++i) {

@@ -8,17 +8,18 @@
 
 namespace angiopose::core {
 
-/// Distance from each voxel of a mask to the nearest one outside it, in mm from centre to centre. Beyond the grid's rim
-/// lies nothing: a vessel that is cut off there stays as wide as it is.
+/// Distance from each voxel of a mask to the nearest voxel outside it, in mm between centers. The space beyond the
+/// grid's rim does not count as outside, so a vessel cut off there keeps its width.
 struct DistanceMap {
     VolumeGeometry geometry;
-    double unitMm = 1.0;   ///< 1/256 of the smallest spacing: two bytes a voxel, exact to 1/200 of a voxel
+    double unitMm = 1.0;   ///< 1/256 of the smallest spacing: 2 bytes per voxel, exact to 1/200 voxel
     std::vector<std::uint16_t> units;
 
     double mm(std::size_t voxel) const { return unitMm * units[voxel]; }
 };
 
-/// Separable exact distance transform (Felzenszwalb, Huttenlocher 2012), anisotropic. Incomplete when stopped.
+/// Exact separable distance transform (Felzenszwalb, Huttenlocher 2012) for anisotropic voxels. Incomplete when
+/// stopped.
 DistanceMap distanceMap(const VoxelMask& mask, int threads, TracingProgress& progress);
 
 }   // namespace angiopose::core

@@ -9,10 +9,10 @@
 namespace angiopose::core {
 namespace {
 
-// A neighbourhood is 27 bits: bit x + 3 y + 9 z for the steps x - 1, y - 1, z - 1; the centre is bit 13.
+// A neighborhood is stored in 27 bits: bit x + 3 y + 9 z for the steps x - 1, y - 1, z - 1; the center is bit 13.
 constexpr unsigned centerBit = 1U << 13U;
 
-/// Which of the 27 places touch which, by a corner (26) or by a face (6); 18: without the corners of the cube.
+/// Which of the 27 positions are adjacent, by corner (26) or by face (6); 18: without the corners of the cube.
 struct Adjacency {
     std::array<unsigned, 27> byCorner{};
     std::array<unsigned, 27> byFace{};
@@ -74,8 +74,8 @@ constexpr unsigned lowestBit(unsigned bits)
     return bits & (~bits + 1U);
 }
 
-/// Whether the centre can go without changing the topology (Bertrand and Malandain 1994): one piece of object around
-/// it, and one piece of background that it has a face with.
+/// Whether the center can be deleted without changing the topology (Bertrand and Malandain 1994): one object component
+/// around it, and one background component that it shares a face with.
 bool isSimple(unsigned neighborhood)
 {
     const unsigned object = neighborhood & ~centerBit;
@@ -97,7 +97,7 @@ bool isDeletable(unsigned neighborhood)
     return !isEndOfLine(neighborhood) && isSimple(neighborhood);
 }
 
-/// Works on a mask with a clear rim, so that every voxel has all its neighbours; knows its border voxels in ascending
+/// Peels a mask with a clear rim, in which every voxel has all its neighbors; keeps its border voxels in ascending
 /// order.
 class VoxelPeeler {
 public:
@@ -167,8 +167,8 @@ private:
         return bits;
     }
 
-    /// Deletes what is open to one side: first all candidates are fixed, then each is looked at again when its turn
-    /// comes, so that no two neighbours vanish together that may only go singly.
+    /// Deletes voxels that are open to one side. All candidates are collected first, then each is checked again,
+    /// because two neighbors that are each deletable alone must not be deleted together.
     std::size_t peel(std::ptrdiff_t side)
     {
         std::vector<std::size_t> candidates;
@@ -192,9 +192,9 @@ private:
         return gone;
     }
 
-    /// A band two voxels wide and one thick is open to one side in its whole length: taken in the order of their
-    /// places, each voxel would in its turn be the free tip of what is left, until nothing is (Lee's thinning does so).
-    /// A tip may go with the six before it, no more in one pass.
+    /// A band two voxels wide and one thick is open to one side over its whole length: processed in order of position,
+    /// each voxel in turn would be the free tip of the rest until nothing is left (as in Lee's thinning). At most six
+    /// tips in a row are therefore deleted per pass.
     bool isEatenUp(std::size_t p, unsigned around)
     {
         if (std::popcount(around & ~centerBit) > 3) {
@@ -241,7 +241,7 @@ private:
     std::vector<std::uint8_t> state_;
     std::array<std::ptrdiff_t, 6> sides_;
     std::vector<std::size_t> border_;
-    std::unordered_map<std::size_t, int> eaten_;   ///< tips deleted in this pass: the how manieth in a row
+    std::unordered_map<std::size_t, int> eaten_;   ///< deleted tips of this pass, with their count in the row
 };
 
 }   // namespace

@@ -9,12 +9,12 @@
 
 namespace angiopose::core {
 
-/// Share of blood in a voxel: 0 tissue, 1 the blood of the vessels.
+/// Fraction of blood in a voxel: 0 tissue, 1 the vessels' blood.
 using VoxelFill = std::function<double(int i, int j, int k)>;
 
-/// Inner voxels of vessels that only touch those of the seeds and carry other blood: every way to them leads through
-/// voxels at the wall (`necks` of the seeds no wider than a voxel), and they are clearly more or less bright, as veins
-/// are in the arterial phase. Behind a stenosis the blood is the same. Ordered; empty when nothing is.
+/// Inner voxels of vessels that only touch those of the seeds and contain other blood: every path to them leads through
+/// voxels at the wall (`necks` of the seeds no wider than a voxel), and they are clearly brighter or darker, as veins
+/// are in the arterial phase. Behind a stenosis the blood is the same. Ordered; empty if there are none.
 std::vector<std::uint32_t> voxelsOfOtherBlood(const DistanceMap& distances, const std::vector<std::uint16_t>& necks,
                                               const VoxelFill& fill);
 

@@ -11,15 +11,15 @@
 
 namespace angiopose::core {
 
-/// A vessel tree with what was seen on the way to it.
+/// A traced vessel tree with its lumen, components and warnings.
 struct TracedVessels {
-    VesselTree tree;   ///< piece by piece, in each root first, then by generation; ids 1, 2, …; radii, patient LPS
-    VoxelMask lumen;   ///< the voxels that were traced, in the geometry of the input
-    double threshold = 0.0;   ///< the value at which the lumen begins; 0.5 for masks
+    VesselTree tree;   ///< by component, each root first, then by generation; ids 1, 2, …; radii, patient LPS
+    VoxelMask lumen;   ///< traced voxels, in the geometry of the input
+    double threshold = 0.0;   ///< lower limit of the lumen; 0.5 for masks
     std::optional<Eigen::Vector3d>
-        foundStart;   ///< without seeds: a place in the great vessel that was begun at, LPS mm
-    std::vector<TracedPiece> pieces;   ///< of what could be traced, the largest first
-    Messages warnings;   ///< pieces that were left out, loops that were opened, …
+        foundStart;   ///< without seeds: point in the great vessel where tracing started, LPS mm
+    std::vector<TracedPiece> pieces;   ///< all components that could be traced, the largest first
+    Messages warnings;   ///< left-out components, opened loops, …
 };
 
 }   // namespace angiopose::core

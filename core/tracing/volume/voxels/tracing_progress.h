@@ -14,15 +14,15 @@ struct TracingReport {
     double progress = 0.0;   ///< 0…1, never decreasing
 };
 
-/// Called on the calling thread, several times a second; its Stop ends the work within a second.
+/// Called on the calling thread several times per second; returning Stop ends the work within a second.
 using TracingObserver = std::function<Verdict(const TracingReport&)>;
 
-/// Carries progress out and the stop wish in, at most some twenty times a second. Once stopped, always stopped.
+/// Reports progress and receives stop requests, at most about twenty times per second. A stop is permanent.
 class TracingProgress {
 public:
     explicit TracingProgress(TracingObserver observe) : observe_(std::move(observe)) {}
 
-    /// The next stage, which takes the whole progress from `from` to `to`.
+    /// Enters the next stage, which covers the total progress from `from` to `to`.
     void enter(std::string_view stage, double from, double to)
     {
         stage_ = stage;
@@ -31,7 +31,7 @@ public:
         report(0.0);
     }
 
-    /// `share` of the stage is done; false: stop as soon as possible.
+    /// Reports that `share` of the stage is done; false: stop as soon as possible.
     bool advance(double share)
     {
         if (!stopped_ && std::chrono::steady_clock::now() >= due_) {

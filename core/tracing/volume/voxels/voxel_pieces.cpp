@@ -5,14 +5,14 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t listenEvery = 0x3FFF;   ///< voxels, less one
+constexpr std::size_t listenEvery = 0x3FFF;   ///< mask: progress is reported every 16384 voxels
 
 bool isStopRequested(TracingProgress* progress, std::size_t done)
 {
     return progress != nullptr && (done & listenEvery) == 0 && !progress->advance(0.0);
 }
 
-/// Takes the piece around `seed` out of `left`.
+/// Removes the component around `seed` from `left` and returns it.
 VoxelPiece takePiece(VoxelMask& left, std::size_t seed, TracingProgress* progress)
 {
     const VolumeGeometry& grid = left.geometry;

@@ -9,17 +9,17 @@
 
 namespace angiopose::core {
 
-/// Voxel indices of one connected piece, ascending.
+/// Voxel indices of one connected component, ascending.
 using VoxelPiece = std::vector<std::uint32_t>;
 
-/// The 26-connected pieces of at least `minVoxels`, the largest first (of equal ones, that with the lowest voxel).
-/// Incomplete when `progress`, where given, says stop.
+/// The 26-connected components of at least `minVoxels`, the largest first (in a tie, the one with the lowest voxel
+/// index first). Incomplete if `progress`, where given, requests a stop.
 std::vector<VoxelPiece> piecesOf(const VoxelMask& mask, std::size_t minVoxels = 1, TracingProgress* progress = nullptr);
 
-/// The smallest box that holds everything set.
+/// The smallest box that contains all set voxels.
 VoxelBox boxOf(const VoxelMask& mask);
 
-/// That of a piece, with `aroundMm` to all sides as far as the grid goes.
+/// The bounding box of a component, enlarged by `aroundMm` on all sides within the grid.
 VoxelBox boxAround(const VoxelPiece& piece, const VolumeGeometry& grid, double aroundMm);
 
 }   // namespace angiopose::core
