@@ -25,7 +25,7 @@ void applyChosenKeys()
     std::map<ui::Command, QString> chosen;
     for (const ui::MenuRows& menu : ui::CommandTable::menus()) {
         for (const ui::CommandRow& row : menu.commands) {
-            const QVariant keys = stored.value(QStringLiteral("keys/") + row.name());
+            const QVariant keys = stored.value(QStringLiteral("keys/") + QLatin1String(row.name));
             if (keys.isValid()) {
                 chosen[row.command] =
                     QKeySequence::listFromString(keys.toString()).value(0).toString(QKeySequence::NativeText);

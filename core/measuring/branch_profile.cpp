@@ -71,7 +71,7 @@ std::optional<DiameterLine> referenceLine(const std::vector<Eigen::Vector2d>& di
 constexpr double profileSpacingMm = 0.5;
 constexpr double diameterReachMm = 1.0;
 constexpr double curvatureReachMm = 3.0;
-constexpr double minBendRadiusMm = 2.0;   // minimum arc length for measuring curvature
+constexpr double minCurvatureArcMm = 2.0;   // minimum arc length for measuring curvature
 constexpr double referenceReachMm = 30.0;   // beyond this distance, bifurcations have changed the vessel
 constexpr double recoveryReachMm = 20.0;
 constexpr double narrowingEnds = 0.9;   // fraction of the reference diameter at which a stenosis ends
@@ -103,7 +103,7 @@ std::pair<std::size_t, std::size_t> samplesAround(const std::vector<ProfileSampl
 double curvatureAt(const std::vector<ProfileSample>& samples, std::size_t middle)
 {
     const auto [first, end] = samplesAround(samples, middle, curvatureReachMm);
-    if (end - first < 4 || samples[end - 1].arcMm - samples[first].arcMm < minBendRadiusMm) {
+    if (end - first < 4 || samples[end - 1].arcMm - samples[first].arcMm < minCurvatureArcMm) {
         return unknownHere;
     }
     const auto count = static_cast<Eigen::Index>(end - first);

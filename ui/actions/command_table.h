@@ -29,11 +29,10 @@ enum class Menu {
 /// Label of a command, its shortcuts separated by "; ", and its traits.
 struct CommandRow {
     Command command;
+    const char* name;   ///< "copy-pose-as-matrix": key in the settings and object name; never changes
     const char* text;   ///< English, translated by CommandTable::tr
     const char* keys = "";
     unsigned traits = 0;
-
-    QString name() const;   ///< "copy-pose-as-matrix": key in the settings, independent of the language
 };
 
 struct MenuRows {

@@ -51,7 +51,7 @@ WindowActions::WindowActions(QWidget* window) : QObject(window), recent_(new QMe
 void WindowActions::addCommand(const CommandRow& row, QWidget* window)
 {
     auto* action = withText(new QAction(this), [text = row.text] { return CommandTable::tr(text); });
-    action->setObjectName(row.name());
+    action->setObjectName(QLatin1String(row.name));
     action->setCheckable(row.traits & CommandTable::Switch);
     action->setAutoRepeat(row.traits & CommandTable::Repeats);
     action->setShortcuts(shortcutsOf(row));
