@@ -160,10 +160,10 @@ void CaseController::connectTracing()
     connect(&tracing_, &TracingController::traced, &notices_, &Notices::showNote);
     connect(&session_.opening(), &OpenController::tookIn, &tracing_, &TracingController::knowWarnings);
     connect(&tracing_, &TracingController::failed, this,
-            [this](const QString& reason) { notices_.showProblem(tr("Vessels cannot be traced"), reason); });
+            [this](const QString& reason) { notices_.showProblem(tr("Could not trace the vessels"), reason); });
     connect(&mask_, &MaskController::reported, &notices_, &Notices::showNote);
     connect(&mask_, &MaskController::failed, this,
-            [this](const QString& reason) { notices_.showProblem(tr("Vessels cannot be traced"), reason); });
+            [this](const QString& reason) { notices_.showProblem(tr("Could not trace the vessels"), reason); });
     connect(&paths_, &PathController::reported, &notices_, &Notices::showNote);
     connect(&paths_, &PathController::failed, &notices_, &Notices::showNote);
     connect(&session_.saving(), &SaveController::saved, &mask_, &MaskController::noteSaved);
@@ -174,7 +174,7 @@ void CaseController::connectReview()
     connect(&movie_, &MovieController::written, &session_.audit(),
             [this](const QString& path) { session_.audit().note(io::AuditEvent::Exported, {path}); });
     connect(&support_, &SupportController::written, &notices_,
-            [this](const QString& path) { notices_.showNote(tr("Support bundle written: %1").arg(path)); });
+            [this](const QString& path) { notices_.showNote(tr("Support bundle saved: %1").arg(path)); });
     connect(&support_, &SupportController::failed, &notices_,
             [this](const QString& reason) { notices_.showProblem(tr("Could not save the support bundle"), reason); });
     connect(&look_, &LookController::branchWanted, &branches_, [this](int branchId) { branches_.select({branchId}); });

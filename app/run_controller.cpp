@@ -48,13 +48,13 @@ void RunController::connectRun()
     const RegistrationController& run = on_.registration;
     connect(&run, &RegistrationController::runningChanged, this, &RunController::showRunning);
     connect(&run, &RegistrationController::tracingStarted, this,
-            [this] { on_.strip.showBusy(tr("Tracing the vessels of this frame …")); });
+            [this] { on_.strip.showBusy(tr("Tracing the vessels of this frame…")); });
     connect(&run, &RegistrationController::advanced, this, &RunController::showProgress);
     connect(&run, &RegistrationController::finished, this, &RunController::showFinished);
     connect(&on_.preview, &PosePreview::changed, this,
             [this] { on_.result.setDimmed(on_.preview.shown() && on_.preview.colors() == ResidualColors::Hidden); });
     connect(&run, &RegistrationController::failed, this,
-            [this](const QString& reason) { on_.notices.showProblem(tr("Registration cannot run"), reason); });
+            [this](const QString& reason) { on_.notices.showProblem(tr("Could not start the registration"), reason); });
 }
 
 void RunController::start()
@@ -127,7 +127,7 @@ QString RunController::finishedText(const core::RegistrationResult& result)
 {
     const QString median = ui::numberText(result.metrics.medianMm, 2);
     if (result.stopReason == core::StopReason::StoppedByUser) {
-        return tr("Stopped, NOT RELIABLE: the best pose so far is kept, undo takes it back");
+        return tr("Stopped, NOT RELIABLE: the best pose so far is kept; Undo restores the previous one");
     }
     if (result.trustworthy) {
         return tr("Registered: median %1 mm").arg(median);

@@ -22,15 +22,17 @@ struct StepWords {
 StepState vessels(const core::Case& current, const StepFacts& facts)
 {
     if (!current.vessels.tree && current.vessels.scan) {
-        return {StepMark::Look, StepWords::tr("not traced"),
-                StepWords::tr("Nothing was traced in the scan. Place a seed or set the threshold beside its slices.")};
+        return {
+            StepMark::Look, StepWords::tr("not traced"),
+            StepWords::tr("No vessels were traced in the scan. Place a seed or set the threshold next to the slices.")};
     }
     if (!current.vessels.tree) {
-        return {StepMark::Open, {}, StepWords::tr("Open a CT angiogram, a segmentation, a surface or a centreline.")};
+        return {StepMark::Open, {}, StepWords::tr("Open a CT angiogram, a segmentation, a surface or a centerline.")};
     }
     if (facts.treePieces > 1) {
-        return {StepMark::Look, StepWords::tr("%1 pieces").arg(facts.treePieces),
-                StepWords::tr("The vessels are in pieces. Below the branch list is how to join them.")};
+        return {
+            StepMark::Look, StepWords::tr("%1 pieces").arg(facts.treePieces),
+            StepWords::tr("The vessel tree is in pieces. The note below the branch list explains how to join them.")};
     }
     const auto count = static_cast<int>(current.vessels.tree->branches.size());
     return {StepMark::Done, count == 1 ? StepWords::tr("1 branch") : StepWords::tr("%1 branches").arg(count), {}};
@@ -45,15 +47,15 @@ StepState angiogram(const core::Case& current, const StepFacts& facts)
         return {StepMark::Look, StepWords::tr("no vessels traced"), facts.targetProblem};
     }
     if (facts.isTracing) {
-        return {StepMark::Open, StepWords::tr("tracing …"), {}};
+        return {StepMark::Open, StepWords::tr("tracing…"), {}};
     }
     if (const auto mismatch = core::findMismatch(current); !mismatch.empty()) {
-        return {StepMark::Look, StepWords::tr("another patient?"), ui::messagesText(mismatch)};
+        return {StepMark::Look, StepWords::tr("different patient?"), ui::messagesText(mismatch)};
     }
     if (core::givenTargetOf(current.shown())) {
         return {StepMark::Done,
                 current.shown().target.editedFrame ? StepWords::tr("frame %1, edited").arg(current.shown().frame + 1)
-                                                   : StepWords::tr("given centreline"),
+                                                   : StepWords::tr("given centerline"),
                 {}};
     }
     if (!facts.targetWarning.isEmpty()) {
@@ -85,20 +87,21 @@ StepState geometry(const core::Case& current)
         return {StepMark::Done, StepWords::tr("from the case"), {}};
     }
     if (const auto contradictions = core::contradictionsOf(current.shown()); !contradictions.empty()) {
-        return {StepMark::Look, StepWords::tr("contradictory"), ui::messageText(contradictions.front())};
+        return {StepMark::Look, StepWords::tr("inconsistent"), ui::messageText(contradictions.front())};
     }
     if (isAssumed(current.shown().geometry.cArm)) {
         return {StepMark::Look, StepWords::tr("partly assumed"),
-                StepWords::tr("Some values are assumed. Type them if you know them.")};
+                StepWords::tr("Some values are assumed. Enter them if you know them.")};
     }
     switch (current.shown().geometry.cArm.columnSpacingMm.origin) {
         case core::Origin::User:
-            return {StepMark::Done, StepWords::tr("pixel spacing typed"), {}};
+            return {StepMark::Done, StepWords::tr("pixel spacing entered"), {}};
         case core::Origin::Derived:
-            return {StepMark::Look, StepWords::tr("pixel spacing derived"),
-                    StepWords::tr(
-                        "The header gives no pixel spacing: %1. Type it, or press Enter in the field to confirm it.")
-                        .arg(QString::fromStdString(current.shown().geometry.cArm.columnSpacingMm.basis))};
+            return {
+                StepMark::Look, StepWords::tr("pixel spacing derived"),
+                StepWords::tr(
+                    "The header contains no pixel spacing: %1. Enter it, or press Enter in the field to confirm it.")
+                    .arg(QString::fromStdString(current.shown().geometry.cArm.columnSpacingMm.basis))};
         default:
             return {StepMark::Done, StepWords::tr("from the header"), {}};
     }
@@ -122,13 +125,13 @@ StepState startPose(const core::Case& current)
 StepState registration(const core::Case& current, const StepFacts& facts)
 {
     if (facts.isRunning) {
-        return {StepMark::Open, StepWords::tr("running …"), {}};
+        return {StepMark::Open, StepWords::tr("running…"), {}};
     }
     if (!current.shown().result) {
         if (const core::FollowedFrame* frame = followedPoseShown(current.shown())) {
             return {frame->tracked.isTrustworthy ? StepMark::Done : StepMark::Look, StepWords::tr("followed"), {}};
         }
-        return {StepMark::Open, facts.poseEdited ? StepWords::tr("moved by hand") : QString(), {}};
+        return {StepMark::Open, facts.poseEdited ? StepWords::tr("moved manually") : QString(), {}};
     }
     const core::RegistrationResult& result = *current.shown().result;
     const double ms = result.time.totalMs;
@@ -148,8 +151,8 @@ StepState review(const core::Case& current)
     }
     const core::RegistrationResult* const result = core::resultOfShownFrame(current.shown());
     if (!result) {
-        return {StepMark::Look, StepWords::tr("other frame"),
-                StepWords::tr("This pose was found in frame %1. R registers in the one that is shown.")
+        return {StepMark::Look, StepWords::tr("different frame"),
+                StepWords::tr("This pose was registered in frame %1. Press R to register in the displayed frame.")
                     .arg(last->provenance.frame.value_or(0) + 1)};
     }
     if (!result->trustworthy) {

@@ -69,7 +69,7 @@ void ArchiveController::connectPort()
     connect(&line, &ui::ReceiveLine::switched, this, &ArchiveController::switchPort);
     connect(&line, &ui::ReceiveLine::securityRequested, new PortSecurity(*dialog_, dialog_), &PortSecurity::ask);
     connect(&line, &ui::ReceiveLine::openRequested, this,
-            [this] { offer(port_.folders(), tr("what arrived on port %1").arg(port_.port())); });
+            [this] { offer(port_.folders(), tr("objects received on port %1").arg(port_.port())); });
 }
 
 void ArchiveController::retrieve()
@@ -107,9 +107,9 @@ QString ArchiveController::portWords() const
     const ArchivePort::Arrived& arrived = port_.arrived();
     QStringList words;
     if (arrived.objects > 0) {
-        words << tr("Objects that arrived: %1").arg(arrived.objects);
+        words << tr("Objects received: %1").arg(arrived.objects);
     } else if (port_.isOpen()) {
-        words << tr("Nothing arrived yet");
+        words << tr("Nothing received yet");
     }
     if (arrived.problem) {
         words << ui::messageText(*arrived.problem);

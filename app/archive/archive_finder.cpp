@@ -76,7 +76,7 @@ void ArchiveFinder::follow(const std::optional<io::ArchiveNode>& node)
     }
     show();
     if (node_ && !findings_.studies) {
-        dialog_.line().showHint(tr("Search, choose studies or series, then retrieve them."));
+        dialog_.line().showHint(tr("Search, select studies or series, then retrieve them."));
     }
 }
 
@@ -84,7 +84,7 @@ void ArchiveFinder::find()
 {
     const ui::ArchiveSearch search = dialog_.fields().search();
     if (const auto wrong = wrongDateOf(search)) {
-        dialog_.line().showProblem(tr("“%1” is no date. Write year, month and day: 2024-01-31.").arg(*wrong));
+        dialog_.line().showProblem(tr("“%1” is not a date. Enter year, month and day: 2024-01-31.").arg(*wrong));
         return;
     }
     if (!node_) {
@@ -93,7 +93,7 @@ void ArchiveFinder::find()
     settings::archiveFrom.write(search.from);
     settings::archiveTo.write(search.to);
     settings::archiveModality.write(search.modality);
-    dialog_.line().showBusy(tr("Searching in %1 …").arg(QString::fromStdString(node_->name)));
+    dialog_.line().showBusy(tr("Searching %1…").arg(QString::fromStdString(node_->name)));
     studies_.start(findWork(*node_, queryOf(search)));
 }
 
@@ -117,8 +117,8 @@ void ArchiveFinder::showEmptyWords()
     const QString name = QString::fromStdString(node_->name);
     dialog_.list().setEmptyWords(
         findings_.studies
-            ? tr("%1 holds no such study. Ask for less: a shorter name, more days, any modality.").arg(name)
-            : tr("Search to see what %1 holds.").arg(name));
+            ? tr("%1 has no matching study. Broaden the search: a shorter name, more days, any modality.").arg(name)
+            : tr("Search to list the studies on %1.").arg(name));
 }
 
 void ArchiveFinder::tell()
@@ -126,7 +126,7 @@ void ArchiveFinder::tell()
     const std::size_t count = findings_.studies->found.size();
     QStringList words{count == 1 ? tr("1 study found.") : tr("%1 studies found.").arg(count)};
     if (count > 0) {
-        words << tr("Choose studies, or unfold one for its series; several with Ctrl.");
+        words << tr("Select studies, or expand one to select its series; Ctrl selects several.");
     }
     if (!findings_.studies->warnings.empty()) {
         words << ui::messagesText(findings_.studies->warnings);

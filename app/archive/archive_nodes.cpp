@@ -50,7 +50,7 @@ ArchiveEcho::ArchiveEcho(ui::TransferLine& line, QObject* parent)
 void ArchiveEcho::ask(const io::ArchiveNode& node)
 {
     name_ = QString::fromStdString(node.name);
-    line_.showBusy(tr("Asking %1 …").arg(name_));
+    line_.showBusy(tr("Contacting %1…").arg(name_));
     job_.start([node](JobLink<double>& link) -> core::Result<core::Messages> {
         const NetworkWait waiting;
         const auto answered = io::echoArchive(node, io::ArchiveWay::Usual,
@@ -61,7 +61,7 @@ void ArchiveEcho::ask(const io::ArchiveNode& node)
 
 void ArchiveEcho::tell(const core::Messages& notes)
 {
-    QStringList words{tr("%1 answers, and lets this program in.").arg(name_)};
+    QStringList words{tr("%1 responded and accepted the connection.").arg(name_)};
     if (!notes.empty()) {
         words << ui::messagesText(notes);
     }
@@ -140,7 +140,7 @@ void ArchiveNodes::save(const ui::ArchiveEntry& entry, const QString& former)
         return;
     }
     if (entry.name != former && list_.node(entry.name)) {
-        editor_->line().showProblem(tr("There is an archive of this name already. Choose another name."));
+        editor_->line().showProblem(tr("A PACS with this name already exists. Choose another name."));
         return;
     }
     settings::archiveNode.write(entry.name);
@@ -161,9 +161,10 @@ void ArchiveNodes::save(const ui::ArchiveEntry& entry, const QString& former)
 void ArchiveNodes::askRemoval()
 {
     const QString name = ui_.bar.node();
-    auto* question = new ui::QuestionDialog(
-        {tr("Remove %1 from the list?").arg(name), tr("The archive itself and what was retrieved from it stay."), {}},
-        {tr("Remove"), tr("Cancel")}, &ui_.dialog);
+    auto* question = new ui::QuestionDialog({tr("Remove %1 from the list?").arg(name),
+                                             tr("The PACS itself and the objects retrieved from it are kept."),
+                                             {}},
+                                            {tr("Remove"), tr("Cancel")}, &ui_.dialog);
     question->setObjectName(QStringLiteral("archiveRemoval"));
     connect(question, &ui::QuestionDialog::answered, this, [this, name](int index) {
         if (index == 0) {

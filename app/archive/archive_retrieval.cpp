@@ -103,7 +103,7 @@ void ArchiveRetrieval::start(const io::ArchiveNode& node, const io::ArchiveSetti
 {
     hasBegun_ = false;
     dialog_.offerPart(false);
-    dialog_.line().showBusy(tr("Asking %1 …").arg(QString::fromStdString(node.name)));
+    dialog_.line().showBusy(tr("Contacting %1…").arg(QString::fromStdString(node.name)));
     job_.start(workOf(node, settings, requests));
 }
 
@@ -115,7 +115,7 @@ void ArchiveRetrieval::stop()
     }
     if (hasBegun_) {
         job_.requestStop();
-        dialog_.line().showBusy(tr("Stopping …"));
+        dialog_.line().showBusy(tr("Stopping…"));
     } else {
         job_.drop();
         dialog_.line().showHint(tr("Stopped."));
@@ -147,7 +147,7 @@ void ArchiveRetrieval::take(const io::TransferReport& report)
         folders_ << QString::fromStdString(folder);
     }
     const std::size_t came = report.transferred + report.duplicates;
-    const QString count = tr("%1 of %2 objects are here.").arg(numbered(came), numbered(report.all));
+    const QString count = tr("%1 of %2 objects were retrieved.").arg(numbered(came), numbered(report.all));
     if (report.isWhole()) {
         dialog_.line().showDone(count);
         emit ended();
@@ -155,7 +155,7 @@ void ArchiveRetrieval::take(const io::TransferReport& report)
         return;
     }
     if (report.end && report.end->isStop()) {
-        dialog_.line().showHint(ui::joinedSentences({tr("Stopped."), count, tr("Retrieve again to get the others.")}));
+        dialog_.line().showHint(ui::joinedSentences({tr("Stopped."), count, tr("Retrieve again to get the rest.")}));
     } else {
         QStringList words{report.end ? ui::messageText(report.end->message) : problemWords(report.problems)};
         dialog_.line().showProblem(ui::joinedSentences(words << count));
@@ -175,7 +175,7 @@ ArchiveCache::ArchiveCache(ArchiveList& list, const Ui& ui, QObject* parent)
                              QString::fromStdString(list_.settings().cache()));
       }),
       emptying_({[this](const std::size_t& dropped) {
-                     ui_.words.showDone(tr("The cache is empty. Objects dropped: %1.").arg(dropped));
+                     ui_.words.showDone(tr("Cache emptied. Objects deleted: %1.").arg(dropped));
                      measure();
                  },
                  [this](const core::Error& error) {
@@ -209,12 +209,12 @@ void ArchiveCache::limit(double gigabytes)
 /// Less than is held: a slip of the finger must not drop anything.
 void ArchiveCache::askDropping(std::uint64_t bytes)
 {
-    auto* question = new ui::QuestionDialog(
-        {tr("Keep less than is there?"),
-         tr("The cache holds %1. What was not used for the longest time is dropped until %2 are left.")
-             .arg(sizeWords(held_), sizeWords(bytes)),
-         {}},
-        {tr("Drop"), tr("Cancel")}, &ui_.dialog);
+    auto* question =
+        new ui::QuestionDialog({tr("Reduce the cache below its current size?"),
+                                tr("The cache holds %1. The least recently used objects are deleted until %2 remain.")
+                                    .arg(sizeWords(held_), sizeWords(bytes)),
+                                {}},
+                               {tr("Delete"), tr("Cancel")}, &ui_.dialog);
     question->setObjectName(QStringLiteral("cacheDropping"));
     connect(question, &ui::QuestionDialog::answered, this, [this, bytes](int index) {
         if (index == 0) {
@@ -243,12 +243,12 @@ void ArchiveCache::setLimit(std::uint64_t bytes)
 
 void ArchiveCache::askEmptying()
 {
-    auto* question = new ui::QuestionDialog(
-        {tr("Empty the cache?"),
-         tr("All that was retrieved is dropped. Cases whose images lie there ask for them when they are opened; "
-            "“Pack case for others” keeps case and images together."),
-         {}},
-        {tr("Empty"), tr("Cancel")}, &ui_.dialog);
+    auto* question =
+        new ui::QuestionDialog({tr("Empty the cache?"),
+                                tr("All retrieved objects are deleted. Cases whose images are in the cache ask for "
+                                   "them when opened. “Share case as ZIP” keeps case and images together."),
+                                {}},
+                               {tr("Empty"), tr("Cancel")}, &ui_.dialog);
     question->setObjectName(QStringLiteral("cacheEmptying"));
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
         if (index == 0) {
@@ -260,7 +260,7 @@ void ArchiveCache::askEmptying()
 
 void ArchiveCache::empty()
 {
-    ui_.words.showBusy(tr("Emptying the cache …"));
+    ui_.words.showBusy(tr("Emptying the cache…"));
     emptying_.start([folder = list_.settings().cache()](JobLink<double>&) { return io::emptyCache(folder); });
 }
 

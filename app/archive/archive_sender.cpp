@@ -41,7 +41,7 @@ void ArchiveSender::ask(const Maker& maker)
     connect(&dialog_->line(), &ui::TransferLine::stopRequested, this, [this] {
         if (job_.isRunning()) {
             job_.requestStop();
-            dialog_->line().showBusy(tr("Stopping …"));
+            dialog_->line().showBusy(tr("Stopping…"));
         }
     });
     connect(dialog_, &QDialog::finished, this, [this] {
@@ -58,7 +58,7 @@ void ArchiveSender::send()
     if (!node) {
         return;
     }
-    dialog_->line().showBusy(tr("Making the objects …"));
+    dialog_->line().showBusy(tr("Creating the objects…"));
     job_.start([made = made_, node = *node](JobLink<Progress>& link) { return work(*made, node, link); });
 }
 
@@ -90,7 +90,7 @@ void ArchiveSender::follow(const Progress& progress)
         return;
     }
     if (progress.sending.all == 0) {
-        dialog_->line().showProgress(tr("Making the objects …"), static_cast<qsizetype>(1000.0 * progress.made), 1000);
+        dialog_->line().showProgress(tr("Creating the objects…"), static_cast<qsizetype>(1000.0 * progress.made), 1000);
         return;
     }
     dialog_->line().showProgress(tr("Sent: %1 of %2 objects, %3")
@@ -110,7 +110,7 @@ void ArchiveSender::take(const io::TransferReport& report)
     const std::size_t there = report.transferred + report.duplicates;
     if (report.isWhole()) {
         const QString words =
-            tr("%1 has all objects: %2 (%3).").arg(name, QString::number(there), sizeWords(report.bytes));
+            tr("%1 received all objects: %2 (%3).").arg(name, QString::number(there), sizeWords(report.bytes));
         dialog_->showSent(words);
         QStringList notes;
         for (const core::Message& note : made_->notes) {
@@ -121,7 +121,7 @@ void ArchiveSender::take(const io::TransferReport& report)
     }
     const QString count = tr("%1 of %2 objects arrived.").arg(there).arg(report.all);
     if (report.end && report.end->isStop()) {
-        dialog_->line().showHint(ui::joinedSentences({tr("Stopped."), count, tr("Send again for the others.")}));
+        dialog_->line().showHint(ui::joinedSentences({tr("Stopped."), count, tr("Send again to transfer the rest.")}));
         return;
     }
     QStringList words;

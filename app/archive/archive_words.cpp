@@ -45,7 +45,7 @@ QString readableDate(const std::string& dicom)
 QString readableName(const std::string& name)
 {
     const QString words = QString::fromStdString(name).replace(u'^', u' ').simplified();
-    return words.isEmpty() ? ArchiveWords::tr("Without name") : words;
+    return words.isEmpty() ? ArchiveWords::tr("No name") : words;
 }
 
 QString modalityWords(const std::string& modalities)
@@ -177,7 +177,7 @@ QString problemWords(const core::Messages& problems)
     const QString first = ui::messageText(problems.front());
     return problems.size() == 1
                ? first
-               : ui::joinedSentences({first, ArchiveWords::tr("Faults beside this one: %1.").arg(problems.size() - 1)});
+               : ui::joinedSentences({first, ArchiveWords::tr("Other errors: %1.").arg(problems.size() - 1)});
 }
 
 }   // namespace angiopose::app

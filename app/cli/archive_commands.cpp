@@ -139,8 +139,8 @@ void addNodeList(CLI::App& archive, int& exitCode)
     addNodeFile(*add, arguments->common);
     add->add_option("--host", node.host, "Its host");
     add->add_option("--port", node.port, "Its port")->capture_default_str();
-    add->add_option("--title", node.title, "Its AE title")->capture_default_str();
-    add->add_option("--own-title", node.ownTitle, "Our AE title")->capture_default_str();
+    add->add_option("--title", node.title, "Called AE title")->capture_default_str();
+    add->add_option("--own-title", node.ownTitle, "Calling AE title")->capture_default_str();
     add->add_option("--receive-port", node.receivePort, "Port of ours for C-MOVE (default: C-GET only)");
     add->add_flag("--tls", node.isTls, "TLS for DIMSE");
     add->add_option("--ca", node.caFile, "Authorities that certificates are checked with, PEM (default: the system's)");

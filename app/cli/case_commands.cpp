@@ -103,11 +103,10 @@ void addProject(CLI::App& app, int& exitCode)
     command->add_option("--width", arguments->widthPx, "Width of the picture in pixels (default: twice the image)")
         ->check(CLI::Range(64, 8192));
     addFrameOption(*command, arguments->frame, "Frame of the angiogram, from 1");
-    command->add_flag("--depth-cue", arguments->depthCue, "Near vessels bright, far ones dim");
+    command->add_flag("--depth-cue", arguments->depthCue, "Depth cueing");
     command->add_option("--swipe", arguments->swipePx, "Column of the angiogram: right of it without vessels");
     command->add_flag("--rigid", arguments->isRigid, "The vessels rigid, where the case keeps bent ones");
-    command->add_flag("--motion", arguments->isMotionColored,
-                      "Colours: how far the bent vessels lie from the rigid ones");
+    command->add_flag("--motion", arguments->isMotionColored, "Colors: displacement of the deformed vessels");
     command->add_flag("--before-after", arguments->startBeside, "The vessels at the start pose beside it, on the left");
     command->add_option("--dpi", arguments->dotsPerInch, "Pixels to an inch, for print")->check(CLI::Range(10, 4800));
     command->add_flag("--bare", arguments->isFrameAlone, "The image alone, without vessels");
@@ -146,7 +145,7 @@ void addMovie(CLI::App& app, int& exitCode)
     command->add_option("--width", arguments->widthPx, "Width of the movie in pixels (default: twice the image)")
         ->check(CLI::Range(64, 8192));
     addFrameOption(*command, arguments->frame, "Frame of the case's pose, from 1");
-    command->add_flag("--depth-cue", arguments->depthCue, "Near vessels bright, far ones dim");
+    command->add_flag("--depth-cue", arguments->depthCue, "Depth cueing");
     command->add_flag("--rigid", arguments->isRigid, "The vessels rigid, where the case keeps bent ones");
     command->footer("Example: angiopose-cli movie case.angiopose --register --follow --output run.mp4");
     command->callback([arguments, &exitCode] { exitCode = runMovie(*arguments); });

@@ -122,7 +122,7 @@ void AuxiliaryController::chooseGenerations(int last)
         }
     }
     if (chosen.empty()) {
-        emit refused(tr("This tree knows no generations."));
+        emit refused(tr("This tree has no generation data."));
     } else {
         branches_.setAuxiliary(chosen);
     }
@@ -139,7 +139,7 @@ void AuxiliaryController::chooseWide(double atLeastMm)
         }
     }
     if (chosen.empty()) {
-        emit refused(tr("No branch is that wide."));
+        emit refused(tr("No branch reaches this radius."));
     } else {
         branches_.setAuxiliary(chosen);
     }

@@ -20,8 +20,8 @@ QString nameOfStep(std::size_t step)
     static const std::array names{QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "tilt"),
                                   QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "turn"),
                                   QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "roll"),
-                                  QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "sideways"),
-                                  QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "up–down"),
+                                  QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "horizontal"),
+                                  QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "vertical"),
                                   QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "depth")};
     return AuxiliaryController::tr(names[step]);
 }
@@ -70,32 +70,30 @@ QString previewWords(const core::Case& current)
     }
     const QString chosen =
         chosenIds.empty()
-            ? AuxiliaryController::tr("Nothing is chosen: the alternation takes the %1 nodes of the tree.")
+            ? AuxiliaryController::tr("No auxiliary branches selected: the alternation uses the %1 nodes of the tree.")
                   .arg(core::findNodes(*current.vessels.tree).size())
-            : AuxiliaryController::tr("Chosen: %1 (%2 mm, %3 % of the tree).")
+            : AuxiliaryController::tr("Auxiliary: %1 (%2 mm, %3 % of the tree).")
                   .arg(namesOf(current.vessels.tree, chosenIds))
                   .arg(ui::numberText(chosenMm, 0))
                   .arg(ui::numberText(100.0 * chosenMm / std::max(1e-9, lengthMm), 0));
     if (current.options.method == defaultMethod) {
         return chosenIds.empty()
                    ? AuxiliaryController::tr(
-                         "Nothing is chosen: AngioPose takes all branches alike. Chosen ones decide "
-                         "what they can tell, the others hold the rest.")
+                         "No auxiliary branches selected: AngioPose weights all branches equally. Auxiliary branches "
+                         "determine the pose components they constrain; the other branches constrain the rest.")
                    : AuxiliaryController::tr(
-                         "%1 AngioPose lets them decide what they can tell, the other branches hold the rest; the "
-                         "result "
-                         "says what the fit of all was. While the fit is in doubt, poses found from these alone are "
-                         "tried, too.")
+                         "%1 In AngioPose, they determine the pose components they constrain; the other branches "
+                         "constrain the rest. The result also reports the fit of all branches. If confidence is low, "
+                         "AngioPose also tries poses found from these branches alone.")
                          .arg(chosen);
     }
     if (!alternates(current.options.method)) {
-        return AuxiliaryController::tr("%1 The method chosen now does not alternate and takes all branches.")
-            .arg(chosen);
+        return AuxiliaryController::tr("%1 The current method does not alternate and uses all branches.").arg(chosen);
     }
     const auto set = current.options.seed.auxiliary;
     return set == core::AuxiliarySet::Chosen
                ? chosen
-               : AuxiliaryController::tr("%1 The option “Auxiliary points” of the method overrules this.").arg(chosen);
+               : AuxiliaryController::tr("%1 The method option “Auxiliary points” takes precedence.").arg(chosen);
 }
 
 }   // namespace

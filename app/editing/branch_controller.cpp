@@ -100,7 +100,7 @@ void BranchController::toggleExcluded(const std::set<int>& branchIds)
     const std::set<int> excluded = toggled(marks_.excluded, branchIds);
     const auto& tree = document_.current().vessels.tree;
     if (tree && excluded.size() >= tree->branches.size()) {
-        emit refused(tr("At least one branch has to stay."));
+        emit refused(tr("At least one branch must remain."));
         return;
     }
     const bool leaves = excluded.size() > marks_.excluded.size();
@@ -123,7 +123,7 @@ void BranchController::setAuxiliaryInside(const std::map<int, ui::ViewRect>& ext
         }
     }
     if (inside.empty()) {
-        emit refused(tr("No branch lies wholly in view. Zoom out or move the image."));
+        emit refused(tr("No branch lies completely in view. Zoom out or pan the image."));
     } else {
         setAuxiliary(inside);
     }
@@ -139,7 +139,7 @@ void BranchController::setAuxiliaryWide()
         }
     }
     if (radii.empty()) {
-        emit refused(tr("This tree knows no radii."));
+        emit refused(tr("This tree has no radii."));
         return;
     }
     std::ranges::sort(radii, std::greater{});

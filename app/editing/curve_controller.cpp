@@ -196,7 +196,7 @@ void CurveController::take(const core::Centerline2d& curves, const ui::Words& wh
 {
     const core::CurvesApart edited = core::takenApart(curves, core::devicesAfterEdit(curvesHere(), curves));
     if (edited.vessels.pointCount() == 0) {
-        notices_.showNote(tr("At least one curve must stay: there would be nothing to register to."));
+        notices_.showNote(tr("At least one curve must remain; otherwise there is nothing to register to."));
         return;
     }
     std::vector<int> accepted = acceptedHere();
@@ -209,7 +209,7 @@ void CurveController::accept(int curveId)
     std::vector<int> accepted = acceptedHere();
     accepted.push_back(curveId);
     push({{}, target_.current(), {}, std::move(accepted), core::devicesOf(document_.current().shown())},
-         [] { return tr("Keep a suspect curve"); });
+         [] { return tr("Keep suspect curve"); });
 }
 
 /// As a catheter or wire; taken back it is a vessel, and no suspect any more.
@@ -227,12 +227,12 @@ void CurveController::keepApart(int curveId, bool apart)
     }
     const core::CurvesApart curves = core::takenApart(core::together(before), deviceIds);
     if (curves.vessels.curves.empty()) {
-        notices_.showNote(tr("Where nothing but a wire is seen, the method “Wire or catheter” takes every curve."));
+        notices_.showNote(tr("If only a wire is visible, use the method “Wire or catheter”, which uses every curve."));
         return;
     }
     push({{}, shared(curves.vessels), {}, std::move(accepted), shared(curves.devices)},
-         apart ? ui::Words([] { return tr("Keep a catheter or wire apart"); })
-               : ui::Words([] { return tr("Take a curve for a vessel again"); }));
+         apart ? ui::Words([] { return tr("Mark curve as catheter or wire"); })
+               : ui::Words([] { return tr("Mark curve as vessel"); }));
 }
 
 void CurveController::followDevice()
@@ -241,7 +241,7 @@ void CurveController::followDevice()
     if (options.method != "wire") {
         options.method = "wire";
         document_.push(std::make_unique<ChangeOptions>(document_, ChangeOptions::Values{options},
-                                                       [] { return tr("Follow the catheter or wire"); }));
+                                                       [] { return tr("Register by catheter or wire"); }));
     }
     actions_[ui::Command::Register]->trigger();
 }
@@ -255,8 +255,7 @@ void CurveController::push(core::GivenTarget target, const ui::Words& what)
     const bool isPushed = document_.push(
         std::make_unique<ChangeTarget>(document_, ChangeTarget::Values{std::move(target), std::nullopt, {}}, what));
     if (isPushed && formerFrame && formerFrame != frame) {
-        notices_.showNote(
-            tr("The edited curves of frame %1 gave way to these. Undo brings them back.").arg(*formerFrame + 1));
+        notices_.showNote(tr("The edited curves of frame %1 were replaced. Undo restores them.").arg(*formerFrame + 1));
     }
 }
 
@@ -266,7 +265,7 @@ void CurveController::askToTraceAgain()
         return;
     }
     auto* question = new ui::QuestionDialog(
-        {tr("Trace this frame again?"), tr("Its edited or given curves are set aside. Undo brings them back."), {}},
+        {tr("Trace this frame again?"), tr("Its edited or imported curves are replaced. Undo restores them."), {}},
         {tr("Trace again"), tr("Keep the curves")}, &dialogParent_);
     question->setObjectName(QStringLiteral("traceAgainQuestion"));
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {

@@ -56,15 +56,17 @@ QString placeName(const core::VesselTree& tree, const std::vector<core::VesselNo
             }
         }
     }
-    return nearest < nodeReachMm ? name : LandmarkController::tr("place beside the vessels");
+    return nearest < nodeReachMm ? name : LandmarkController::tr("point off the vessels");
 }
 
 QString verdictOf(const core::LandmarkPose& pose)
 {
     if (pose.leansOnPrior) {
-        return LandmarkController::tr("Fewer than four pairs: what they leave open stays as it is.");
+        return LandmarkController::tr(
+            "Fewer than four pairs: pose components that the pairs do not determine remain unchanged.");
     }
-    return LandmarkController::tr("The pairs leave %1 px; for clicks off by 2 px: rotation ±%2°, depth ±%3 mm.")
+    return LandmarkController::tr(
+               "Residual of the pairs: %1 px. For click errors of 2 px: rotation ±%2°, depth ±%3 mm.")
         .arg(ui::numberText(pose.rmsPx, 1))
         .arg(ui::numberText(pose.rotationStdDeg, 1))
         .arg(ui::numberText(pose.depthStdMm, 0));
@@ -202,9 +204,8 @@ void LandmarkController::placeVessels()
     }
     const core::RigidTransform& found = pose.value().cameraFromPatient;
     const QString verdict = verdictOf(pose.value());
-    const bool isDone =
-        document_.push(std::make_unique<PlaceVessels>(document_, PlaceVessels::Values{found, found, std::nullopt, {}},
-                                                      [] { return tr("Place vessels by landmarks"); }));
+    const bool isDone = document_.push(std::make_unique<PlaceVessels>(
+        document_, PlaceVessels::Values{found, found, std::nullopt, {}}, [] { return tr("Register from landmarks"); }));
     if (isDone) {
         emit placed(verdict);
     }

@@ -195,7 +195,7 @@ void MarkController::add(VesselMarkKind kind, const Eigen::Vector3d& pointInPati
     all.push_back(*put);
     const auto row = static_cast<int>(all.size()) - 1;
     changeMarks(std::move(all),
-                [kind] { return kind == VesselMarkKind::CheckPoint ? tr("Set check point") : tr("Set ostium ring"); });
+                [kind] { return kind == VesselMarkKind::CheckPoint ? tr("Add target point") : tr("Add ostium ring"); });
     if (row < static_cast<int>(marks().size())) {
         ui_.panel.choose(row);
     }
@@ -227,7 +227,7 @@ std::optional<int> MarkController::chosenCheckPoint(const Eigen::Vector2d& pixel
 void MarkController::see(const Eigen::Vector2d& pixel, std::optional<int> markId)
 {
     if (!markId) {
-        emit refused(tr("Set a check point on the vessels first."));
+        emit refused(tr("Add a target point on the vessels first."));
         return;
     }
     std::vector<Sighting> all = current().shown().sightings;
@@ -240,7 +240,7 @@ void MarkController::see(const Eigen::Vector2d& pixel, std::optional<int> markId
         all.push_back({*markId, pixel, frame});
     }
     document_.push(std::make_unique<ChangeSightings>(document_, ChangeSightings::Values{std::move(all)},
-                                                     [] { return tr("Say where a check point is seen"); }));
+                                                     [] { return tr("Mark target point in image"); }));
     show();
 }
 
@@ -250,7 +250,7 @@ void MarkController::write(const std::vector<Eigen::Vector2d>& pixels, const QSt
     std::vector<ImageAnnotation> all = current().shown().annotations;
     all.push_back({isArrow ? core::AnnotationKind::Arrow : core::AnnotationKind::Text, pixels, words.toStdString(),
                    sync_.shownFrame()});
-    changeAnnotations(std::move(all), [isArrow] { return isArrow ? tr("Draw arrow") : tr("Write text"); });
+    changeAnnotations(std::move(all), [isArrow] { return isArrow ? tr("Draw arrow") : tr("Add text"); });
 }
 
 void MarkController::moveHandle(MarkMode mode, std::size_t handle, const Eigen::Vector2d& pixel)

@@ -39,9 +39,10 @@ std::vector<ui::MarkRow> MarkController::rows() const
 void MarkController::show()
 {
     const auto list = rows();
-    ui_.panel.showMarks(list, list.empty() ? tr("Places on the vessels with a name, and how far the pose puts them "
-                                                "beside where they are seen; arrows and texts for pictures.")
-                                           : QString());
+    ui_.panel.showMarks(list, list.empty()
+                                  ? tr("Named points on the vessels and the distance between their projection and "
+                                       "where they appear in the image; arrows and texts for exported images.")
+                                  : QString());
     showPlaces();
     showHandles();
 }

@@ -102,7 +102,7 @@ MaskController::MaskController(CaseDocument& document, Options options, const Ui
 void MaskController::connectTracing()
 {
     connect(&tracing_, &MaskTracing::advanced, this, [this](double fraction) {
-        ui_.strip.showProgress(tr("Tracing the mask … %1 %").arg(ui::numberText(100.0 * fraction, 0)), fraction);
+        ui_.strip.showProgress(tr("Tracing the mask… %1 %").arg(ui::numberText(100.0 * fraction, 0)), fraction);
     });
     connect(&tracing_, &MaskTracing::ended, this, [this] {
         ui_.strip.showIdle(tr("Ready"));
@@ -110,7 +110,7 @@ void MaskController::connectTracing()
     });
     connect(&tracing_, &MaskTracing::traced, this, &MaskController::takeTrace);
     connect(&tracing_, &MaskTracing::stopped, this,
-            [this] { emit reported(tr("Stopped: the vessels are as they were")); });
+            [this] { emit reported(tr("Stopped: the vessels are unchanged")); });
     connect(&tracing_, &MaskTracing::failed, this, &MaskController::failed);
 }
 
@@ -268,8 +268,8 @@ void MaskController::endStroke()
         }
         return;
     }
-    const ui::Words name = strokeAim_ == MaskAim::Paint ? ui::Words([] { return tr("Paint into the mask"); })
-                                                        : ui::Words([] { return tr("Erase from the mask"); });
+    const ui::Words name = strokeAim_ == MaskAim::Paint ? ui::Words([] { return tr("Paint mask"); })
+                                                        : ui::Words([] { return tr("Erase mask"); });
     const core::MaskChange change = core::changeOf(std::exchange(stroke_, {}));
     if (!document_.push(std::make_unique<EditMask>(document_, draft_, change, name))) {
         draft_->apply(change);   // takes itself back
@@ -304,7 +304,7 @@ void MaskController::takeCut(const core::VoxelPlaces& found)
     std::ranges::copy_if(found, std::back_inserter(there),
                          [&draft](std::uint32_t voxel) { return draft->mask()->voxels[voxel] != 0; });
     if (there.empty()) {
-        emit reported(tr("Nothing of the mask lies there."));
+        emit reported(tr("No mask there."));
         return;
     }
     const core::MaskChange change = core::changeOf(std::move(there));
@@ -320,7 +320,7 @@ void MaskController::trace()
         return;
     }
     endStroke();
-    ui_.strip.showBusy(tr("Tracing the mask …"));
+    ui_.strip.showBusy(tr("Tracing the mask…"));
     tracing_.start(draft_, options_());
     showState();
 }
@@ -353,7 +353,7 @@ void MaskController::noteSaved()
 {
     if (openStrokes() > 0) {
         document_.markUnsaved();
-        emit reported(tr("Saved without the latest changes of the mask: trace the mask, then save again."));
+        emit reported(tr("Saved without the latest mask changes: trace the mask, then save again."));
     }
 }
 

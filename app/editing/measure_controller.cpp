@@ -100,7 +100,7 @@ void MeasureController::connectSlices()
                     return;   // gone meanwhile
                 }
                 all[of].pointsInPatient[at] = pointInPatient;
-                changeInSlices(std::move(all), [] { return tr("Move point of measurement"); });
+                changeInSlices(std::move(all), [] { return tr("Move measurement point"); });
             });
     connect(&slices_, &SliceMeasureController::removeRequested, this, [this] {
         const auto first = static_cast<int>(measurements().size());
@@ -173,7 +173,7 @@ void MeasureController::movePoint(std::size_t measurement, std::size_t point, co
 {
     std::vector<ImageMeasurement> all = measurements();
     all.at(measurement).pixels.at(point) = pixel;
-    change(std::move(all), [] { return tr("Move point of measurement"); });
+    change(std::move(all), [] { return tr("Move measurement point"); });
 }
 
 void MeasureController::rename(std::size_t place, const QString& name)
@@ -237,8 +237,8 @@ void MeasureController::typeScale(double mmPerPx)
 {
     const std::optional<double> typed = mmPerPx > 0.0 ? std::optional(mmPerPx) : std::nullopt;
     if (typed != document_.current().shown().typedMmPerPx) {
-        document_.push(std::make_unique<TypeScale>(document_, TypeScale::Values{typed},
-                                                   [] { return tr("Type scale of the image"); }));
+        document_.push(
+            std::make_unique<TypeScale>(document_, TypeScale::Values{typed}, [] { return tr("Enter image scale"); }));
     }
     show();
 }

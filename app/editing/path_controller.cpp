@@ -88,7 +88,7 @@ void PathController::add(const core::VesselPath& path)
     if (!document_.push(editTree(document_, std::move(added).value(), [] { return tr("Trace one vessel"); }))) {
         return;
     }
-    QStringList notes{tr("Traced: one vessel of %1 mm.").arg(ui::numberText(lengthMm, 0))};
+    QStringList notes{tr("Traced: one vessel, %1 mm.").arg(ui::numberText(lengthMm, 0))};
     for (const core::Message& warning : path.warnings) {
         notes << ui::messageText(warning);
     }

@@ -29,7 +29,7 @@ void PivotController::pick(const Eigen::Vector3d& pointInPatient)
              : std::nullopt;
     if (place) {
         change(
-            *place, [] { return tr("Pick the pivot"); }, tr("The vessels turn about the picked place now."));
+            *place, [] { return tr("Set rotation center"); }, tr("The vessels now rotate about the selected point."));
     }
 }
 
@@ -44,8 +44,8 @@ void PivotController::backToCentroid()
 {
     if (document_.current().vessels.pickedPivotInPatient) {
         change(
-            std::nullopt, [] { return tr("Pivot back to the centroid"); },
-            tr("The vessels turn about their centroid again."));
+            std::nullopt, [] { return tr("Reset rotation center"); },
+            tr("The vessels rotate about their centroid again."));
     }
 }
 

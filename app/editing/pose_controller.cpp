@@ -71,7 +71,7 @@ void PoseController::nudge(const ui::Nudge& nudge)
 {
     const auto context = frame();
     if (!context) {
-        emit refused(tr("There is no pose to nudge yet: vessels, angiogram and geometry come first."));
+        emit refused(tr("There is no pose to nudge yet. Provide vessels, an angiogram and the geometry first."));
         return;
     }
     if (core::isLocked(locks(), nudge.axis)) {
@@ -91,7 +91,7 @@ void PoseController::reset()
 {
     if (frame()) {
         push(
-            core::atStart(document_.current()), [] { return tr("Back to start pose"); }, separateEdit);
+            core::atStart(document_.current()), [] { return tr("Reset to initial pose"); }, separateEdit);
     }
 }
 

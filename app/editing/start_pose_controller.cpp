@@ -24,9 +24,9 @@ void StartPoseController::startFromAngles()
     }
     const bool isDone = document_.push(
         std::make_unique<PlaceVessels>(document_, PlaceVessels::Values{std::nullopt, start.value(), std::nullopt, {}},
-                                       [] { return tr("Start pose from angles"); }));
+                                       [] { return tr("Initial pose from angles"); }));
     if (isDone) {
-        emit done(tr("Start pose from the angles, the isocentre in the vessels"));
+        emit done(tr("Initial pose from the angles, with the isocenter in the vessels"));
     }
 }
 
@@ -34,14 +34,14 @@ void StartPoseController::startHere()
 {
     const core::Case& current = document_.current();
     if (!current.vessels.tree || !core::cameraOf(current.shown())) {
-        emit refused(tr("Vessels, angiogram and geometry come first."));
+        emit refused(tr("Provide vessels, an angiogram and the geometry first."));
         return;
     }
     const core::RigidTransform pose = current.shown().cameraFromPatient;
     const bool isDone = document_.push(std::make_unique<PlaceVessels>(
-        document_, PlaceVessels::Values{pose, pose, std::nullopt, {}}, [] { return tr("Start pose by hand"); }));
+        document_, PlaceVessels::Values{pose, pose, std::nullopt, {}}, [] { return tr("Manual initial pose"); }));
     if (isDone) {
-        emit done(tr("The pose as it is has become the start pose"));
+        emit done(tr("The current pose is now the initial pose"));
     }
 }
 

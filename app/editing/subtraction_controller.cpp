@@ -76,7 +76,7 @@ void SubtractionController::connectCommands()
     connect(actions_[ui::Command::Composite], &QAction::triggered, this, [this](bool on) {
         core::RunTreatment wanted = document_.current().shown().treatment;
         wanted.isComposite = on;
-        change(wanted, [on] { return on ? tr("Whole run in one picture") : tr("One frame at a time"); });
+        change(wanted, [on] { return on ? tr("Peak-opacification image") : tr("One frame at a time"); });
     });
 }
 
@@ -266,7 +266,7 @@ void SubtractionController::settleShift()
     core::RunTreatment wanted = document_.current().shown().treatment;
     wanted.plan.maskShiftPx = shiftTool_->shiftPx();
     wanted.isSubtracted = true;
-    change(wanted, [] { return tr("Move the mask"); });
+    change(wanted, [] { return tr("Pixel shift"); });
 }
 
 void SubtractionController::follow()

@@ -83,7 +83,7 @@ TracingController::TracingController(CaseDocument& document, const Ui& ui, QObje
         }
     });
     connect(&job_, &VesselTraceJob::advanced, this, [this](double fraction) {
-        ui_.strip.showProgress(tr("Tracing the vessels of the scan … %1 %").arg(ui::numberText(100.0 * fraction, 0)),
+        ui_.strip.showProgress(tr("Tracing the vessels of the scan… %1 %").arg(ui::numberText(100.0 * fraction, 0)),
                                fraction);
     });
     connect(&job_, &VesselTraceJob::finished, this, &TracingController::finish);
@@ -93,7 +93,7 @@ TracingController::TracingController(CaseDocument& document, const Ui& ui, QObje
     });
     connect(&job_, &VesselTraceJob::stopped, this, [this] {
         ended();
-        emit traced(tr("Stopped: the vessels are as they were"));
+        emit traced(tr("Stopped: the vessels are unchanged"));
     });
     connect(ui_.actions[ui::Command::SlicesLarge], &QAction::toggled, this, [this](bool large) {
         setPick(ui::TracingPick::Nothing);
@@ -141,10 +141,10 @@ QString TracingController::whyNot() const
 {
     const core::Case& current = document_.current();
     if (sourceOf(current).file.path.empty()) {
-        return tr("These vessels were not traced: open a scan, a segmentation or a surface.");
+        return tr("These vessels were not traced from an image: open a scan, a segmentation or a surface.");
     }
     if (labels_.isNothingTicked()) {
-        return tr("No label is ticked: tick those that are vessels.");
+        return tr("No label is selected: select the labels that are vessels.");
     }
     return document_.isLocked() ? tr("A registration is running. Stop it first.") : QString();
 }
@@ -280,7 +280,7 @@ void TracingController::start()
     request.input.labels = labels_.draft();
     startedFrom_ = document_.state();
     ui_.panel.setRunning(true);
-    ui_.strip.showBusy(tr("Tracing the vessels of the scan …"));
+    ui_.strip.showBusy(tr("Tracing the vessels of the scan…"));
     job_.start(std::move(request));
 }
 

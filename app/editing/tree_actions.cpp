@@ -173,7 +173,7 @@ void TreeActions::showAdvice()
                    .arg(ui::numberText(gap.distanceMm, 1))
                    .arg(nameOf(gap.fromBranchId), nameOf(gap.toBranchId));
     } else if (isBroken) {
-        text = tr("%1 pieces, too far apart to belong together").arg(advice_.pieceCount());
+        text = tr("%1 pieces, too far apart to be joined").arg(advice_.pieceCount());
     }
     ui_.panel.showAdvice(text, isMendable);
     emit adviceChanged();
@@ -205,7 +205,7 @@ void TreeActions::openBranchMenu(int branchId, const Eigen::Vector3d& pointInPat
     auto* menu = new QMenu(&ui_.dialogParent);
     menu->addAction(ui_.actions[Command::ToggleAuxiliary]);
     menu->addAction(ui_.actions[Command::ToggleExcluded]);
-    menu->addAction(tr("Turn the vessels about this place"), this,
+    menu->addAction(tr("Rotate vessels about this point"), this,
                     [this, pointInPatient] { emit pivotWanted(pointInPatient); });
     menu->addAction(ui_.actions[Command::GantryAngles]);
     menu->addSeparator();
@@ -225,9 +225,9 @@ void TreeActions::openSliceMenu(const Eigen::Vector3d& pointInPatient, const QPo
     }
     auto* menu = new QMenu(&ui_.dialogParent);
     if (ui_.actions[Command::TraceScan]->isEnabled()) {
-        menu->addAction(tr("Seed here"), this,
+        menu->addAction(tr("Place seed here"), this,
                         [this, pointInPatient] { tracing_.addPoint(ui::TracingPick::Seed, pointInPatient); });
-        menu->addAction(tr("Avoid this place"), this,
+        menu->addAction(tr("Avoid this point"), this,
                         [this, pointInPatient] { tracing_.addPoint(ui::TracingPick::Avoid, pointInPatient); });
         menu->addSeparator();
     }

@@ -84,7 +84,7 @@ void TreeController::deleteSelected()
     const std::set<int> gone = branches_.marks().selected;
     const core::VesselTree left = core::without(*tree(), {gone.begin(), gone.end()});
     if (left.branches.empty()) {
-        emit refused(tr("At least one branch has to stay."));
+        emit refused(tr("At least one branch must remain."));
         return;
     }
     apply(left, [names = namesOf(gone)] { return tr("Delete %1").arg(names()); });
@@ -101,8 +101,7 @@ void TreeController::deleteSelectedSubtrees()
             left = core::withoutSubtree(left.value(), id);
         }
     }
-    apply(left,
-          [names = namesOf(branches_.marks().selected)] { return tr("Delete %1 and what leaves it").arg(names()); });
+    apply(left, [names = namesOf(branches_.marks().selected)] { return tr("Delete %1 and descendants").arg(names()); });
 }
 
 void TreeController::cutSelected()
@@ -112,7 +111,7 @@ void TreeController::cutSelected()
         return;
     }
     if (!place_) {
-        emit refused(tr("Click the place of the cut first, in a slice or on the branch in the 3-D view."));
+        emit refused(tr("Click the cut position first, in a slice or on the branch in the 3-D view."));
         return;
     }
     apply(core::cutAt(*tree(), *id, core::nearestPoint(*tree(), *id, *place_)),
@@ -151,7 +150,7 @@ void TreeController::rootAtSelected()
     const Eigen::Vector3d place = place_.value_or(points.front());
     const bool isFront = (points.front() - place).norm() <= (points.back() - place).norm();
     apply(core::rootedAt(*tree(), isFront ? points.front() : points.back()),
-          [names = namesOf({*id})] { return tr("Root at %1").arg(names()); });
+          [names = namesOf({*id})] { return tr("Set root at %1").arg(names()); });
 }
 
 void TreeController::toggleHiddenSelected()
@@ -187,7 +186,7 @@ void TreeController::prune(double minLengthMm, double minRadiusMm)
     }
     const Edited left = core::pruned(*tree(), minLengthMm, minRadiusMm);
     if (left && left.value().branches.size() == tree()->branches.size()) {
-        emit refused(tr("No end branch is shorter or thinner than that."));
+        emit refused(tr("No terminal branch is shorter or thinner than that."));
         return;
     }
     const auto gone = left ? tree()->branches.size() - left.value().branches.size() : 0;

@@ -52,9 +52,7 @@ CloseController::Question CloseController::question() const
 {
     using enum Closing;
     if (registration_.isRunning()) {
-        return {{tr("A registration is running"),
-                 tr("Stop it and close? Changes of this case are lost unless they are saved."),
-                 {}},
+        return {{tr("A registration is running"), tr("Stop it and close? Unsaved changes to this case are lost."), {}},
                 {{tr("Stop, save and close"), AfterSaving}, {tr("Stop and close"), Now}, {tr("Keep running"), No}}};
     }
     const QString title = QString::fromStdString(document_.current().title);
@@ -64,17 +62,18 @@ CloseController::Question CloseController::question() const
         case SaveController::Savable::Vessels:
             return {
                 {tr("Save before closing?"),
-                 tr("“%1” has no angiogram yet. Its vessels can be saved alone, as centrelines.").arg(title),
+                 tr("“%1” has no angiogram yet. Only its vessels can be saved, as centerlines.").arg(title),
                  {}},
-                {{tr("Save the vessels and close"), AfterSaving}, {tr("Close without saving"), Now}, {tr("Stay"), No}}};
+                {{tr("Save vessels and close"), AfterSaving}, {tr("Close without saving"), Now}, {tr("Cancel"), No}}};
         case SaveController::Savable::Nothing:
-            return {{tr("Close without saving?"),
-                     tr("“%1” has no vessels yet, so there is no case to save. What was done here is lost.").arg(title),
-                     {}},
-                    {{tr("Stay"), No}, {tr("Close without saving"), Now}}};
+            return {
+                {tr("Close without saving?"),
+                 tr("“%1” has no vessels yet, so there is no case to save. Work done here will be lost.").arg(title),
+                 {}},
+                {{tr("Cancel"), No}, {tr("Close without saving"), Now}}};
     }
-    return {{tr("Save before closing?"), tr("“%1” has changes that are not saved.").arg(title), {}},
-            {{tr("Save and close"), AfterSaving}, {tr("Close without saving"), Now}, {tr("Stay"), No}}};
+    return {{tr("Save before closing?"), tr("“%1” has unsaved changes.").arg(title), {}},
+            {{tr("Save and close"), AfterSaving}, {tr("Close without saving"), Now}, {tr("Cancel"), No}}};
 }
 
 void CloseController::answerClose(Closing closing)

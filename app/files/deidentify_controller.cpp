@@ -36,7 +36,7 @@ DeidentifyController::DeidentifyController(ui::BottomStrip& strip, QWidget& dial
       job_({[this](const io::DeidentifiedFiles& done) { take(done); },
             [this](const core::Error& error) { giveUp(error); },
             [this](double fraction) {
-                strip_.showProgress(tr("Taking identity out: %1 %").arg(ui::numberText(100.0 * fraction, 0)), fraction);
+                strip_.showProgress(tr("De-identifying: %1 %").arg(ui::numberText(100.0 * fraction, 0)), fraction);
             }})
 {
     connect(&strip_, &ui::BottomStrip::stopRequested, this, [this] { job_.requestStop(); });
@@ -45,7 +45,7 @@ DeidentifyController::DeidentifyController(ui::BottomStrip& strip, QWidget& dial
 void DeidentifyController::ask()
 {
     if (job_.isRunning()) {
-        emit failed(tr("Files are being written already. Let that end, or stop it."));
+        emit failed(tr("Files are already being written. Wait for it to finish, or stop it."));
         return;
     }
     dialog_ = new ui::DeidentifyDialog(&dialogParent_);
@@ -76,7 +76,7 @@ void DeidentifyController::askFolder()
 
 void DeidentifyController::askOutput()
 {
-    auto* folder = new QFileDialog(dialog_, tr("Folder to write to"), saveFolder({}));
+    auto* folder = new QFileDialog(dialog_, tr("Output folder"), saveFolder({}));
     folder->setAttribute(Qt::WA_DeleteOnClose);
     folder->setFileMode(QFileDialog::Directory);
     connect(folder, &QFileDialog::fileSelected, dialog_, &ui::DeidentifyDialog::setOutputFolder);
@@ -90,7 +90,7 @@ void DeidentifyController::write(const ui::DeidentifyChoice& choice)
         paths.push_back(path.toStdString());
     }
     output_ = choice.outputFolder;
-    strip_.showBusy(tr("Taking identity out …"));
+    strip_.showBusy(tr("De-identifying…"));
     job_.start([paths, output = output_.toStdString(), requested = deidentificationOf(choice.how)](
                    JobLink<double>& link) -> core::Result<io::DeidentifiedFiles> {
         const auto pseudonyms = io::Pseudonyms::create();
@@ -107,7 +107,7 @@ void DeidentifyController::take(const io::DeidentifiedFiles& done)
     strip_.showIdle(tr("Ready"));
     rememberSaveFolder(output_);
     QStringList words{
-        tr("Written without identity: %1, in %2.").arg(ui::numberText(static_cast<double>(done.written), 0), output_)};
+        tr("De-identified files: %1, in %2.").arg(ui::numberText(static_cast<double>(done.written), 0), output_)};
     if (!done.warnings.empty()) {
         words << ui::messagesText(done.warnings);
     }
@@ -117,8 +117,7 @@ void DeidentifyController::take(const io::DeidentifiedFiles& done)
         for (const core::Message& refused : done.refused) {
             lines << ui::messageText(refused);
         }
-        emit partlyRefused(tr("%1 files were written without identity, %2 were not, for the reasons below. What was "
-                              "written lies in %3.")
+        emit partlyRefused(tr("%1 files were de-identified, %2 were not, for the reasons below. The output is in %3.")
                                .arg(ui::numberText(static_cast<double>(done.written), 0),
                                     ui::numberText(static_cast<double>(done.refused.size()), 0), output_),
                            lines.join(QLatin1Char('\n')));
@@ -164,11 +163,11 @@ void PackController::ask()
 {
     const core::Case& current = document_.current();
     if (!current.vessels.tree || !current.shown().angiogram) {
-        emit failed(tr("There is nothing to pack yet. Open a vessel tree and an angiogram first."));
+        emit failed(tr("Nothing to share yet. Open a vessel tree and an angiogram first."));
         return;
     }
     if (job_.isRunning()) {
-        emit failed(tr("A case is being packed already. Let that end, or stop it."));
+        emit failed(tr("A case is already being packed. Wait for it to finish, or stop it."));
         return;
     }
     auto* dialog = new ui::PackDialog(&dialogParent_);
@@ -180,7 +179,7 @@ void PackController::ask()
 void PackController::askPath(const ui::PackChoice& choice)
 {
     const QString proposed = QDir(saveFolder(document_.path())).filePath(QStringLiteral("case.zip"));
-    auto* dialog = new QFileDialog(&dialogParent_, tr("Pack case for others"), proposed, tr("Archives (*.zip)"));
+    auto* dialog = new QFileDialog(&dialogParent_, tr("Share case as ZIP"), proposed, tr("ZIP archives (*.zip)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("zip"));
@@ -191,7 +190,7 @@ void PackController::askPath(const ui::PackChoice& choice)
 void PackController::write(const ui::PackChoice& choice, const QString& path)
 {
     archive_ = path;
-    strip_.showBusy(tr("Packing …"));
+    strip_.showBusy(tr("Packing…"));
     job_.start([session = document_.current(), request = deidentificationFor(choice),
                 archive = path.toStdString()](JobLink<double>& link) -> core::Result<QStringList> {
         const auto pseudonyms = io::Pseudonyms::create();

@@ -78,7 +78,7 @@ ui::DicomDialog* DicomController::askWhat(ui::DicomPurpose purpose)
     const core::Case& current = document_.current();
     if (!current.vessels.tree || !current.shown().angiogram) {
         emit failed(purpose == ui::DicomPurpose::Send
-                        ? tr("There is nothing to send yet. Open a vessel tree and an angiogram first.")
+                        ? tr("Nothing to send yet. Open a vessel tree and an angiogram first.")
                         : tr("There is nothing to export yet. Open a vessel tree and an angiogram first."));
         return nullptr;
     }
@@ -177,7 +177,7 @@ void ReportController::ask()
 {
     const core::Case& current = document_.current();
     if (!current.vessels.tree || !current.shown().angiogram || !target_.current()) {
-        emit failed(tr("There is nothing to report yet. Open vessels and an angiogram first."));
+        emit failed(tr("Nothing to report yet. Open vessels and an angiogram first."));
         return;
     }
     // Identity is asked for every time: off is no habit that can be forgotten.

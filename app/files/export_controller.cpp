@@ -170,13 +170,13 @@ ExportController::FileQuestion ExportController::questionFor(ui::PictureFormat f
 {
     switch (format) {
         case ui::PictureFormat::Svg:
-            return {tr("Export overlay"), tr("Drawings (*.svg)"), QStringLiteral("svg")};
+            return {tr("Export overlay"), tr("Vector graphics (*.svg)"), QStringLiteral("svg")};
         case ui::PictureFormat::Pdf:
-            return {tr("Export overlay"), tr("PDF pages (*.pdf)"), QStringLiteral("pdf")};
+            return {tr("Export overlay"), tr("PDF documents (*.pdf)"), QStringLiteral("pdf")};
         case ui::PictureFormat::Png:
             break;
     }
-    return {tr("Export overlay"), tr("PNG pictures (*.png)"), QStringLiteral("png")};
+    return {tr("Export overlay"), tr("PNG images (*.png)"), QStringLiteral("png")};
 }
 
 ExportController::Write ExportController::overlayWriter(const ui::ExportChoice& choice) const
@@ -214,7 +214,7 @@ void ExportController::askPose()
     const core::View& shown = document_.current().shown();
     const auto camera = core::cameraOf(shown);
     const QString filters =
-        tr("Poses (*.json *.tfm *.h5)") + QStringLiteral(";;") + tr("Poses with their camera (*.txt *.yml *.xml)");
+        tr("Poses (*.json *.tfm *.h5)") + QStringLiteral(";;") + tr("Poses with camera (*.txt *.yml *.xml)");
     askFile({tr("Export pose"), camera ? filters : tr("Poses (*.json *.tfm *.h5)"), QStringLiteral("pose.json")},
             [pose = shown.cameraFromPatient, camera](const QString& path) {
                 const QString ending = QFileInfo(path).suffix().toLower();
@@ -231,7 +231,7 @@ void ExportController::askTrace()
         emit failed(tr("No vessels have been traced in this frame yet."));
         return;
     }
-    askFile({tr("Export traced vessels"), tr("2-D centrelines (*.csv)"), QStringLiteral("csv")},
+    askFile({tr("Export traced vessels"), tr("2-D centerlines (*.csv)"), QStringLiteral("csv")},
             [target = target_.current()](const QString& path) {
                 return io::writeCenterline2d(*target, path.toStdString());
             });
@@ -254,12 +254,11 @@ void ExportController::askMeasurements()
 void ExportController::askCheckPoints()
 {
     if (document_.current().vessels.marks.empty()) {
-        emit failed(tr("No check points or rings have been set yet."));
+        emit failed(tr("No target points or rings have been set yet."));
         return;
     }
-    const QString filters =
-        tr("Tables (*.csv)") + QStringLiteral(";;") + tr("Points for 3D Slicer (*.fcsv *.mrk.json)");
-    askFile({tr("Export check points"), filters, QStringLiteral("checkpoints.csv")},
+    const QString filters = tr("Tables (*.csv)") + QStringLiteral(";;") + tr("3D Slicer points (*.fcsv *.mrk.json)");
+    askFile({tr("Export target points"), filters, QStringLiteral("checkpoints.csv")},
             [snapshot = document_.current()](const QString& path) {
                 return path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive)
                            ? io::writeCheckPoints(snapshot, path.toStdString())
@@ -272,11 +271,11 @@ void ExportController::askDeformed()
     const core::Case& current = document_.current();
     const auto deformed = drawableDeformation(current.shown(), current.vessels, current.shown().cameraFromPatient);
     if (!deformed) {
-        emit failed(tr("No bent vessels are known of this pose. Register first (R)."));
+        emit failed(tr("There are no deformed vessels for this pose. Register first (R)."));
         return;
     }
-    askFile({tr("Export bent vessels"),
-             tr("Bent centrelines (*.vtp)") + QStringLiteral(";;") + tr("How each point moved (*.csv)"),
+    askFile({tr("Export deformed vessels"),
+             tr("Deformed centerlines (*.vtp)") + QStringLiteral(";;") + tr("Displacement of each point (*.csv)"),
              QStringLiteral("bent.vtp")},
             [tree = current.vessels.tree, deformed](const QString& path) -> core::Status {
                 return path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)
@@ -296,11 +295,11 @@ void ExportController::askMask()
 void ExportController::askVessels(const Then& then)
 {
     if (!document_.current().vessels.tree) {
-        emit failed(tr("There are no vessels yet. Open a centreline, or trace a scan."));
+        emit failed(tr("There are no vessels yet. Open a centerline, or trace a scan."));
         return;
     }
     askFile(
-        {tr("Export vessel tree"), tr("Centrelines (*.vtp *.csv *.swc *.mrk.json)"), QStringLiteral("vtp")},
+        {tr("Export vessel tree"), tr("Centerlines (*.vtp *.csv *.swc *.mrk.json)"), QStringLiteral("vtp")},
         [tree = document_.current().vessels.tree](const QString& path) {
             return io::writeVesselTree(*tree, path.toStdString());
         },

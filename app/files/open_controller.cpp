@@ -93,7 +93,7 @@ void OpenController::openNextRun()
     }
     if (!document_.current().vessels.tree || !document_.current().shown().angiogram) {
         furtherRuns_.clear();
-        emit opened({tr("Further runs become views once there are vessels. Open them again then.")});
+        emit opened({tr("Additional runs can become views once there are vessels. Open them again then.")});
         return;
     }
     asView_ = true;
@@ -181,7 +181,7 @@ void OpenController::load(const QStringList& paths, const io::OpenHints& hints)
         return;
     }
     if (document_.isInTrial()) {
-        emit failed(tr("A blind trial is under way. End it before opening another file."), paths);
+        emit failed(tr("A blind trial is in progress. End it before opening another file."), paths);
         return;
     }
     if (document_.isLocked()) {
@@ -199,7 +199,7 @@ void OpenController::load(const QStringList& paths, const io::OpenHints& hints)
         finish();
         emit failed(ui::messageText(reason), paths);
     });
-    const QString what = tr("Reading %1 …").arg(namesOf(paths));
+    const QString what = tr("Reading %1…").arg(namesOf(paths));
     connect(job_, &LoadJob::advanced, this, [this, what](double fraction) { emit advanced(what, fraction); });
     emit started(what);
     job_->start(paths, hints);
@@ -260,11 +260,12 @@ bool OpenController::asksFirst(const io::LoadedInputs& inputs, const QStringList
 void OpenController::take(const io::LoadedInputs& inputs, const QStringList& paths)
 {
     if (document_.isInTrial()) {
-        emit failed(tr("A blind trial was started meanwhile. Open the file again when it has ended."), paths);
+        emit failed(tr("A blind trial was started in the meantime. Open the file again after it has finished."), paths);
         return;
     }
     if (document_.isLocked()) {
-        emit failed(tr("A registration was started meanwhile. Open the file again when it has ended."), paths);
+        emit failed(tr("A registration was started in the meantime. Open the file again after it has finished."),
+                    paths);
         return;
     }
     if (asksFirst(inputs, paths)) {
@@ -328,7 +329,7 @@ void OpenController::openWaitingPose(ArrivingCamera camera)
 void OpenController::finishPose(const io::PoseWithCamera& pose, ArrivingCamera camera, const QString& name)
 {
     const QStringList notes = takePose(document_, pose, camera, name);
-    emit poseOpened(QStringList{tr("Pose of %1 taken.").arg(name)} + notes);
+    emit poseOpened(QStringList{tr("Pose from %1 applied.").arg(name)} + notes);
 }
 
 /// Nothing of another patient comes in unasked.

@@ -37,7 +37,7 @@ QStringList openFilters()
         "*.tfm *.mat *.h5 *.txt *.yml *.yaml *.xml *.fcsv ");
     return {KindWords::tr("Cases, vessels and angiograms (%1)").arg(all + scans),
             KindWords::tr("Cases (*.angiopose)"),
-            KindWords::tr("Centrelines (*.vtp *.vtk *.csv *.swc *.json)"),
+            KindWords::tr("Centerlines (*.vtp *.vtk *.csv *.swc *.json)"),
             KindWords::tr("Scans and surfaces (%1 *.dcm)").arg(scans),
             KindWords::tr("Angiograms (*.dcm *.png *.tif *.tiff *.jpg *.jpeg)"),
             KindWords::tr("Poses and points (*.json *.tfm *.mat *.h5 *.txt *.yml *.yaml *.xml *.fcsv)"),
@@ -110,7 +110,7 @@ void OpenDialogs::askFiles()
 
 void OpenDialogs::askFolder()
 {
-    auto* dialog = new QFileDialog(&ui_.dialogParent, tr("Open folder or disc"), settings::lastFolder.read());
+    auto* dialog = new QFileDialog(&ui_.dialogParent, tr("Open DICOM folder/CD"), settings::lastFolder.read());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
@@ -143,12 +143,13 @@ void OpenDialogs::askView()
 
 void OpenDialogs::askWhichView(const QString& name)
 {
-    auto* question = new ui::QuestionDialog(
-        {tr("Another view of the same vessels?"),
-         tr("The case has an angiogram. “%1” can stand beside it, to register both together, or take its place.")
-             .arg(name),
-         {}},
-        {tr("Add as a view"), tr("Replace the angiogram"), tr("Cancel")}, &ui_.dialogParent);
+    auto* question =
+        new ui::QuestionDialog({tr("Another view of the same vessels?"),
+                                tr("The case already has an angiogram. Add “%1” as a second view for joint "
+                                   "registration, or replace the current angiogram?")
+                                    .arg(name),
+                                {}},
+                               {tr("Add as a view"), tr("Replace the angiogram"), tr("Cancel")}, &ui_.dialogParent);
     question->setObjectName(QStringLiteral("viewQuestion"));
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
         if (index == 0) {
@@ -164,13 +165,13 @@ void OpenDialogs::askWhichView(const QString& name)
 
 void OpenDialogs::askWhichCamera(const QString& name)
 {
-    auto* question = new ui::QuestionDialog(
-        {tr("Whose camera counts?"),
-         tr("“%1” brings a camera that is not the one of the case. A pose shows the vessels in their place by its own "
-            "camera only.")
-             .arg(name),
-         {}},
-        {tr("Take pose and camera"), tr("Take the pose alone"), tr("Cancel")}, &ui_.dialogParent);
+    auto* question =
+        new ui::QuestionDialog({tr("Which camera should be used?"),
+                                tr("“%1” contains a camera that differs from the camera of the case. A pose shows the "
+                                   "vessels in the right place only with its own camera.")
+                                    .arg(name),
+                                {}},
+                               {tr("Use pose and camera"), tr("Use pose only"), tr("Cancel")}, &ui_.dialogParent);
     question->setObjectName(QStringLiteral("cameraQuestion"));
     question->setMeantByClosing(2);
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
@@ -189,13 +190,13 @@ void OpenDialogs::askAboutPatient(const QString& names, const core::Messages& mi
     const QString patients =
         isHidden ? QString() : QStringLiteral("\n\n") + patientLines(wanted).join(QLatin1Char('\n'));
     auto* question = new ui::QuestionDialog(
-        {tr("Not the same patient?"),
+        {tr("Different patient?"),
          ui::messagesText(mismatch) + patients + QStringLiteral("\n\n") +
-             tr("If “%1” is opened all the same, every picture and report of the case will say so, and no registration "
-                "of its images is trusted. Open it as the same patient where pseudonyms differ.")
+             tr("If you open “%1” anyway, every image and report of the case states this, and no registration of its "
+                "images counts as reliable. Open it as the same patient if only the pseudonyms differ.")
                  .arg(names),
          {}},
-        {tr("Do not open it"), tr("Open it all the same"), tr("It is the same patient")}, &ui_.dialogParent);
+        {tr("Do not open"), tr("Open anyway"), tr("Open as same patient")}, &ui_.dialogParent);
     question->setObjectName(QStringLiteral("patientQuestion"));
     question->setMeantByClosing(0);
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
@@ -210,14 +211,13 @@ void OpenDialogs::askAboutPatient(const QString& names, const core::Messages& mi
 
 void OpenDialogs::askWhatScan(const QString& name)
 {
-    auto* question = new ui::QuestionDialog(
-        {tr("A scan beside the vessels?"),
-         tr("The case has its vessels from a file. “%1” can be shown in slices with them, or "
-            "its own vessels are traced "
-            "and take their place.")
-             .arg(name),
-         {}},
-        {tr("Show beside the vessels"), tr("Trace its vessels"), tr("Cancel")}, &ui_.dialogParent);
+    auto* question =
+        new ui::QuestionDialog({tr("Show the scan with the current vessels?"),
+                                tr("The vessels of the case come from a file. Show “%1” in slices with these vessels, "
+                                   "or trace its vessels and replace the current ones?")
+                                    .arg(name),
+                                {}},
+                               {tr("Show with the vessels"), tr("Trace its vessels"), tr("Cancel")}, &ui_.dialogParent);
     question->setObjectName(QStringLiteral("scanQuestion"));
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
         if (index < 2) {
@@ -238,13 +238,12 @@ void OpenDialogs::askUnit(const QString& name, double unitsAcross)
                                           : tr("%1 m across").arg(ui::numberText(mm / 1000.0, 0));
         verbs << tr("%1: %2").arg(QString::fromUtf8(unit.name), size);
     }
-    auto* question = new ui::QuestionDialog(
-        {tr("What is the unit of the file?"),
-         tr("“%1” does not say in what unit its points are, and in millimetres it is unusually small or large for "
-            "vessels. The case remembers what you choose.")
-             .arg(name),
-         {}},
-        verbs + QStringList{tr("Cancel")}, &ui_.dialogParent);
+    auto* question = new ui::QuestionDialog({tr("Which unit does the file use?"),
+                                             tr("“%1” does not state the unit of its points. In millimeters, it would "
+                                                "be unusually small or large for vessels. The case stores your choice.")
+                                                 .arg(name),
+                                             {}},
+                                            verbs + QStringList{tr("Cancel")}, &ui_.dialogParent);
     question->setObjectName(QStringLiteral("unitQuestion"));
     connect(question, &ui::QuestionDialog::answered, this, [this, units](int index) {
         if (index >= 0 && index < static_cast<int>(units.size())) {
@@ -277,13 +276,13 @@ void OpenDialogs::openSample()
     if (files_.isBusy()) {
         return;
     }
-    ui_.strip.showBusy(tr("Making the sample case …"));
+    ui_.strip.showBusy(tr("Creating the sample case…"));
     files_.run(writeSampleCase, [this](const core::Result<QString>& path) {
         ui_.strip.showIdle(tr("Ready"));
         if (path) {
             open_.open({path.value()});
         } else {
-            notices_.showProblem(tr("Could not make the sample case"), ui::messageText(path.error().message));
+            notices_.showProblem(tr("Could not create the sample case"), ui::messageText(path.error().message));
         }
     });
 }
@@ -297,12 +296,13 @@ void OpenDialogs::askToReplace()
     const bool isSavable = save_.savable() != SaveController::Savable::Nothing;
     const QString title = QString::fromStdString(document_.current().title);
     auto* question = new ui::QuestionDialog(
-        {isSavable ? tr("Save the open case first?") : tr("Discard what was done?"),
-         isSavable ? tr("“%1” has changes that are not saved.").arg(title)
-                   : tr("“%1” has no vessels yet, so there is no case to save. What was done here is lost.").arg(title),
+        {isSavable ? tr("Save the open case first?") : tr("Discard unsaved work?"),
+         isSavable
+             ? tr("“%1” has unsaved changes.").arg(title)
+             : tr("“%1” has no vessels yet, so there is no case to save. Work done here will be lost.").arg(title),
          {}},
-        isSavable ? QStringList{tr("Save"), tr("Discard changes"), tr("Keep the open case")}
-                  : QStringList{tr("Keep the open case"), tr("Discard changes")},
+        isSavable ? QStringList{tr("Save"), tr("Discard changes"), tr("Keep current case")}
+                  : QStringList{tr("Keep current case"), tr("Discard changes")},
         &ui_.dialogParent);
     const int keep = isSavable ? 2 : 0;
     question->setMeantByClosing(keep);

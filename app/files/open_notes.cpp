@@ -35,7 +35,7 @@ QStringList notesOf(const io::LoadedInputs& inputs, const core::Case& opened)
         notes << ui::messageText(warning);
     }
     if (!inputs.wholeCase && inputs.vesselInput.unitMm > 0.0) {
-        notes << NoteWords::tr("One unit of the file is %1 mm, as you chose.")
+        notes << NoteWords::tr("One unit of the file is %1 mm, as you selected.")
                      .arg(ui::briefNumber(inputs.vesselInput.unitMm, 6));
     }
     if (!inputs.wholeCase) {   // a case file has compared them itself
@@ -49,15 +49,14 @@ QStringList notesOf(const io::LoadedInputs& inputs, const core::Case& opened)
 QStringList notesOnScan(const io::LoadedInputs& inputs, const core::Case& opened)
 {
     if (inputs.volume && !opened.vessels.tree) {
-        return {
-            NoteWords::tr("The scan is shown without vessels: place a seed or set the threshold in the slices (%1), "
-                          "then trace.")
-                .arg(ui::keyOf(ui::Command::SlicesLarge))};
+        return {NoteWords::tr(
+                    "The scan has no traced vessels: place a seed or set the threshold in the slices (%1), then trace.")
+                    .arg(ui::keyOf(ui::Command::SlicesLarge))};
     }
     const bool isBeside = inputs.volume && !inputs.tree && opened.vessels.tree;
     return isBeside && !io::liesIn(inputs.volume->geometry, *opened.vessels.tree)
-               ? QStringList(
-                     NoteWords::tr("The vessels do not lie in this scan: it may be another one, or have other axes."))
+               ? QStringList(NoteWords::tr(
+                     "The vessels do not lie in this scan: it may be a different scan or use different axes."))
                : QStringList();
 }
 

@@ -46,7 +46,7 @@ QStringList addView(CaseDocument& document, const core::Case& wanted, const Open
     document.push(std::make_unique<ChangeViews>(
         document, ChangeViews::valuesOf(wanted),
         [names = namesOf(opening.paths)] { return OpenController::tr("Add view %1").arg(names); }));
-    return notes + QStringList{OpenController::tr("View added: a click in the strip above the image shows it.")};
+    return notes + QStringList{OpenController::tr("View added: click it in the strip above the image to show it.")};
 }
 
 constexpr double farFromVesselsMm = 50.0;
@@ -64,8 +64,8 @@ QString whyCameraDoesNotFit(const core::View& view, const core::ProjectionCamera
     const int width = view.angiogram->width(), height = view.angiogram->height();
     if (!io::fitsImage(camera, width, height)) {
         return OpenController::tr(
-                   "The pose is of an image of %1 × %2 px, the angiogram has %3 × %4. Open the pose of "
-                   "this image.")
+                   "The pose belongs to an image of %1 × %2 px, but the angiogram has %3 × %4. Open the pose that "
+                   "belongs to this image.")
             .arg(camera.width)
             .arg(camera.height)
             .arg(width)
@@ -74,8 +74,8 @@ QString whyCameraDoesNotFit(const core::View& view, const core::ProjectionCamera
     const auto own = core::cameraOf(view);
     if (own && (own.value().fx < 0.0) != (camera.fx < 0.0)) {
         return OpenController::tr(
-            "The camera of the pose is mirrored against the angiogram: one is seen from the "
-            "detector, the other from the source. Mirror the image, or say so in the geometry.");
+            "The camera of the pose is mirrored relative to the angiogram: one is viewed from the detector, the other "
+            "from the source. Mirror the image, or set this in the geometry.");
     }
     return {};
 }
@@ -93,10 +93,10 @@ QStringList notesOnInputs(const core::Case& open, const io::PoseWithCamera& pose
     };
     QStringList notes;
     if (differ(pose.vesselSha256, open.vessels.file.sha256)) {
-        notes << OpenController::tr("The pose was found with other vessels than these.");
+        notes << OpenController::tr("The pose was registered with different vessels.");
     }
     if (differ(pose.imageSha256, open.shown().imageFile.sha256)) {
-        notes << OpenController::tr("The pose was found in another angiogram than this.");
+        notes << OpenController::tr("The pose was registered in a different angiogram.");
     }
     return notes;
 }
@@ -159,8 +159,8 @@ PoseFit poseFit(const core::Case& open, const io::PoseWithCamera& pose)
     }
     if (liesBehindSource(open, pose.cameraFromPatient)) {
         fit.refusal = OpenController::tr(
-            "At this pose the vessels lie behind the X-ray source. It may be of another "
-            "patient, or lead from camera to patient: then invert it.");
+            "At this pose, the vessels lie behind the X-ray source. The pose may belong to another patient, or map "
+            "camera to patient: in that case, invert it.");
         return fit;
     }
     if (pose.camera) {
@@ -180,7 +180,7 @@ QStringList takePose(CaseDocument& document, const io::PoseWithCamera& pose, Arr
     const bool isMissing = !core::cameraOf(view);
     if (pose.camera && (camera == ArrivingCamera::OfPose || isMissing)) {
         geometry.cameraOverride = arrivingCamera(view, *pose.camera);
-        notes << OpenController::tr("The camera of the pose counts now. The geometry panel takes it back.");
+        notes << OpenController::tr("The camera of the pose is now in use. To revert, use the geometry panel.");
     }
     document.push(std::make_unique<ChangeGeometry>(
         document, ChangeGeometry::Values{std::move(geometry), pose.cameraFromPatient, std::nullopt, {}},
@@ -194,7 +194,7 @@ core::Result<QStringList> takePoints(CaseDocument& document, const std::vector<i
     const core::Case& open = document.current();
     if (!open.vessels.tree) {
         return core::Error(core::Message::verbatim(
-            OpenController::tr("Points belong to vessels. Open those first, then the points.").toStdString()));
+            OpenController::tr("Points belong to vessels. Open the vessels first, then the points.").toStdString()));
     }
     std::vector<core::VesselMark> marks = open.vessels.marks;
     bool isNear = false;
@@ -207,11 +207,10 @@ core::Result<QStringList> takePoints(CaseDocument& document, const std::vector<i
         const auto nearest = core::nearestOnTree(*open.vessels.tree, point.pointInPatient);
         isNear = isNear || (nearest && (*nearest - point.pointInPatient).norm() < farFromVesselsMm);
     }
-    QStringList notes{OpenController::tr("Check points added: %1.").arg(points.size())};
+    QStringList notes{OpenController::tr("Target points added: %1.").arg(points.size())};
     if (!isNear) {
         notes << OpenController::tr(
-            "None of them lies near the vessels. They may be of another patient, or in other "
-            "coordinates.");
+            "None of them lies near the vessels. They may belong to another patient or use other coordinates.");
     }
     document.push(std::make_unique<ChangeMarks>(document, ChangeMarks::Values{std::move(marks)},
                                                 [name] { return OpenController::tr("Open points %1").arg(name); }));

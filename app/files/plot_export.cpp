@@ -97,9 +97,9 @@ void PlotExport::showMenu(QWidget& plot, const QPoint& position)
 {
     auto* menu = new QMenu(&plot);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addAction(tr("Copy picture"), this, [&plot] { QGuiApplication::clipboard()->setImage(imageOf(plot)); });
-    menu->addAction(tr("Export as SVG …"), this, [this, &plot] { ask(plot, Format::Svg); });
-    menu->addAction(tr("Export as PNG …"), this, [this, &plot] { ask(plot, Format::Png); });
+    menu->addAction(tr("Copy image"), this, [&plot] { QGuiApplication::clipboard()->setImage(imageOf(plot)); });
+    menu->addAction(tr("Export as SVG…"), this, [this, &plot] { ask(plot, Format::Svg); });
+    menu->addAction(tr("Export as PNG…"), this, [this, &plot] { ask(plot, Format::Png); });
     menu->popup(plot.mapToGlobal(position));
 }
 
@@ -108,7 +108,7 @@ void PlotExport::ask(QWidget& plot, Format format)
     const QByteArray bytes = format == Format::Svg ? plotAsSvg(plot) : plotAsPng(plot);
     const bool isSvg = format == Format::Svg;
     exporting_.askFile(
-        {tr("Export plot"), isSvg ? tr("Drawings (*.svg)") : tr("PNG pictures (*.png)"),
+        {tr("Export plot"), isSvg ? tr("Vector graphics (*.svg)") : tr("PNG images (*.png)"),
          isSvg ? QStringLiteral("plot.svg") : QStringLiteral("plot.png")},
         [bytes](const QString& path) {
             return io::writeAtomically(path.toStdString(), {bytes.constData(), static_cast<std::size_t>(bytes.size())});

@@ -29,7 +29,7 @@ PrivacyController::PrivacyController(QAction& mode, QWidget& dialogParent, QObje
 {
     mode_.setChecked(isPrivate());
     ui::withTip(&mode_, [] {
-        return tr("No list and no pictures of recent cases, no names in the title, no folders remembered.");
+        return tr("No list or thumbnails of recent cases, no names in the title bar, no remembered folders.");
     });
     connect(&mode_, &QAction::triggered, this, &PrivacyController::choose);
 }
@@ -49,9 +49,9 @@ void PrivacyController::choose(bool on)
     }
     auto* question = new ui::QuestionDialog(
         {tr("Turn private mode on?"),
-         tr("The list of recent cases, pinned ones too, their pictures and the folders and names remembered so far are "
-            "forgotten for good. Nothing of the kind is kept until private mode is turned off. Automatic copies of "
-            "unsaved work are still made, and removed when a case is closed."),
+         tr("The list of recent cases, including pinned ones, their thumbnails, and the folders and names stored so "
+            "far are deleted permanently. Nothing of this kind is stored until private mode is turned off. Automatic "
+            "copies of unsaved work are still made, and are deleted when a case is closed."),
          {}},
         {tr("Turn on"), tr("Cancel")}, &dialogParent_);
     question->setObjectName(QStringLiteral("privacyDialog"));
@@ -88,9 +88,9 @@ AuditController::AuditController(const CaseDocument& document, QAction& keep, QW
     keep_.setEnabled(io::auditFileOfEnvironment().empty());   // who set that does not want it switched off here
     ui::withTip(&keep_, [] {
         const QString kept = auditPath();
-        return kept.isEmpty() ? tr("One line for everything that is opened, saved and exported: when, by whom, with "
-                                   "the SHA-256 of the files.")
-                              : tr("Written to %1").arg(kept);
+        return kept.isEmpty()
+                   ? tr("Logs one line for each file opened, saved or exported: time, user, and SHA-256 of the files.")
+                   : tr("Written to %1").arg(kept);
     });
     connect(&keep_, &QAction::triggered, this, &AuditController::choose);
 }
@@ -103,8 +103,8 @@ void AuditController::choose(bool on)
         return;
     }
     keep_.setChecked(false);   // until there is a file
-    auto* dialog = new QFileDialog(&dialogParent_, tr("Keep an audit file"),
-                                   suggestedPath({}, QStringLiteral("audit.jsonl")), tr("Audit files (*.jsonl)"));
+    auto* dialog = new QFileDialog(&dialogParent_, tr("Write audit log"),
+                                   suggestedPath({}, QStringLiteral("audit.jsonl")), tr("Audit logs (*.jsonl)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setOption(QFileDialog::DontConfirmOverwrite);   // it is added to

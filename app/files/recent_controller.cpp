@@ -230,7 +230,7 @@ void RecentController::fillMenu(const QStringList& cases)
     menu->setEnabled(!menu->isEmpty());
     if (!menu->isEmpty()) {
         menu->addSeparator();
-        menu->addAction(tr("Clear the list"), this, &RecentController::clear);
+        menu->addAction(tr("Clear list"), this, &RecentController::clear);
     }
 }
 

@@ -80,12 +80,12 @@ void SaveController::saveVessels(const std::function<void()>& whenSaved)
 
 void SaveController::offerVessels(const std::function<void()>& whenSaved)
 {
-    auto* question = new ui::QuestionDialog(
-        {tr("No angiogram yet"),
-         tr("A case holds vessels and an angiogram. Until it has one, save the vessels alone, as centrelines: opened "
-            "together with any angiogram they make a case."),
-         {}},
-        {tr("Save the vessels …"), tr("Cancel")}, &window_);
+    auto* question =
+        new ui::QuestionDialog({tr("No angiogram yet"),
+                                tr("A case needs vessels and an angiogram. Until there is an angiogram, save only the "
+                                   "vessels, as centerlines. Opened together with any angiogram, they form a case."),
+                                {}},
+                               {tr("Save vessels…"), tr("Cancel")}, &window_);
     question->setObjectName(QStringLiteral("vesselsQuestion"));
     connect(
         question, &ui::QuestionDialog::answered, this,
@@ -130,7 +130,7 @@ void SaveController::saveAs(const std::function<void()>& whenSaved)
 void SaveController::saveTo(const QString& path, const std::function<void()>& whenSaved, CaseKeeper::Replaced replaced)
 {
     if (document_.isInTrial()) {
-        emit failed(tr("A blind trial is under way. End it before saving."));
+        emit failed(tr("A blind trial is in progress. End it before saving."));
         return;
     }
     emit started();
@@ -165,13 +165,13 @@ void SaveController::saveTo(const QString& path, const std::function<void()>& wh
 /// Nobody's work is written over unasked.
 void SaveController::askAboutChange(const QString& path, const std::function<void()>& whenSaved)
 {
-    auto* question = new ui::QuestionDialog(
-        {tr("Changed elsewhere"),
-         tr("“%1” was saved by another window or program since it was opened here. Overwriting discards what was saved "
-            "there; reloading discards what was changed here.")
-             .arg(QFileInfo(path).fileName()),
-         {}},
-        {tr("Save as …"), tr("Overwrite"), tr("Reload"), tr("Cancel")}, &window_);
+    auto* question =
+        new ui::QuestionDialog({tr("Changed elsewhere"),
+                                tr("“%1” was saved by another window or program after it was opened here. Overwriting "
+                                   "discards the changes saved there; reloading discards the changes made here.")
+                                    .arg(QFileInfo(path).fileName()),
+                                {}},
+                               {tr("Save as…"), tr("Overwrite"), tr("Reload"), tr("Cancel")}, &window_);
     question->setObjectName(QStringLiteral("changedElsewhere"));
     connect(
         question, &ui::QuestionDialog::answered, this,
@@ -269,7 +269,7 @@ QString SaveController::saveState() const
         return tr("All changes saved");
     }
     if (savable() == Savable::Vessels && keptVessels_ == document_.state()) {
-        return tr("Vessels saved as centrelines");
+        return tr("Vessels saved as centerlines");
     }
     if (autosave_.isFailing()) {
         return tr("Not autosaved");

@@ -98,8 +98,8 @@ void SessionController::showNotice(const QStringList& paths)
 {
     auto* notice = new ui::QuestionDialog(
         {tr("Not for clinical use"),
-         tr("AngioPose is a research program. It is not a medical device: do not use it for diagnosis, treatment or "
-            "navigation. Results can be wrong; one projection cannot tell everything about depth."),
+         tr("AngioPose is a research program, not a medical device: do not use it for diagnosis, treatment or "
+            "navigation. Results can be wrong; a single projection cannot fully determine depth."),
          {}},
         {tr("I understand")}, &ui_.dialogParent);
     notice->setObjectName(QStringLiteral("noticeDialog"));
@@ -163,14 +163,13 @@ void SessionController::connectSaving()
     connect(actions[ui::Command::SaveAs], &QAction::triggered, this, [this] { save_.saveAs(); });
     connect(&save_, &SaveController::failed, this,
             [this](const QString& reason) { notices_.showProblem(tr("Could not save"), reason, {document_.path()}); });
-    connect(&save_, &SaveController::started, this, [this] { notices_.showNote(tr("Saving …")); });
+    connect(&save_, &SaveController::started, this, [this] { notices_.showNote(tr("Saving…")); });
     connect(&save_, &SaveController::saved, this, [this] {
         recent_.fill();
         notices_.showNote(tr("Saved"));
     });
     connect(&save_, &SaveController::autosaveFailed, this, [this](const QString& reason) {
-        notices_.showWarnings(
-            tr("The automatic copy cannot be written; it is tried again every minute. %1").arg(reason));
+        notices_.showWarnings(tr("Autosave failed; AngioPose retries every minute. %1").arg(reason));
     });
     connect(&save_, &SaveController::openElsewhere, this, [this](const QString& words) {
         notices_.showWarnings(ui::joinedSentences(QStringList{words} + openingNotes_));
@@ -195,10 +194,10 @@ void SessionController::connectExporting()
     connect(actions[ui::Command::ExportDeformed], &QAction::triggered, &export_, &ExportController::askDeformed);
     connect(actions[ui::Command::ExportMask], &QAction::triggered, &export_, &ExportController::askMask);
     connect(actions[ui::Command::ExportVessels], &QAction::triggered, this, [this] { save_.saveVessels(); });
-    connect(&export_, &ExportController::started, this, [this] { notices_.showNote(tr("Writing …")); });
+    connect(&export_, &ExportController::started, this, [this] { notices_.showNote(tr("Writing…")); });
     connect(&export_, &ExportController::exported, this, &SessionController::exported);
     connect(&export_, &ExportController::written, this,
-            [this](const QString& path) { notices_.showNote(tr("Written: %1").arg(QFileInfo(path).fileName())); });
+            [this](const QString& path) { notices_.showNote(tr("Saved: %1").arg(QFileInfo(path).fileName())); });
     const auto showFailure = [this](const QString& reason) { notices_.showProblem(tr("Could not export"), reason); };
     connect(&export_, &ExportController::failed, this, showFailure);
     connect(&report_, &ReportController::failed, this, showFailure);
@@ -207,7 +206,7 @@ void SessionController::connectExporting()
 void SessionController::connectDicom()
 {
     connect(ui_.actions[ui::Command::ExportDicom], &QAction::triggered, &dicom_, &DicomController::ask);
-    connect(&dicom_, &DicomController::started, this, [this] { notices_.showNote(tr("Writing …")); });
+    connect(&dicom_, &DicomController::started, this, [this] { notices_.showNote(tr("Writing…")); });
     connect(&dicom_, &DicomController::written, this, [this](const QString& folder, const QStringList& notes) {
         tellWritten(tr("DICOM objects written: %1").arg(QFileInfo(folder).fileName()), notes);
     });
@@ -231,10 +230,10 @@ void SessionController::connectPacking()
     connect(ui_.actions[ui::Command::PackCase], &QAction::triggered, &pack_, &PackController::ask);
     connect(&pack_, &PackController::stopped, this, [this] { notices_.showNote(tr("Stopped; nothing was written.")); });
     connect(&pack_, &PackController::written, this, [this](const QString& path, const QStringList& notes) {
-        tellWritten(tr("Case packed: %1").arg(QFileInfo(path).fileName()), notes);
+        tellWritten(tr("Case bundle saved: %1").arg(QFileInfo(path).fileName()), notes);
     });
     connect(&pack_, &PackController::failed, this,
-            [this](const QString& reason) { notices_.showProblem(tr("Could not pack the case"), reason); });
+            [this](const QString& reason) { notices_.showProblem(tr("Could not save the case bundle"), reason); });
 }
 
 void SessionController::connectArchives()
@@ -255,7 +254,7 @@ void SessionController::connectDeidentifying()
             [this](const QString&, const QString& words) { notices_.showWarnings(words); });
     connect(&deidentify_, &DeidentifyController::partlyRefused, this,
             [this](const QString& words, const QString& lines) {
-                ui::MessageDialog::show({tr("Some files were refused"), words, lines}, &ui_.dialogParent);
+                ui::MessageDialog::show({tr("Some files were skipped"), words, lines}, &ui_.dialogParent);
             });
     connect(&deidentify_, &DeidentifyController::stopped, this,
             [this] { notices_.showNote(tr("Stopped; nothing was written.")); });
@@ -280,7 +279,7 @@ void SessionController::connectAudit(RegistrationController& registration)
             [this](const QString& folder) { audit_.note(AuditEvent::Deidentified, {folder}); });
     connect(sender_.get(), &ArchiveSender::sent, &audit_, [this] { audit_.noteCase(AuditEvent::Sent); });
     const auto showIncomplete = [this](const QString& reason) {
-        notices_.showProblem(tr("The audit file is not complete"), reason);
+        notices_.showProblem(tr("The audit log is incomplete"), reason);
     };
     connect(&audit_, &AuditController::failed, this, showIncomplete);
     connect(archive_.get(), &ArchiveController::unaudited, this, showIncomplete);
@@ -291,7 +290,7 @@ void SessionController::openNewWindow()
 {
     if (!QProcess::startDetached(QCoreApplication::applicationFilePath(), {})) {
         notices_.showProblem(tr("Could not open another window"),
-                             tr("The program could not be started again. Start it from the menu of the system."));
+                             tr("Could not start AngioPose again. Start it from the system menu."));
     }
 }
 

@@ -62,7 +62,7 @@ StudyController::StudyController(OpenController& open, Notices& notices, const U
     connect(&job_, &StudyJob::failed, this, [this](const core::Message& reason) {
         ui_.strip.showIdle(tr("Ready"));
         abandon();
-        notices_.showProblem(tr("Could not open the folder"), ui::messageText(reason), folders_);
+        notices_.showProblem(tr("The folder could not be opened"), ui::messageText(reason), folders_);
     });
     connect(&ui_.hideIdentity, &QAction::toggled, this, [this] {
         if (browser_ && tree_) {
@@ -118,7 +118,7 @@ void StudyController::start(io::StudyReach reach)
     isComplete_ = false;
     reach_ = reach;
     browser_->showProgress(0, 0);
-    ui_.strip.showBusy(tr("Looking through %1 …").arg(QFileInfo(name_).fileName()));
+    ui_.strip.showBusy(tr("Searching %1…").arg(QFileInfo(name_).fileName()));
     job_.start(folders_, reach);
 }
 
@@ -178,7 +178,7 @@ void StudyController::take(const SharedStudies& tree)
     const bool isAllRead = !tree->isStopped && !tree->isCutOff && tree->damaged.empty() && isAsListed;
     if (tree->patients.empty() && !isBrowserShown()) {
         abandon();
-        notices_.showProblem(tr("Could not open the folder"),
+        notices_.showProblem(tr("The folder could not be opened"),
                              ui::messageText(io::says::seriesNone().about(name_.toStdString())), folders_);
         return;
     }
@@ -217,20 +217,20 @@ void StudyController::showEnd()
     QStringList words{tree_->isStopped ? tr("Stopped after %1 of %2 files.").arg(read, found)
                                        : tr("%1 files read.").arg(read)};
     if (tree_->isCutOff) {
-        words << tr("The folder holds more than could be listed: choose the folder of one study.");
+        words << tr("The folder holds too many files to list: choose the folder of a single study.");
     }
     QString offer;
     if (const auto& directory = tree_->directory; directory && directory->damage) {
-        words << tr("The DICOMDIR is of no use (%1): the files themselves were read.")
+        words << tr("The DICOMDIR is unusable (%1): the files themselves were read.")
                      .arg(ui::messageText(directory->damage));
     } else if (directory) {
         if (directory->missingFiles > 0) {
-            words << tr("Files that the DICOMDIR lists and that are missing: %1.").arg(directory->missingFiles);
+            words << tr("Files listed in the DICOMDIR but missing: %1.").arg(directory->missingFiles);
         }
         if (directory->unlistedFiles > 0) {
             offer = directory->unlistedFiles == 1
-                        ? tr("The DICOMDIR lists %1 series; 1 more file lies beside it.").arg(directory->series)
-                        : tr("The DICOMDIR lists %1 series; %2 more files lie beside it.")
+                        ? tr("The DICOMDIR lists %1 series; 1 more file is not listed.").arg(directory->series)
+                        : tr("The DICOMDIR lists %1 series; %2 more files are not listed.")
                               .arg(directory->series)
                               .arg(directory->unlistedFiles);
         }

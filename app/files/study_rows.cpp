@@ -31,7 +31,7 @@ QString patientWords(const io::StudyPatient& patient, int place, IdentityShown s
     }
     const core::StudyIdentity& who = patient.identity;
     const QString name = readable(who.patientName);
-    QStringList parts{name.isEmpty() ? StudyWords::tr("Without name") : name};
+    QStringList parts{name.isEmpty() ? StudyWords::tr("No name") : name};
     if (!who.patientId.empty()) {
         parts << StudyWords::tr("ID %1").arg(QString::fromStdString(who.patientId));
     }
@@ -84,12 +84,12 @@ void addPace(const io::StudySeries& each, ui::StudySeriesRow& row)
 
 QString passingWords()
 {
-    return StudyWords::tr("Not all files were read: which part of the series this is is known then.");
+    return StudyWords::tr("Not all files have been read yet, so the part of the series is still unknown.");
 }
 
 QString missingWords(std::size_t files)
 {
-    return StudyWords::tr("Files that the DICOMDIR lists and that are missing: %1.").arg(files);
+    return StudyWords::tr("Files listed in the DICOMDIR but missing: %1.").arg(files);
 }
 
 ui::StudySeriesRow::Use useOf(io::SeriesUse use)

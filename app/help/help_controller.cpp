@@ -54,10 +54,9 @@ void HelpController::startTour()
     for (const ui::ColumnSide side : {ui::ColumnSide::Left, ui::ColumnSide::Right}) {   // it points at what is there
         window_.column(side).setFolded(false);
     }
-    ui::TourStop start{
-        &window_.angiogramView(), tr("Start here"),
-        tr("Drop a case, or vessels and an angiogram, anywhere. “Open the sample case” works without own "
-           "data.")};
+    ui::TourStop start{&window_.angiogramView(), tr("Start here"),
+                       tr("Drop a case, or vessels and an angiogram, anywhere in the window. “Open the sample case” "
+                          "needs no data of your own.")};
     if (!window_.angiogramView().isVisible()) {   // an empty window shows nothing of what the tour tells of
         start.target = &window_.welcome();
         start.way = tr("Open the sample case");
@@ -65,20 +64,21 @@ void HelpController::startTour()
     }
     tour_ = new ui::Tour(
         {start,
-         {&window_.steps(), tr("The way to a result"),
-          tr("Each step has a tick, or says in its tool tip what is missing. Click any of them, in any order.")},
+         {&window_.steps(), tr("Steps to a result"),
+          tr("Each step shows a check mark, or its tooltip names what is missing. Click the steps in any order.")},
          {&window_.branches(), tr("The vessel tree"),
-          tr("Its branches with length and distance to the image. A takes a branch into the auxiliary set, X leaves "
-             "it out.")},
+          tr("Its branches with their length and distance to the image. A adds a branch to the auxiliary subset, X "
+             "excludes it.")},
          {&window_.angiogramView(), tr("The angiogram"),
-          tr("The projected tree lies over it, coloured by distance. Wheel: frames. N: move the tree with arrows or "
-             "mouse. H: hide it.")},
+          tr("The projected tree overlays it, colored by distance. Wheel: scroll frames. N: move the tree with arrows "
+             "or mouse. H: hide it.")},
          {&window_.registration(), tr("Register"),
-          tr("R finds the pose. Stop keeps the best one so far, Ctrl+Z brings the old one back.")},
-         {&window_.result(), tr("Can it be trusted?"),
-          tr("Numbers in mm, and sentences on what the image cannot tell. Shift+F1 shows good and bad fits.")},
-         {&window_.header(), tr("Help is never far"),
-          tr("F1 explains what the mouse points at, ? lists and changes all keys. This tour is under Help.")}},
+          tr("R finds the pose. Stop keeps the best pose so far; Ctrl+Z restores the previous one.")},
+         {&window_.result(), tr("Is the result reliable?"),
+          tr("Distances in mm, and notes on what the image cannot determine. Shift+F1 shows good and bad fits.")},
+         {&window_.header(), tr("Getting help"),
+          tr("F1 explains the item under the mouse pointer, ? lists and edits all shortcuts. This tour is in the Help "
+             "menu.")}},
         &window_);
 }
 
@@ -114,8 +114,9 @@ void HelpController::fillGoodFit(int index)
 QString HelpController::drawnBy() const
 {
     const ui::GlDriver& driver = ui::glDriver();
-    const QString renderer = ui::chosenRenderer() == ui::Renderer::Vtk ? tr("The angiogram is drawn by VTK (OpenGL).")
-                                                                       : tr("The angiogram is drawn by the processor.");
+    const QString renderer = ui::chosenRenderer() == ui::Renderer::Vtk
+                                 ? tr("The angiogram is rendered by VTK (OpenGL).")
+                                 : tr("The angiogram is rendered by the CPU.");
     return driver.isThere()
                ? QStringLiteral("%1\nOpenGL %2: %3, %4").arg(renderer, driver.version, driver.vendor, driver.renderer)
                : renderer;
@@ -124,9 +125,9 @@ QString HelpController::drawnBy() const
 void HelpController::showAbout()
 {
     ui::MessageDialog::show({tr("AngioPose %1").arg(QCoreApplication::applicationVersion()),
-                             tr("Finds where a 3-D vessel tree lies in a 2-D angiogram, without correspondences.\n\n"
-                                "Not for clinical use: AngioPose is a research program, not a medical device.\n\n"
-                                "Apache License 2.0. Built on Qt, VTK, ITK, OpenCV, NLopt, Eigen and nanoflann."),
+                             tr("Registers a 3-D vessel tree to a 2-D angiogram without correspondences.\n\nNot for "
+                                "clinical use: AngioPose is a research program, not a medical device.\n\nApache "
+                                "License 2.0. Built on Qt, VTK, ITK, OpenCV, NLopt, Eigen and nanoflann."),
                              drawnBy()},
                             &window_);
 }

@@ -220,8 +220,9 @@ void SupportController::show(const SharedTexts& texts)
 
 void SupportController::askPath(const SharedTexts& texts)
 {
-    auto* dialog = new QFileDialog(&ui_.dialogParent, tr("Save support bundle"),
-                                   suggestedPath({}, QStringLiteral("angiopose-support.zip")), tr("Archives (*.zip)"));
+    auto* dialog =
+        new QFileDialog(&ui_.dialogParent, tr("Save support bundle"),
+                        suggestedPath({}, QStringLiteral("angiopose-support.zip")), tr("ZIP archives (*.zip)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("zip"));

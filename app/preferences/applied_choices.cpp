@@ -50,8 +50,8 @@ QCommandLineOption rendererOption()
 {
     return {QStringLiteral("renderer"),
             QCoreApplication::translate("main",
-                                        "Who draws the angiogram: vtk (OpenGL), painter (the processor), or auto: "
-                                        "vtk where a graphics card does OpenGL."),
+                                        "Renderer of the angiogram: vtk (OpenGL), painter (CPU), or auto (vtk if a "
+                                        "graphics card supports OpenGL)."),
             QStringLiteral("auto|vtk|painter"), QStringLiteral("auto")};
 }
 

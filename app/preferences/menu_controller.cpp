@@ -84,7 +84,7 @@ PictureController::PictureController(ui::WindowActions& actions, ui::BottomStrip
 void PictureController::copy()
 {
     QGuiApplication::clipboard()->setPixmap(window_.grab());
-    strip_.showStatus(tr("The window is in the clipboard as a picture"));
+    strip_.showStatus(tr("Screenshot copied to the clipboard"));
 }
 
 void PictureController::askFile()
@@ -97,17 +97,17 @@ void PictureController::askFile()
 void PictureController::askFileFor(const QPixmap& picture)
 {
     const QString suggested = suggestedPath({}, QStringLiteral("angiopose.png"));
-    auto* dialog = new QFileDialog(&window_, tr("Save picture of the window"), suggested, tr("PNG pictures (*.png)"));
+    auto* dialog = new QFileDialog(&window_, tr("Save screenshot"), suggested, tr("PNG images (*.png)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("png"));
     connect(dialog, &QFileDialog::fileSelected, this, [this, picture](const QString& path) {
         if (picture.save(path, "PNG")) {
             rememberSaveFolder(path);
-            strip_.showStatus(tr("Written: %1").arg(QFileInfo(path).fileName()));
+            strip_.showStatus(tr("Saved: %1").arg(QFileInfo(path).fileName()));
         } else {
             ui::MessageDialog::show(
-                {tr("Could not save the picture"), tr("%1 could not be written. Choose another folder.").arg(path), {}},
+                {tr("Could not save the image"), tr("Could not write %1. Choose another folder.").arg(path), {}},
                 &window_);
         }
     });

@@ -22,10 +22,10 @@ QString RegistrationController::whyNotReady() const
 {
     const core::Case& current = document_.current();
     if (document_.isInTrial()) {
-        return tr("A blind trial is fitted by hand.");
+        return tr("Fit a blind trial manually.");
     }
     if (!current.vessels.tree) {
-        return tr("Open a vessel centreline first.");
+        return tr("Open a vessel centerline first.");
     }
     if (!current.shown().angiogram) {
         return tr("Open an angiogram first.");

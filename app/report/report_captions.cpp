@@ -51,11 +51,11 @@ QString captionsOf(const ReportedView& view, int widthPx)
         return {};
     }
     const QString after =
-        view.session.shown().result ? PageWords::tr("After: registered") : PageWords::tr("After: pose set by hand");
+        view.session.shown().result ? PageWords::tr("After: registered") : PageWords::tr("After: pose set manually");
     return QStringLiteral(
                "<table width=\"%1\" style=\"margin-top:6px\" cellspacing=\"0\" cellpadding=\"0\"><tr>"
                "<td width=\"50%\"><b>%2</b></td><td width=\"50%\"><b>%3</b></td></tr></table>")
-        .arg(QString::number(widthPx), PageWords::tr("Before: start pose").toHtmlEscaped(), after.toHtmlEscaped());
+        .arg(QString::number(widthPx), PageWords::tr("Before: initial pose").toHtmlEscaped(), after.toHtmlEscaped());
 }
 
 QString colorLineOf(const ReportedView& view)
@@ -68,7 +68,7 @@ QString colorLineOf(const ReportedView& view)
         return sample(ui::residualColor(fraction), ui::numberText(fraction * endMm, 0) + QStringLiteral(" mm"));
     };
     return QStringLiteral("<p style=\"margin-top:2px; margin-bottom:6px; color:#555555\">%1%2</p>")
-        .arg(PageWords::tr("Colours: distance of the vessels from those traced in the image").toHtmlEscaped(),
+        .arg(PageWords::tr("Colors: distance to the vessels traced in the image").toHtmlEscaped(),
              at(0.0) + at(0.5) + at(1.0) + sample(ui::residualColorAboveScale(), PageWords::tr("farther")));
 }
 

@@ -103,13 +103,13 @@ QString inputPart(const CaseReport& report)
     const auto add = [&rows](const QString& name, const core::InputFile& file) {
         if (!file.path.empty() || !file.sha256.empty()) {
             const QString known =
-                file.path.empty() ? PageWords::tr("edited by hand") : QFileInfo(fromCore(file.path)).fileName();
+                file.path.empty() ? PageWords::tr("edited manually") : QFileInfo(fromCore(file.path)).fileName();
             rows.emplace_back(name, known + QStringLiteral(" · SHA-256 ") + fromCore(file.sha256).left(16));
         }
     };
     const core::Case& session = report.views.front().session;
     if (session.vessels.isLumenEdited) {
-        rows.emplace_back(PageWords::tr("Vessels"), PageWords::tr("traced from a lumen mask edited by hand"));
+        rows.emplace_back(PageWords::tr("Vessels"), PageWords::tr("traced from a manually edited lumen mask"));
         add(PageWords::tr("Lumen mask"), session.vessels.file);
         add(PageWords::tr("Scan"), session.vessels.scanFile);
     } else {
@@ -122,7 +122,7 @@ QString inputPart(const CaseReport& report)
         add(PageWords::tr("Traced vessels") + number, io::exportedFileOf(view.target));
     }
     rows.emplace_back(PageWords::tr("Program"), programWords());
-    rows.emplace_back(PageWords::tr("Made"),
+    rows.emplace_back(PageWords::tr("Created"),
                       timeWords(QDateTime::currentDateTime()) +
                           (report.author.isEmpty() ? QString() : QStringLiteral(" · ") + report.author));
     return heading(PageWords::tr("Inputs")) + table(rows);

@@ -46,20 +46,20 @@ Rows originRows(const ReportedView& view)
         const auto start = core::startPoseOf(view.session);
         const bool isStart = start && start.value().matrix() == view.session.shown().cameraFromPatient.matrix();
         return {{PageWords::tr("Method"),
-                 isStart ? PageWords::tr("none: this is the start pose") : PageWords::tr("pose set by hand")}};
+                 isStart ? PageWords::tr("none: this is the initial pose") : PageWords::tr("pose set manually")}};
     }
     Rows rows{{PageWords::tr("Method"), methodWordsOf(*result)}};
     const QDateTime found =
         QDateTime::fromString(QString::fromStdString(result->provenance.time), Qt::ISODate).toLocalTime();
     if (found.isValid()) {
         const QString& author = QString::fromStdString(result->provenance.author);
-        rows.emplace_back(PageWords::tr("Found"),
+        rows.emplace_back(PageWords::tr("Registered"),
                           timeWords(found) + (author.isEmpty() ? QString() : QStringLiteral(" · ") + author));
     }
     if (!core::resultOfShownFrame(view.session.shown())) {
-        rows.emplace_back(PageWords::tr("Found in"), PageWords::tr("frame %1; picture and figures are of frame %2")
-                                                         .arg(result->provenance.frame.value_or(0) + 1)
-                                                         .arg(view.session.shown().frame + 1));
+        rows.emplace_back(PageWords::tr("Registered in"), PageWords::tr("frame %1; image and values are from frame %2")
+                                                              .arg(result->provenance.frame.value_or(0) + 1)
+                                                              .arg(view.session.shown().frame + 1));
     }
     return rows;
 }
@@ -85,7 +85,7 @@ QString resultPart(const ReportedView& view)
          PageWords::tr("%1 mm (%2 px)").arg(ui::numberText(metrics.medianMm, 2), ui::numberText(metrics.medianPx, 2))},
         {PageWords::tr("95th percentile"),
          PageWords::tr("%1 mm (%2 px)").arg(ui::numberText(metrics.p95Mm, 2), ui::numberText(metrics.p95Px, 2))},
-        {PageWords::tr("Traced vessels covered"),
+        {PageWords::tr("Coverage of traced vessels"),
          QStringLiteral("%1 %").arg(ui::numberText(100.0 * metrics.coverage, 0))}};
     const Rows origin = originRows(view);
     rows.insert(rows.end(), origin.begin(), origin.end());
@@ -104,13 +104,12 @@ QString verdictPart(const ReportedView& view)
     const ui::ResultSentences said =
         ui::sentencesOf(view.judgement, *view.session.vessels.tree, mmPerPxOf(view.session));
     if (!view.judgement.trustworthy) {
-        const QString meaning = PageWords::tr("This pose may be wrong. Do not use it as it is.");
+        const QString meaning = PageWords::tr("This pose may be wrong. Do not use it without verification.");
         return heading(ui::messageText(says::notReliable()), doubtfulTone) +
-               card(QStringList{meaning} + said.certain + said.doubtful, doubtfulGround,
-                    PageWords::tr("Not trustworthy"));
+               card(QStringList{meaning} + said.certain + said.doubtful, doubtfulGround, PageWords::tr("Not reliable"));
     }
-    const QString meaning = PageWords::tr("No check speaks against this pose. That is no proof: look at the picture.");
-    return card(QStringList{meaning} + said.certain, certainGround, PageWords::tr("Trustworthy")) +
+    const QString meaning = PageWords::tr("All checks passed. This is not proof: inspect the overlay.");
+    return card(QStringList{meaning} + said.certain, certainGround, PageWords::tr("Reliable")) +
            card(said.doubtful, doubtfulGround);
 }
 
@@ -130,8 +129,8 @@ QString branchPart(const ReportedView& view)
         }
     }
     const QString name = worstFirst.size() > count
-                             ? PageWords::tr("The %1 worst of %2 branches").arg(count).arg(worstFirst.size())
-                             : PageWords::tr("Branches, the worst first");
+                             ? PageWords::tr("Worst %1 of %2 branches").arg(count).arg(worstFirst.size())
+                             : PageWords::tr("Branches, worst first");
     return heading(name) + table(rows);
 }
 
@@ -144,7 +143,7 @@ QString measuredPart(const core::Case& session)
 QString checkedPart(const core::Case& session)
 {
     const Rows rows = checkedRows(session);
-    return rows.empty() ? QString() : heading(PageWords::tr("Check points and rings")) + table(rows);
+    return rows.empty() ? QString() : heading(PageWords::tr("Target points and rings")) + table(rows);
 }
 
 QString geometryPart(const core::Case& session)

@@ -53,7 +53,8 @@ void BlindTrialController::ask()
 {
     const core::Case& current = document_.current();
     if (!current.vessels.tree || !current.shown().angiogram || !core::startPoseOf(current) || document_.isLocked()) {
-        emit failed(tr("A trial needs vessels, an angiogram and a start pose, and no registration running."));
+        emit failed(
+            tr("A blind trial needs vessels, an angiogram and an initial pose, and no registration may be running."));
         return;
     }
     ui::BlindTrialSetup suggested;
@@ -211,7 +212,7 @@ void BlindTrialController::keep(const core::RegistrationResult& judged)
     document_.push(std::make_unique<ChangeSnapshots>(
         document_,
         ChangeSnapshots::Values{core::withSnapshot(document_.current().shown().snapshots, std::move(snapshot))},
-        [] { return tr("Keep a blind trial"); }));
+        [] { return tr("Save blind trial"); }));
 }
 
 }   // namespace angiopose::app

@@ -24,10 +24,10 @@ QString periodWords(const core::RunPeriods& periods)
     };
     QString text;
     if (periods.breath) {
-        text += words(FollowController::tr("breath every %1 s, %2 mm to and fro"), *periods.breath);
+        text += words(FollowController::tr("breathing: period %1 s, %2 mm peak to peak"), *periods.breath);
     }
     if (periods.heart) {
-        text += words(FollowController::tr("heartbeat every %1 s, %2 mm to and fro"), *periods.heart);
+        text += words(FollowController::tr("heartbeat: period %1 s, %2 mm peak to peak"), *periods.heart);
     }
     return text;
 }
@@ -44,14 +44,14 @@ FollowController::FollowController(const Parts& parts, QObject* parent) : QObjec
     connect(&job_, &FollowJob::advanced, this, [this](double fraction) {
         if (job_.isRunning()) {
             on_.strip.showProgress(
-                tr("Following the vessels through the run: %1 %").arg(ui::numberText(100.0 * fraction, 0)), fraction);
+                tr("Tracking the vessels through the run: %1 %").arg(ui::numberText(100.0 * fraction, 0)), fraction);
         }
     });
     connect(&job_, &FollowJob::finished, this, &FollowController::take);
     connect(&job_, &FollowJob::failed, this, [this](const core::Message& reason) {
         startedFrom_ = {};   // a run is large
         on_.strip.showIdle(tr("Ready"));
-        on_.notices.showProblem(tr("The vessels cannot be followed"), ui::messageText(reason));
+        on_.notices.showProblem(tr("Could not track the vessels"), ui::messageText(reason));
     });
     connect(&on_.document, &CaseDocument::changed, this, &FollowController::followDocument);
     connect(&on_.sync, &ViewSync::frameShown, this, &FollowController::showFrame);
@@ -62,7 +62,7 @@ QString FollowController::whyNot() const
 {
     const core::Case& current = on_.document.current();
     if (on_.document.isInTrial() || on_.document.isLocked()) {
-        return tr("Something else is under way. Let it end first.");
+        return tr("Another task is running. Wait for it to finish.");
     }
     return !current.vessels.tree || !current.shown().angiogram ? tr("Open vessels and an angiogram first.") : QString();
 }
@@ -78,7 +78,7 @@ void FollowController::start()
     }
     on_.review.stopMotion();
     startedFrom_ = on_.document.current();
-    on_.strip.showBusy(tr("Following the vessels through the run …"));
+    on_.strip.showBusy(tr("Tracking the vessels through the run…"));
     job_.start(startedFrom_);
 }
 
@@ -88,19 +88,19 @@ void FollowController::take(const std::vector<core::FollowedFrame>& frames)
     const core::Case startedFrom = std::exchange(startedFrom_, {});   // a run is large
     const core::FollowedRun run = core::followedFrom(startedFrom.shown().frame, frames);
     if (!isAsStarted(startedFrom, run)) {
-        on_.notices.showNote(tr("The vessels were moved meanwhile: follow them again."));
+        on_.notices.showNote(tr("The vessels were moved in the meantime. Track them again."));
         return;
     }
     if (!on_.document.push(std::make_unique<KeepFollowed>(on_.document, KeepFollowed::Values{run},
-                                                          [] { return tr("Follow the vessels through the run"); }))) {
+                                                          [] { return tr("Track vessels through the run"); }))) {
         return;
     }
     const auto lost = std::ranges::count_if(frames, [](const auto& each) { return !each.tracked.isTrustworthy; });
     const auto count = static_cast<int>(frames.size());
     const QString followed =
         lost == 0
-            ? tr("Followed through %1 frames: scroll or play them").arg(count)
-            : tr("Followed through %1 frames; %2 of them do not show the vessels well enough").arg(count).arg(lost);
+            ? tr("Tracked through %1 frames: scroll or play them").arg(count)
+            : tr("Tracked through %1 frames; %2 of them do not show the vessels well enough").arg(count).arg(lost);
     on_.notices.showNote(followed + periodWords(core::periodsOf(startedFrom, frames)));
 }
 
@@ -172,7 +172,7 @@ void FollowController::exportPoses()
         return;
     }
     on_.exporting.askFile(
-        {tr("Export followed poses"), tr("Tables (*.csv)"), QStringLiteral("poses.csv")},
+        {tr("Export tracked poses"), tr("Tables (*.csv)"), QStringLiteral("poses.csv")},
         [frames = frames()](const QString& path) { return io::writePoseTable(frames, path.toStdString()); });
 }
 

@@ -102,7 +102,7 @@ void JudgementController::showNothing()
     on_.sync.showVerdict(ui::VerdictTone::Doubtful, {});
     if (!on_.registration.isRunning()) {
         const auto& problem = on_.target.problem();
-        on_.panel.showNothing(problem ? ui::messageText(*problem) : tr("nothing to judge yet"));
+        on_.panel.showNothing(problem ? ui::messageText(*problem) : tr("nothing to assess yet"));
     }
 }
 

@@ -36,12 +36,13 @@ void LookController::connectOverlay()
     connect(actions[ui::Command::FromSource], &QAction::toggled, this, [this, &view](bool on) {
         view.setFromSource(on);
         emit changed();
-        ui_.strip.showStatus(on ? tr("Seen from the source: only the view is mirrored") : tr("Seen from the detector"));
+        ui_.strip.showStatus(on ? tr("View from the source: only the display is mirrored")
+                                : tr("View from the detector"));
     });
     connect(actions[ui::Command::DepthCue], &QAction::toggled, this, [this, &view](bool on) {
         view.scene().setDepthCue(on ? ui::DepthCue::NearBright : ui::DepthCue::None);
         redraw();
-        ui_.strip.showStatus(on ? tr("Near vessels bright, far ones dim") : tr("Depth cue off"));
+        ui_.strip.showStatus(on ? tr("Depth cueing") : tr("Depth cueing off"));
     });
     connect(actions[ui::Command::ShowTrace], &QAction::toggled, this, [this, &view](bool on) {
         view.scene().showTracedCenterline(on);
@@ -121,8 +122,7 @@ bool LookController::hasRadii() const
 
 QString LookController::radiographWords() const
 {
-    return document_.current().vessels.scan ? tr("Vessels as a radiograph of the scan (DRR)")
-                                            : tr("Vessels as a radiograph of tubes (DRR)");
+    return document_.current().vessels.scan ? tr("Vessels as DRR of the scan") : tr("Vessels as DRR of tubes");
 }
 
 void LookController::nextStyle()
@@ -132,7 +132,7 @@ void LookController::nextStyle()
     style_ = isRadiograph_ || isLast ? Centerline : style_ == Centerline ? Outline : Tube;
     isRadiograph_ = !isRadiograph_ && isLast;
     ui_.strip.showStatus(isRadiograph_          ? radiographWords()
-                         : style_ == Centerline ? tr("Vessels as centrelines")
+                         : style_ == Centerline ? tr("Vessels as centerlines")
                          : style_ == Outline    ? tr("Vessels as outlines")
                                                 : tr("Vessels as tubes"));
     showStyle();
@@ -143,8 +143,8 @@ void LookController::nextCutout()
     using enum ui::Cutout::Shape;
     ui::AngiogramView& view = ui_.view;
     view.setCutout(view.cutout() == None ? RightOf : view.cutout() == RightOf ? Disc : None);
-    ui_.strip.showStatus(view.cutout() == RightOf ? tr("Swipe: the overlay ends at the mouse")
-                         : view.cutout() == Disc  ? tr("Lens: the bare angiogram under the mouse")
+    ui_.strip.showStatus(view.cutout() == RightOf ? tr("Swipe: the overlay ends at the mouse pointer")
+                         : view.cutout() == Disc  ? tr("Lens: only the angiogram under the mouse pointer")
                                                   : tr("Swipe and lens off"));
 }
 
@@ -200,7 +200,7 @@ void LookController::showNextWorst()
         ui_.view.zoomTo(*extent);
     }
     emit branchWanted(branch.branchId);
-    ui_.strip.showStatus(tr("Worst %1 of %2: %3 mm median · W next · 1 fits")
+    ui_.strip.showStatus(tr("Worst %1 of %2: median %3 mm · W next · 1 fit view")
                              .arg(rank + 1)
                              .arg(worstFirst_.size())
                              .arg(ui::numberText(branch.medianPx * millimetersPerPixel_, 2)));

@@ -20,7 +20,7 @@ MovieController::MovieController(const Parts& parts, QObject* parent)
       on_(parts),
       job_({[this](const QString& path) {
                 on_.strip.showIdle(tr("Ready"));
-                on_.notices.showNote(tr("Written: %1").arg(QFileInfo(path).fileName()));
+                on_.notices.showNote(tr("Saved: %1").arg(QFileInfo(path).fileName()));
                 emit written(path);
             },
             [this](const core::Error& error) {
@@ -48,7 +48,7 @@ void MovieController::ask()
         return;
     }
     if (job_.isRunning() || on_.document.isLocked()) {
-        on_.notices.showNote(tr("Something else is under way. Let it end first."));
+        on_.notices.showNote(tr("Another task is running. Wait for it to finish."));
         return;
     }
     const auto& result = current.shown().result;
@@ -92,7 +92,7 @@ void MovieController::start(const ui::MovieChoice& choice, const QString& path)
     look.cutout = ui::Choice::On;   // as the window has it
     OverlayPictureOptions options = on_.exporting.lookOf(look);
     const auto target = on_.target.current();
-    on_.strip.showBusy(tr("Writing the movie …"));
+    on_.strip.showBusy(tr("Writing the movie…"));
     job_.start([snapshot = outgoingCase(on_.document.current()), target, options, plan = planOf(choice),
                 path](JobLink<double>& link) -> core::Result<QString> {
         const auto written = writeMovie(snapshot, target ? *target : core::Centerline2d{}, options, plan,
@@ -149,7 +149,7 @@ QString MovieController::wordsOf(const MoviePlan& plan) const
     const QString frames =
         plan.order == core::CineOrder::BackAndForth ? tr("Frames %1 to %2, back and forth") : tr("Frames %1 to %2");
     return frames.arg(plan.frames.first + 1).arg(plan.frames.last + 1) + QStringLiteral(" · ") +
-           (plan.followed.empty() ? tr("the pose of this frame in all of them") : tr("each with its followed pose"));
+           (plan.followed.empty() ? tr("pose of this frame for all") : tr("each with its tracked pose"));
 }
 
 }   // namespace angiopose::app

@@ -76,7 +76,7 @@ void PoseGestures::showNudgeMode(bool on)
     on_.review.stopMotion();
     on_.panel.showNudgeMode(on);
     on_.panel.setActiveAxis(std::nullopt);
-    on_.notices.showNote(on ? tr("Nudge mode: arrows move, drag moves or rolls, N ends") : tr("Nudge mode off"));
+    on_.notices.showNote(on ? tr("Nudge mode: arrow keys move, drag moves or rolls, N exits") : tr("Nudge mode off"));
 }
 
 void PoseGestures::preview(const core::RigidTransform& pose)
@@ -96,7 +96,7 @@ void PoseGestures::endPreview()
 void PoseGestures::copyMatrix()
 {
     QGuiApplication::clipboard()->setText(matrixText(on_.document.current().shown().cameraFromPatient));
-    on_.notices.showNote(tr("Copied: camera from patient, 4 × 4, mm"));
+    on_.notices.showNote(tr("Copied: camera-from-patient matrix, 4 × 4, mm"));
 }
 
 }   // namespace angiopose::app

@@ -87,7 +87,7 @@ std::vector<core::PoseSnapshot> PoseTableController::listed() const
 {
     const core::Case& current = document_.current();
     core::PoseSnapshot itself;
-    itself.name = tr("The pose as it is").toStdString();
+    itself.name = tr("Current pose").toStdString();
     itself.frame = current.shown().frame;
     itself.cameraFromPatient = current.shown().cameraFromPatient;
     itself.metrics = snapshots_.metricsOfPose();
@@ -141,7 +141,7 @@ void PoseTableController::run(const std::vector<std::string>& methodIds)
     failures_.clear();
     solvedCount_ = 0;
     ++burst_;
-    table_->showRun(tr("Starting …"), 0.0);
+    table_->showRun(tr("Starting…"), 0.0);
     job_.start(std::move(input).value(), current.options, methodIds);
 }
 

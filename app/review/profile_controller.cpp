@@ -49,7 +49,7 @@ void ProfileController::show()
     const core::VesselBranch* branch = selectedBranch();
     shown_ = branch ? std::optional(branch->id) : std::nullopt;
     if (!branch) {
-        ui_.panel.showNothing(tree_ ? tr("Choose one branch, in the list or in a view.") : QString(), tree_ != nullptr);
+        ui_.panel.showNothing(tree_ ? tr("Select one branch, in the list or in a view.") : QString(), tree_ != nullptr);
         return;
     }
     if (const auto profile = core::profileOf(*branch)) {
@@ -71,7 +71,7 @@ void ProfileController::askTable()
         emit refused(tr("Open the vessels first."));
         return;
     }
-    exporting_.askFile({tr("Export measures of the branches"), tr("Tables (*.csv)"), QStringLiteral("branches.csv")},
+    exporting_.askFile({tr("Export branch measurements"), tr("Tables (*.csv)"), QStringLiteral("branches.csv")},
                        [tree = document_.current().vessels.tree](const QString& path) {
                            return io::writeBranchTable(*tree, path.toStdString());
                        });

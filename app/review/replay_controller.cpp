@@ -39,8 +39,8 @@ QString nameOfAxis(Eigen::Index axis)
     static const std::array names{QT_TRANSLATE_NOOP("angiopose::app::ReplayController", "tilt"),
                                   QT_TRANSLATE_NOOP("angiopose::app::ReplayController", "turn"),
                                   QT_TRANSLATE_NOOP("angiopose::app::ReplayController", "roll"),
-                                  QT_TRANSLATE_NOOP("angiopose::app::ReplayController", "sideways"),
-                                  QT_TRANSLATE_NOOP("angiopose::app::ReplayController", "up–down"),
+                                  QT_TRANSLATE_NOOP("angiopose::app::ReplayController", "horizontal"),
+                                  QT_TRANSLATE_NOOP("angiopose::app::ReplayController", "vertical"),
                                   QT_TRANSLATE_NOOP("angiopose::app::ReplayController", "depth")};
     return ReplayController::tr(names[static_cast<std::size_t>(axis)]);
 }
@@ -89,7 +89,7 @@ void ReplayController::setReplaying(bool on)
     if (!document_.current().shown().result || document_.current().shown().result->history.empty() ||
         document_.isLocked()) {
         actions_[ui::Command::Replay]->setChecked(false);
-        strip_.showStatus(tr("There is no run to replay. Register first (R)."));
+        strip_.showStatus(tr("There is no registration to replay. Register first (R)."));
         return;
     }
     step_ = 0;
@@ -165,7 +165,7 @@ void ReplayController::showSwing()
     const core::CentroidPose pose = core::aboutCentroid(document_.current().shown().cameraFromPatient, centroid);
     preview_.show(PreviewOf::Swing, core::cameraFromPatient(core::moved(pose, sigmas * weakest->perSigma), centroid),
                   ResidualColors::Hidden);
-    strip_.showStatus(tr("By image noise only, poses within ±%1 mm (2 σ, mostly %2) look alike")
+    strip_.showStatus(tr("From image noise alone, poses within ±%1 mm (2 σ, mostly %2) are indistinguishable")
                           .arg(ui::numberText(swingSigmas * weakest->sigmaMm, 1))
                           .arg(weakest->words));
 }
@@ -174,8 +174,8 @@ void ReplayController::showNextSolution()
 {
     const auto& result = document_.current().shown().result;
     if (!result || result->alternatives.empty() || document_.isLocked()) {
-        strip_.showStatus(result ? tr("The run found no other solution.")
-                                 : tr("There is no run yet. Register first (R)."));
+        strip_.showStatus(result ? tr("The registration found no other solution.")
+                                 : tr("There is no registration yet. Register first (R)."));
         return;
     }
     showSolution(solution_ < result->alternatives.size() ? solution_ + 1 : 0);
@@ -190,19 +190,19 @@ void ReplayController::showSolution(std::size_t index)
     emit solutionShown();
     if (index == 0) {
         showItself();
-        strip_.showStatus(tr("The solution itself"));
+        strip_.showStatus(tr("Registered solution"));
         return;
     }
     solution_ = index;
     const core::Hypothesis& other = result->alternatives[index - 1];
     preview_.show(PreviewOf::Solution, other.cameraFromPatient, ResidualColors::Hidden);
     const QString takes = ui::keyOf(ui::Command::TakeSolution);
-    strip_.showStatus(result->wirePaths.empty() ? tr("Other solution %1 of %2, score %3 · %4 takes it")
+    strip_.showStatus(result->wirePaths.empty() ? tr("Other solution %1 of %2, score %3 · %4 accepts it")
                                                       .arg(index)
                                                       .arg(result->alternatives.size())
                                                       .arg(ui::numberText(other.score, 2))
                                                       .arg(takes)
-                                                : tr("Other way %1 of %2, probability %3 % · %4 takes it")
+                                                : tr("Alternative path %1 of %2, probability %3 % · %4 accepts it")
                                                       .arg(index)
                                                       .arg(result->alternatives.size())
                                                       .arg(ui::numberText(100.0 * other.score, 0))
@@ -214,12 +214,13 @@ void ReplayController::takeSolution()
 {
     const auto& result = document_.current().shown().result;
     if (solution_ == 0 || !result || solution_ > result->alternatives.size()) {
-        strip_.showStatus(tr("J shows the other solutions first."));
+        strip_.showStatus(tr("Press J first to show the other solutions."));
         return;
     }
     const core::RigidTransform pose = result->alternatives[solution_ - 1].cameraFromPatient;
-    document_.push(std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt, {}},
-                                              [number = solution_ + 1] { return tr("Take solution %1").arg(number); }));
+    document_.push(
+        std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt, {}},
+                                   [number = solution_ + 1] { return tr("Accept solution %1").arg(number); }));
 }
 
 }   // namespace angiopose::app

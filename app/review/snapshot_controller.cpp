@@ -109,7 +109,7 @@ void SnapshotController::keep()
 {
     const core::Case& current = document_.current();
     if (!current.vessels.tree || !current.shown().angiogram) {
-        strip_.showStatus(tr("There is no pose to keep yet."));
+        strip_.showStatus(tr("There is no pose to save yet."));
         return;
     }
     core::PoseSnapshot kept;
@@ -123,11 +123,11 @@ void SnapshotController::keep()
     kept.runMs = current.shown().result ? current.shown().result->time.totalMs : 0.0;
     const QString name = QString::fromStdString(kept.name);
     kept.kind = core::SnapshotKind::Kept;
-    push(core::withSnapshot(current.shown().snapshots, kept), [name] { return tr("Keep %1").arg(name); });
+    push(core::withSnapshot(current.shown().snapshots, kept), [name] { return tr("Save snapshot %1").arg(name); });
     marks_.b.reset();   // what comes next is compared with it
     isOnB_ = false;
     showMarks();
-    strip_.showStatus(tr("Kept as “%1” · Y compares").arg(name));
+    strip_.showStatus(tr("Saved as “%1” · Y compares").arg(name));
 }
 
 void SnapshotController::push(std::vector<core::PoseSnapshot> snapshots, const ui::Words& name)
@@ -149,8 +149,8 @@ void SnapshotController::show(int snapshotId)
     const QString name = QString::fromStdString(snapshot->name);
     strip_.showStatus(
         snapshot->metrics
-            ? tr("“%1”: median %2 mm · Esc goes back").arg(name).arg(ui::numberText(snapshot->metrics->medianMm, 2))
-            : tr("“%1” · Esc goes back").arg(name));
+            ? tr("“%1”: median %2 mm · Esc returns").arg(name).arg(ui::numberText(snapshot->metrics->medianMm, 2))
+            : tr("“%1” · Esc returns").arg(name));
 }
 
 void SnapshotController::showItself()
@@ -165,13 +165,15 @@ void SnapshotController::switchSides()
 {
     const auto& snapshots = document_.current().shown().snapshots;
     if (snapshots.empty()) {
-        strip_.showStatus(tr("There is nothing to compare with yet: K keeps a pose, R leaves one."));
+        strip_.showStatus(
+            tr("There is nothing to compare with yet: K saves a pose, and each registration (R) adds one."));
         return;
     }
     if (!marks_.b) {
         const std::optional<int> other = snapshotToCompare(document_.current().shown());
         if (!other) {
-            strip_.showStatus(tr("There is nothing to compare with yet: K keeps a pose, R leaves one."));
+            strip_.showStatus(
+                tr("There is nothing to compare with yet: K saves a pose, and each registration (R) adds one."));
             return;
         }
         mark(*other, false);
@@ -182,7 +184,7 @@ void SnapshotController::switchSides()
         show(*side);
     } else {
         showItself();
-        strip_.showStatus(tr("A: the pose as it is"));
+        strip_.showStatus(tr("A: current pose"));
     }
 }
 
@@ -227,7 +229,7 @@ void SnapshotController::change(const core::PoseSnapshot& edited)
     found->author = edited.author;
     found->note = edited.note;
     found->kind = core::SnapshotKind::Kept;   // what has a name of its own is not swept away with old runs
-    push(std::move(snapshots), [] { return tr("Describe a pose"); });
+    push(std::move(snapshots), [] { return tr("Edit snapshot"); });
 }
 
 void SnapshotController::remove(const std::set<int>& snapshotIds)
@@ -237,7 +239,7 @@ void SnapshotController::remove(const std::set<int>& snapshotIds)
         std::erase_if(snapshots, [&](const core::PoseSnapshot& each) { return snapshotIds.contains(each.id); });
     if (count > 0) {
         push(std::move(snapshots),
-             [count] { return count == 1 ? tr("Delete a pose") : tr("Delete %1 poses").arg(count); });
+             [count] { return count == 1 ? tr("Delete pose") : tr("Delete %1 poses").arg(count); });
     }
 }
 

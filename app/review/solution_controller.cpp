@@ -63,14 +63,13 @@ std::vector<ui::SolutionLine> wayLines(const std::vector<core::WirePath>& ways, 
         }
         const QString percent = ui::numberText(100.0 * ways[i].probability, 0);
         const QString words = SolutionController::tr(
-                                  "Branches %1: probability %2 %, %3 % of the wire along them, %4 mm "
-                                  "off their axes.")
+                                  "Branches %1: probability %2 %; %3 % of the wire follows them, %4 mm off their axes.")
                                   .arg(branches.join(QStringLiteral(", ")))
                                   .arg(percent)
                                   .arg(ui::numberText(100.0 * ways[i].followedShare, 0))
                                   .arg(ui::numberText(ways[i].offAxisMm, 1));
         lines.push_back({SolutionController::tr("%1 %: %2").arg(percent).arg(courseWords(ways[i])),
-                         i == 0 ? words : SolutionController::tr("%1 Return takes it.").arg(words)});
+                         i == 0 ? words : SolutionController::tr("%1 Press Return to accept it.").arg(words)});
     }
     return lines;
 }
@@ -82,21 +81,22 @@ std::vector<ui::SolutionLine> linesOf(const core::Case& current, std::size_t cou
     }
     std::vector<ui::SolutionLine> lines;
     const Eigen::Vector3d pivot = core::centroidInPatient(*current.vessels.tree);
-    lines.push_back({SolutionController::tr("found"), SolutionController::tr("The solution itself")});
+    lines.push_back({SolutionController::tr("found"), SolutionController::tr("Registered solution")});
     for (std::size_t i = 1; i < count; ++i) {
         const core::Hypothesis& other = current.shown().result->alternatives[i - 1];
         const core::PoseDifference difference =
             core::differenceBetween(current.shown().result->cameraFromPatient, other.cameraFromPatient, pivot);
-        lines.push_back({SolutionController::tr("%1 mm, %2°")
-                             .arg(ui::numberText(difference.inPlaneMm, 1))
-                             .arg(ui::numberText(difference.rotationDeg, 1)),
-                         SolutionController::tr("Other solution %1, score %2: %3 mm aside, %4 mm in depth and %5° "
-                                                "turned from the one found. Return takes it.")
-                             .arg(i)
-                             .arg(ui::numberText(other.score, 2))
-                             .arg(ui::numberText(difference.inPlaneMm, 1))
-                             .arg(ui::numberText(difference.depthMm, 1))
-                             .arg(ui::numberText(difference.rotationDeg, 1))});
+        lines.push_back(
+            {SolutionController::tr("%1 mm, %2°")
+                 .arg(ui::numberText(difference.inPlaneMm, 1))
+                 .arg(ui::numberText(difference.rotationDeg, 1)),
+             SolutionController::tr("Other solution %1, score %2: differs from the registered one by %3 mm in plane, "
+                                    "%4 mm in depth and %5° in rotation. Press Return to accept it.")
+                 .arg(i)
+                 .arg(ui::numberText(other.score, 2))
+                 .arg(ui::numberText(difference.inPlaneMm, 1))
+                 .arg(ui::numberText(difference.depthMm, 1))
+                 .arg(ui::numberText(difference.rotationDeg, 1))});
     }
     return lines;
 }

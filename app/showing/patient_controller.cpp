@@ -19,9 +19,9 @@ auto lineOf(const core::Case& session, bool isHidden)
     const std::vector<core::CasePatient> patients = core::patientsOf(session);
     ui::PatientLine line;
     if (patients.size() > 1) {
-        line.doubt = PatientWords::tr("Not the same patient in all inputs");
+        line.doubt = PatientWords::tr("The inputs belong to different patients");
     } else if (!core::findMismatch(session).empty()) {
-        line.doubt = PatientWords::tr("The inputs do not belong together");
+        line.doubt = PatientWords::tr("The inputs do not match");
     }
     if (patients.empty()) {
         return line;

@@ -40,12 +40,12 @@ void ReviewController::connectShape()
     deformed->setChecked(preview_.shape() == VesselShape::Deformed);
     connect(deformed, &QAction::toggled, this, [this](bool on) {
         preview_.setShape(on ? VesselShape::Deformed : VesselShape::Rigid);
-        sayShape(on ? tr("Vessels as they are bent") : tr("Vessels as the rigid pose has them"));
+        sayShape(on ? tr("Vessels: deformed") : tr("Vessels: rigid pose"));
     });
     connect(ui_.actions[ui::Command::MotionColors], &QAction::toggled, this, [this](bool on) {
         preview_.setMotionColored(on);
-        sayShape(on ? tr("Colours: how far the bent vessels lie from the rigid ones")
-                    : tr("Colours: how far from the traced vessels"));
+        sayShape(on ? tr("Colors: displacement of the deformed vessels")
+                    : tr("Colors: distance to the traced vessels"));
     });
 }
 
@@ -53,7 +53,7 @@ void ReviewController::sayShape(const QString& words)
 {
     const core::Case& current = document_.current();
     const bool isKnown = drawableDeformation(current.shown(), current.vessels, preview_.pose()) != nullptr;
-    ui_.strip.showStatus(isKnown ? words : tr("No bent vessels are known of this pose"));
+    ui_.strip.showStatus(isKnown ? words : tr("There are no deformed vessels for this pose"));
 }
 
 void ReviewController::connectMotion()
@@ -152,7 +152,7 @@ void ReviewController::flick()
     } else {
         preview_.end(PreviewOf::Start);
     }
-    ui_.strip.showStatus(showsStart_ ? tr("Before: start pose") : tr("After: pose as it is"));
+    ui_.strip.showStatus(showsStart_ ? tr("Before: initial pose") : tr("After: current pose"));
 }
 
 void ReviewController::stopMotion()

@@ -32,15 +32,15 @@ QString previewWords(PreviewOf whose)
 {
     switch (whose) {
         case PreviewOf::Start:
-            return ViewSync::tr("start pose");
+            return ViewSync::tr("initial pose");
         case PreviewOf::Replay:
-            return ViewSync::tr("a step of the run");
+            return ViewSync::tr("a step of the registration");
         case PreviewOf::Swing:
-            return ViewSync::tr("a pose that image noise allows");
+            return ViewSync::tr("a pose within image noise");
         case PreviewOf::Solution:
             return ViewSync::tr("another solution");
         case PreviewOf::Snapshot:
-            return ViewSync::tr("a kept pose");
+            return ViewSync::tr("a snapshot");
         case PreviewOf::Frame:
             return ViewSync::tr("pose of this frame");
         case PreviewOf::Drag:
@@ -344,7 +344,7 @@ void ViewSync::showFrameNote()
         return;
     }
     const int count = shownAngiogram_->frameCount();
-    ui_.strip.showFrameNote(count > 1 ? tr("Opacification by frame · frame %1 of %2 · fullest: %3")
+    ui_.strip.showFrameNote(count > 1 ? tr("Opacification by frame · frame %1 of %2 · peak: %3")
                                             .arg(shownFrame_ + 1)
                                             .arg(count)
                                             .arg(shownAngiogram_->suggestedFrame + 1)

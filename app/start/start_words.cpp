@@ -89,7 +89,7 @@ void describeOptions(QCommandLineParser& parser)
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addPositionalArgument(QStringLiteral("files"),
-                                 QCoreApplication::translate("main", "A case, or a centreline and an angiogram."),
+                                 QCoreApplication::translate("main", "A case file, or a centerline and an angiogram."),
                                  QStringLiteral("[case|files…]"));
     parser.addOption(rendererOption());
     describeReport(parser);
@@ -118,7 +118,7 @@ int answer(int argc, char** argv, const QStringList& words)
         return say(stdout, parser.helpText(), 0);
     }
     if (!applyRenderer(parser)) {
-        const QString text = QCoreApplication::translate("main", "No renderer is called “%1”: auto, vtk or painter.")
+        const QString text = QCoreApplication::translate("main", "Unknown renderer “%1”. Use auto, vtk or painter.")
                                  .arg(rendererIn(parser));
         return say(stderr, text + QLatin1Char('\n'), exitWrongUsage);
     }
@@ -126,7 +126,8 @@ int answer(int argc, char** argv, const QStringList& words)
         return say(stderr, *fault + QLatin1Char('\n'), exitWrongUsage);
     }
     const QString text = QCoreApplication::translate(
-        "main", "There is no display to show the window on. angiopose-cli does the same work without one.");
+        "main",
+        "No display is available for the window. Use angiopose-cli, which does the same work without a display.");
     return say(stderr, text + QLatin1Char('\n'), exitNoDisplay);
 }
 
@@ -136,19 +137,20 @@ void describeReport(QCommandLineParser& parser)
 {
     parser.addOptions(
         {{option("report"),
-          QCoreApplication::translate("main", "Write the report of a case, .pdf or .html, and end; needs no display."),
+          QCoreApplication::translate("main", "Write the report of a case (.pdf or .html) and exit; needs no display."),
           QStringLiteral("FILE")},
-         {option("register"), QCoreApplication::translate("main", "Beside --report: register the case first.")},
+         {option("register"), QCoreApplication::translate("main", "With --report: register the case first.")},
          {option("template"),
-          QCoreApplication::translate("main", "Beside --report: the page to fill in, in place of the built-in one."),
+          QCoreApplication::translate("main", "With --report: template to use instead of the built-in one."),
           QStringLiteral("FILE.html")},
          {option("author"),
-          QCoreApplication::translate("main", "Beside --report: who makes it, in place of the account's name."),
+          QCoreApplication::translate("main", "With --report: author to use instead of the account name."),
           QStringLiteral("NAME")},
          {option("identity"),
-          QCoreApplication::translate("main", "Beside --report: name the patient, which is left out else.")},
+          QCoreApplication::translate("main",
+                                      "With --report: include the patient's identity, which is omitted by default.")},
          {option("language"),
-          QCoreApplication::translate("main", "Beside --report: its language, in place of the window's."),
+          QCoreApplication::translate("main", "With --report: language to use instead of the window's."),
           ui::languages().join('|')}});
 }
 
@@ -158,21 +160,20 @@ std::optional<QString> faultOfReport(const QCommandLineParser& parser)
         const auto isSet = [&parser](const char* name) { return parser.isSet(option(name)); };
         return std::ranges::any_of(besideReport, isSet)
                    ? std::optional(QCoreApplication::translate(
-                         "main",
-                         "--register, --template, --author, --identity and --language go beside --report FILE alone."))
+                         "main", "--register, --template, --author, --identity and --language require --report FILE."))
                    : std::nullopt;
     }
     const QString path = parser.value(option("report"));
     const QString ending = QFileInfo(path).suffix().toLower();
     if (ending != QLatin1String("pdf") && ending != QLatin1String("html") && ending != QLatin1String("htm")) {
-        return QCoreApplication::translate("main", "A report is written as .pdf or .html, not as “%1”.").arg(path);
+        return QCoreApplication::translate("main", "Reports are written as .pdf or .html, not as “%1”.").arg(path);
     }
     if (parser.positionalArguments().size() != 1) {
-        return QCoreApplication::translate("main", "A report is of one case: angiopose --report FILE CASE");
+        return QCoreApplication::translate("main", "A report needs exactly one case: angiopose --report FILE CASE");
     }
     const QString language = parser.value(option("language"));
     if (parser.isSet(option("language")) && !ui::languages().contains(language)) {
-        return QCoreApplication::translate("main", "A report is written in %1, not in “%2”.")
+        return QCoreApplication::translate("main", "Reports are available in %1, not in “%2”.")
             .arg(ui::languages().join(QStringLiteral(", ")), language);
     }
     return std::nullopt;

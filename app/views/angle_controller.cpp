@@ -88,7 +88,7 @@ void AngleController::ask()
     asked_ = std::move(question).value();
     const core::VesselTree& tree = *document_.current().vessels.tree;
     dialog_->showBranch(
-        tr("Angles that show %1").arg(branchWords(tree, {asked_->branchId})()),
+        tr("C-arm angles for %1").arg(branchWords(tree, {asked_->branchId})()),
         tree.find(asked_->branchId)->radiusMm.empty() ? ui::messageText(core::says::radiiAssumed()) : QString());
     core::AngleMapOptions options;
     options.primary = dialog_->reach().primary;

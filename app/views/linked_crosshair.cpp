@@ -62,8 +62,7 @@ void LinkedCrosshair::setOn(bool on)
     ui_.strip.showCrosshair(on);
     show();
     if (on && ui_.images.paneCount() == 0) {
-        emit reported(
-            tr("The cross-hair links views that stand side by side (%1).").arg(ui::keyOf(ui::Command::SideBySide)));
+        emit reported(tr("The crosshair links side-by-side views (%1).").arg(ui::keyOf(ui::Command::SideBySide)));
     }
 }
 

@@ -152,10 +152,11 @@ std::vector<std::size_t> SideBySideController::others() const
 
 QString SideBySideController::whyEmpty() const
 {
-    return on_.document.isInTrial() ? tr("No other views during a blind trial: they would tell the answer.")
+    return on_.document.isInTrial() ? tr("Other views are hidden during a blind trial: they would reveal the answer.")
            : !on_.document.current().shown().angiogram
-               ? tr("There is no angiogram yet that another could stand beside.")
-               : tr("This case has one view. Another angiogram of the same vessels (%1) will stand beside it.")
+               ? tr("Open an angiogram first. Another view can then be shown beside it.")
+               : tr("This case has only one view. Add another angiogram of the same vessels (%1) to show both side by "
+                    "side.")
                      .arg(ui::keyOf(ui::Command::AddView));
 }
 
@@ -213,15 +214,15 @@ void SideBySideController::showTitles()
         const auto camera = core::cameraOf(view);
         const QString title = numberedTitle(current.views, place);
         const bool goesAlong = goAlong_;
-        const QString note = !camera ? tr("no geometry") : goesAlong ? tr("moves along") : tr("pose of its own");
+        const QString note = !camera ? tr("no geometry") : goesAlong ? tr("linked") : tr("independent pose");
         const QString why = !camera     ? ui::messageText(camera.error().message)
-                            : goesAlong ? tr("The vessels move here as they do in the shown view.")
-                                        : tr("The views are not registered together: the vessels stay here while they "
-                                             "are moved in the shown view.");
+                            : goesAlong ? tr("The vessels move here together with the active view.")
+                                        : tr("The views are not registered jointly: moving the vessels in the active "
+                                             "view does not move them here.");
         pane.title().showWords(title, view.angiogram ? note : QString(),
                                fileNameOf(view) + QLatin1Char('\n') +
                                    (view.angiogram ? why + QLatin1Char('\n') : QString()) +
-                                   tr("A click here, or a double click in the image, makes it the shown view."));
+                                   tr("Click here, or double-click the image, to make this the active view."));
         pane.image().setAbsence(tr("The image of this view could not be read."));
         pane.image().setAccessibleName(title);
     }

@@ -58,7 +58,7 @@ void ViewController::openMenu(int line, const QPoint& at)
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(tr("Show this view"), this, [this, line] { show(line); });
     menu->addAction(tr("Name this view…"), this, [this, line] { askName(line); });
-    menu->addAction(tr("Take this view out"), this, [this, line] { remove(line); });
+    menu->addAction(tr("Remove this view"), this, [this, line] { remove(line); });
     menu->popup(at);
 }
 
@@ -117,7 +117,7 @@ void ViewController::showLines()
         const QString problem = look ? ui::messageText(look->problem) : QString();
         lines.push_back({numberedTitle(current.views, place) + QLatin1Char('\n') + agreement,
                          problem.isEmpty()
-                             ? tr("%1. A click shows it, Delete takes the shown view out.").arg(fileNameOf(view))
+                             ? tr("%1. Click to show it; Delete removes the active view.").arg(fileNameOf(view))
                              : fileNameOf(view) + QStringLiteral(": ") + problem});
     }
     ui_.panel.showViews(lines, static_cast<int>(current.shownView));
@@ -195,7 +195,7 @@ void ViewController::askName(int line)
         core::Case named = document_.current();
         if (place < named.views.size() && !document_.isLocked()) {
             named.views[place].name = name.trimmed().toStdString();
-            document_.push(showView(document_, named, [] { return tr("Name a view"); }));
+            document_.push(showView(document_, named, [] { return tr("Rename view"); }));
         }
     });
     dialog->open();
@@ -209,7 +209,7 @@ void ViewController::remove(int line)
         emit refused(tr("No other view can be shown in its place."));
         return;
     }
-    document_.push(showView(document_, without, [] { return tr("Take a view out"); }));
+    document_.push(showView(document_, without, [] { return tr("Remove view"); }));
 }
 
 }   // namespace angiopose::app

@@ -33,7 +33,7 @@ QString kindWords(const core::ImageAnnotation& annotation)
 
 QString frameWordsOf(const core::ImageAnnotation& annotation)
 {
-    return MarkWords::tr("On frame %1 of this view, in every picture of it.").arg(annotation.frame + 1);
+    return MarkWords::tr("On frame %1 of this view, in every exported image of it.").arg(annotation.frame + 1);
 }
 
 bool isFarther(double mm, const std::optional<double>& claimedMm)
@@ -93,7 +93,7 @@ QString freeMarkName(core::VesselMarkKind kind, const std::vector<core::VesselMa
 {
     const bool isRing = kind == core::VesselMarkKind::OstiumRing;
     for (int number = 1;; ++number) {
-        const QString name = (isRing ? MarkWords::tr("Ostium %1") : MarkWords::tr("Check point %1")).arg(number);
+        const QString name = (isRing ? MarkWords::tr("Ostium %1") : MarkWords::tr("Target point %1")).arg(number);
         if (std::ranges::find(marks, name.toStdString(), &core::VesselMark::name) == marks.end()) {
             return name;
         }

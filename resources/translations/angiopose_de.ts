@@ -4,12 +4,12 @@
 <context>
     <name>angiopose::app::AuxiliaryController</name>
     <message>
-        <source>Nothing is chosen: AngioPose takes all branches alike. Chosen ones decide what they can tell, the others hold the rest.</source>
-        <translation>Nichts gewählt: AngioPose nimmt alle Äste gleich. Gewählte entscheiden, was sie sagen können, die anderen halten den Rest.</translation>
+        <source>No auxiliary branches selected: AngioPose weights all branches equally. Auxiliary branches determine the pose components they constrain; the other branches constrain the rest.</source>
+        <translation>Keine Hilfsäste gewählt: AngioPose gewichtet alle Äste gleich. Hilfsäste bestimmen die Lagekomponenten, die sie festlegen; die übrigen Äste bestimmen den Rest.</translation>
     </message>
     <message>
-        <source>%1 AngioPose lets them decide what they can tell, the other branches hold the rest; the result says what the fit of all was. While the fit is in doubt, poses found from these alone are tried, too.</source>
-        <translation>%1 Bei AngioPose entscheiden sie, was sie sagen können, die anderen Äste halten den Rest; das Ergebnis sagt, wie die Anpassung aller war. Solange die Anpassung fraglich ist, werden auch Lagen aus diesen allein versucht.</translation>
+        <source>%1 In AngioPose, they determine the pose components they constrain; the other branches constrain the rest. The result also reports the fit of all branches. If confidence is low, AngioPose also tries poses found from these branches alone.</source>
+        <translation>%1 In AngioPose bestimmen sie die Lagekomponenten, die sie festlegen; die übrigen Äste bestimmen den Rest. Das Ergebnis nennt auch die Anpassung aller Äste. Bei geringer Konfidenz prüft AngioPose auch Lagen, die allein aus diesen Ästen gefunden wurden.</translation>
     </message>
     <message>
         <source>Change method to %1</source>
@@ -28,12 +28,12 @@
         <translation>Rollen</translation>
     </message>
     <message>
-        <source>sideways</source>
-        <translation>seitlich</translation>
+        <source>horizontal</source>
+        <translation>horizontal</translation>
     </message>
     <message>
-        <source>up–down</source>
-        <translation>auf–ab</translation>
+        <source>vertical</source>
+        <translation>vertikal</translation>
     </message>
     <message>
         <source>depth</source>
@@ -41,38 +41,38 @@
     </message>
     <message>
         <source>No branch lies mostly inside the lasso.</source>
-        <translation>Kein Ast liegt großteils im Lasso.</translation>
+        <translation>Kein Ast liegt überwiegend im Lasso.</translation>
     </message>
     <message>
-        <source>This tree knows no generations.</source>
-        <translation>Dieser Gefäßbaum kennt keine Generationen.</translation>
+        <source>This tree has no generation data.</source>
+        <translation>Dieser Gefäßbaum enthält keine Generationen.</translation>
     </message>
     <message>
-        <source>No branch is that wide.</source>
-        <translation>Kein Ast ist so weit.</translation>
+        <source>No branch reaches this radius.</source>
+        <translation>Kein Ast erreicht diesen Radius.</translation>
     </message>
     <message>
-        <source>Nothing is chosen: the alternation takes the %1 nodes of the tree.</source>
-        <translation>Nichts gewählt: der Wechsel nimmt die %1 Knoten des Gefäßbaums.</translation>
+        <source>No auxiliary branches selected: the alternation uses the %1 nodes of the tree.</source>
+        <translation>Keine Hilfsäste gewählt: Die alternierende Lösung verwendet die %1 Knoten des Gefäßbaums.</translation>
     </message>
     <message>
-        <source>Chosen: %1 (%2 mm, %3 % of the tree).</source>
-        <translation>Gewählt: %1 (%2 mm, %3 % des Gefäßbaums).</translation>
+        <source>Auxiliary: %1 (%2 mm, %3 % of the tree).</source>
+        <translation>Hilfsäste: %1 (%2 mm, %3 % des Gefäßbaums).</translation>
     </message>
     <message>
-        <source>%1 The method chosen now does not alternate and takes all branches.</source>
-        <translation>%1 Die gewählte Methode wechselt nicht und nimmt alle Äste.</translation>
+        <source>%1 The current method does not alternate and uses all branches.</source>
+        <translation>%1 Die aktuelle Methode alterniert nicht und verwendet alle Äste.</translation>
     </message>
     <message>
-        <source>%1 The option “Auxiliary points” of the method overrules this.</source>
-        <translation>%1 Die Option „Hilfspunkte“ der Methode geht vor.</translation>
+        <source>%1 The method option “Auxiliary points” takes precedence.</source>
+        <translation>%1 Die Methodenoption „Hilfspunkte“ hat Vorrang.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::BlindTrialController</name>
     <message>
-        <source>A trial needs vessels, an angiogram and a start pose, and no registration running.</source>
-        <translation>Ein Versuch braucht Gefäße, Angiogramm und Startlage, und keine laufende Registrierung.</translation>
+        <source>A blind trial needs vessels, an angiogram and an initial pose, and no registration may be running.</source>
+        <translation>Ein Blindversuch benötigt Gefäße, ein Angiogramm und eine Startlage; es darf keine Registrierung laufen.</translation>
     </message>
     <message>
         <source>Blind trial</source>
@@ -87,8 +87,8 @@
         <translation>Blindversuch, Startwert %1, %2 s, %3 Änderungen</translation>
     </message>
     <message>
-        <source>Keep a blind trial</source>
-        <translation>Blindversuch behalten</translation>
+        <source>Save blind trial</source>
+        <translation>Blindversuch speichern</translation>
     </message>
 </context>
 <context>
@@ -106,8 +106,8 @@
         <translation>Hilfsäste wählen</translation>
     </message>
     <message>
-        <source>At least one branch has to stay.</source>
-        <translation>Mindestens ein Ast muss bleiben.</translation>
+        <source>At least one branch must remain.</source>
+        <translation>Mindestens ein Ast muss übrig bleiben.</translation>
     </message>
     <message>
         <source>Exclude %1</source>
@@ -118,12 +118,12 @@
         <translation>%1 einschließen</translation>
     </message>
     <message>
-        <source>No branch lies wholly in view. Zoom out or move the image.</source>
-        <translation>Kein Ast liegt ganz im Blickfeld. Verkleinern oder Bild verschieben.</translation>
+        <source>No branch lies completely in view. Zoom out or pan the image.</source>
+        <translation>Kein Ast liegt vollständig im Blickfeld. Verkleinern oder verschieben Sie das Bild.</translation>
     </message>
     <message>
-        <source>This tree knows no radii.</source>
-        <translation>Dieser Gefäßbaum kennt keine Radien.</translation>
+        <source>This tree has no radii.</source>
+        <translation>Dieser Gefäßbaum enthält keine Radien.</translation>
     </message>
 </context>
 <context>
@@ -140,12 +140,12 @@
         <translation>Eine Registrierung läuft. Zum Bearbeiten anhalten.</translation>
     </message>
     <message>
-        <source>Vessels cannot be traced</source>
-        <translation>Gefäße lassen sich nicht erfassen</translation>
+        <source>Could not trace the vessels</source>
+        <translation>Gefäße konnten nicht erfasst werden</translation>
     </message>
     <message>
-        <source>Support bundle written: %1</source>
-        <translation>Supportpaket geschrieben: %1</translation>
+        <source>Support bundle saved: %1</source>
+        <translation>Supportpaket gespeichert: %1</translation>
     </message>
     <message>
         <source>Could not save the support bundle</source>
@@ -155,8 +155,8 @@
 <context>
     <name>angiopose::app::CaseReport</name>
     <message>
-        <source>Found</source>
-        <translation>Gefunden</translation>
+        <source>Registered</source>
+        <translation>Registriert</translation>
     </message>
     <message>
         <source>Median distance</source>
@@ -167,32 +167,32 @@
         <translation>%1 mm (%2 px)</translation>
     </message>
     <message>
-        <source>Traced vessels covered</source>
-        <translation>Erkannte Gefäße abgedeckt</translation>
+        <source>Coverage of traced vessels</source>
+        <translation>Abdeckung der erkannten Gefäße</translation>
     </message>
     <message>
         <source>Method</source>
         <translation>Methode</translation>
     </message>
     <message>
-        <source>none: this is the start pose</source>
+        <source>none: this is the initial pose</source>
         <translation>keine: dies ist die Startlage</translation>
     </message>
     <message>
-        <source>Found in</source>
-        <translation>Gefunden in</translation>
+        <source>Registered in</source>
+        <translation>Registriert in</translation>
     </message>
     <message>
-        <source>frame %1; picture and figures are of frame %2</source>
-        <translation>Bild %1; Ansicht und Zahlen sind von Bild %2</translation>
+        <source>frame %1; image and values are from frame %2</source>
+        <translation>Bild %1; Ansicht und Werte stammen aus Bild %2</translation>
     </message>
     <message>
-        <source>pose set by hand</source>
-        <translation>Lage von Hand gesetzt</translation>
+        <source>pose set manually</source>
+        <translation>Lage manuell gesetzt</translation>
     </message>
     <message>
-        <source>edited by hand</source>
-        <translation>von Hand bearbeitet</translation>
+        <source>edited manually</source>
+        <translation>manuell bearbeitet</translation>
     </message>
     <message>
         <source>Result</source>
@@ -203,12 +203,12 @@
         <translation>Median %1 mm · %2 mm lang</translation>
     </message>
     <message>
-        <source>The %1 worst of %2 branches</source>
-        <translation>Die %1 schlechtesten von %2 Ästen</translation>
+        <source>Worst %1 of %2 branches</source>
+        <translation>Die schlechtesten %1 von %2 Ästen</translation>
     </message>
     <message>
-        <source>Branches, the worst first</source>
-        <translation>Äste, der schlechteste zuerst</translation>
+        <source>Branches, worst first</source>
+        <translation>Äste, schlechtester zuerst</translation>
     </message>
     <message>
         <source>Geometry</source>
@@ -235,7 +235,7 @@
         <translation>Programm</translation>
     </message>
     <message>
-        <source>Made</source>
+        <source>Created</source>
         <translation>Erstellt</translation>
     </message>
     <message>
@@ -255,12 +255,12 @@
         <translation>, engste Stelle %1 mm (−%2 %)</translation>
     </message>
     <message>
-        <source>Check points and rings</source>
-        <translation>Prüfpunkte und Ringe</translation>
+        <source>Target points and rings</source>
+        <translation>Zielpunkte und Ringe</translation>
     </message>
     <message>
-        <source>traced from a lumen mask edited by hand</source>
-        <translation>aus einer von Hand bearbeiteten Gefäßmaske erfasst</translation>
+        <source>traced from a manually edited lumen mask</source>
+        <translation>aus einer manuell bearbeiteten Gefäßmaske erfasst</translation>
     </message>
     <message>
         <source>Lumen mask</source>
@@ -271,7 +271,7 @@
         <translation>Scan</translation>
     </message>
     <message>
-        <source>Before: start pose</source>
+        <source>Before: initial pose</source>
         <translation>Vorher: Startlage</translation>
     </message>
     <message>
@@ -279,32 +279,32 @@
         <translation>Nachher: registriert</translation>
     </message>
     <message>
-        <source>After: pose set by hand</source>
-        <translation>Nachher: Lage von Hand gesetzt</translation>
+        <source>After: pose set manually</source>
+        <translation>Nachher: Lage manuell gesetzt</translation>
     </message>
     <message>
-        <source>Colours: distance of the vessels from those traced in the image</source>
-        <translation>Farben: Abstand der Gefäße von den im Bild erkannten</translation>
+        <source>Colors: distance to the vessels traced in the image</source>
+        <translation>Farben: Abstand zu den im Bild erkannten Gefäßen</translation>
     </message>
     <message>
         <source>farther</source>
         <translation>weiter</translation>
     </message>
     <message>
-        <source>Trustworthy</source>
-        <translation>Vertrauenswürdig</translation>
+        <source>Reliable</source>
+        <translation>Verlässlich</translation>
     </message>
     <message>
-        <source>Not trustworthy</source>
-        <translation>Nicht vertrauenswürdig</translation>
+        <source>Not reliable</source>
+        <translation>Nicht verlässlich</translation>
     </message>
     <message>
-        <source>This pose may be wrong. Do not use it as it is.</source>
-        <translation>Diese Lage kann falsch sein. So nicht verwenden.</translation>
+        <source>This pose may be wrong. Do not use it without verification.</source>
+        <translation>Diese Lage kann falsch sein. Verwenden Sie sie nicht ungeprüft.</translation>
     </message>
     <message>
-        <source>No check speaks against this pose. That is no proof: look at the picture.</source>
-        <translation>Keine Prüfung spricht gegen diese Lage. Das ist kein Beweis: das Bild ansehen.</translation>
+        <source>All checks passed. This is not proof: inspect the overlay.</source>
+        <translation>Alle Prüfungen bestanden. Das ist kein Beweis: Prüfen Sie die Überlagerung.</translation>
     </message>
     <message>
         <source>95th percentile</source>
@@ -318,15 +318,15 @@
         <translation>Eine Registrierung läuft</translation>
     </message>
     <message>
-        <source>Stop it and close? Changes of this case are lost unless they are saved.</source>
-        <translation>Anhalten und schließen? Änderungen an diesem Fall gehen ohne Speichern verloren.</translation>
+        <source>Stop it and close? Unsaved changes to this case are lost.</source>
+        <translation>Anhalten und schließen? Ungespeicherte Änderungen an diesem Fall gehen verloren.</translation>
     </message>
     <message>
         <source>Save before closing?</source>
         <translation>Vor dem Schließen speichern?</translation>
     </message>
     <message>
-        <source>“%1” has changes that are not saved.</source>
+        <source>“%1” has unsaved changes.</source>
         <translation>„%1“ hat ungespeicherte Änderungen.</translation>
     </message>
     <message>
@@ -350,15 +350,15 @@
         <translation>Ohne Speichern schließen</translation>
     </message>
     <message>
-        <source>Stay</source>
-        <translation>Bleiben</translation>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>“%1” has no angiogram yet. Its vessels can be saved alone, as centrelines.</source>
-        <translation>„%1“ hat noch kein Angiogramm. Die Gefäße lassen sich allein speichern, als Mittellinien.</translation>
+        <source>“%1” has no angiogram yet. Only its vessels can be saved, as centerlines.</source>
+        <translation>„%1“ hat noch kein Angiogramm. Nur die Gefäße lassen sich speichern, als Mittellinien.</translation>
     </message>
     <message>
-        <source>Save the vessels and close</source>
+        <source>Save vessels and close</source>
         <translation>Gefäße speichern und schließen</translation>
     </message>
     <message>
@@ -366,31 +366,31 @@
         <translation>Ohne Speichern schließen?</translation>
     </message>
     <message>
-        <source>“%1” has no vessels yet, so there is no case to save. What was done here is lost.</source>
-        <translation>„%1“ hat noch keine Gefäße, also gibt es keinen Fall zu speichern. Was hier getan wurde, geht verloren.</translation>
+        <source>“%1” has no vessels yet, so there is no case to save. Work done here will be lost.</source>
+        <translation>„%1“ hat noch keine Gefäße, daher gibt es keinen Fall zu speichern. Die bisherige Arbeit geht verloren.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::CurveController</name>
     <message>
-        <source>At least one curve must stay: there would be nothing to register to.</source>
-        <translation>Mindestens eine Kurve muss bleiben: sonst gäbe es nichts zum Registrieren.</translation>
+        <source>At least one curve must remain; otherwise there is nothing to register to.</source>
+        <translation>Mindestens eine Kurve muss bleiben; sonst gibt es nichts, worauf registriert werden kann.</translation>
     </message>
     <message>
-        <source>Keep a suspect curve</source>
-        <translation>Verdächtige Kurve behalten</translation>
+        <source>Keep suspect curve</source>
+        <translation>Fragliche Kurve behalten</translation>
     </message>
     <message>
-        <source>The edited curves of frame %1 gave way to these. Undo brings them back.</source>
-        <translation>Die bearbeiteten Kurven von Bild %1 sind ersetzt. Rückgängig bringt sie zurück.</translation>
+        <source>The edited curves of frame %1 were replaced. Undo restores them.</source>
+        <translation>Die bearbeiteten Kurven von Bild %1 wurden ersetzt. „Rückgängig“ stellt sie wieder her.</translation>
     </message>
     <message>
         <source>Trace this frame again?</source>
         <translation>Dieses Bild neu erfassen?</translation>
     </message>
     <message>
-        <source>Its edited or given curves are set aside. Undo brings them back.</source>
-        <translation>Bearbeitete oder gegebene Kurven werden beiseitegelegt. Rückgängig bringt sie zurück.</translation>
+        <source>Its edited or imported curves are replaced. Undo restores them.</source>
+        <translation>Bearbeitete oder importierte Kurven werden ersetzt. „Rückgängig“ stellt sie wieder her.</translation>
     </message>
     <message>
         <source>Trace again</source>
@@ -401,50 +401,50 @@
         <translation>Kurven behalten</translation>
     </message>
     <message>
-        <source>Where nothing but a wire is seen, the method “Wire or catheter” takes every curve.</source>
-        <translation>Wo nichts als ein Draht zu sehen ist, nimmt das Verfahren „Draht oder Katheter“ jede Kurve.</translation>
+        <source>If only a wire is visible, use the method “Wire or catheter”, which uses every curve.</source>
+        <translation>Wenn nur ein Draht sichtbar ist, verwenden Sie die Methode „Draht oder Katheter“; sie nutzt jede Kurve.</translation>
     </message>
     <message>
-        <source>Keep a catheter or wire apart</source>
-        <translation>Katheter oder Draht absondern</translation>
+        <source>Mark curve as catheter or wire</source>
+        <translation>Kurve als Katheter oder Draht markieren</translation>
     </message>
     <message>
-        <source>Take a curve for a vessel again</source>
-        <translation>Kurve wieder als Gefäß nehmen</translation>
+        <source>Mark curve as vessel</source>
+        <translation>Kurve als Gefäß markieren</translation>
     </message>
     <message>
-        <source>Follow the catheter or wire</source>
-        <translation>Katheter oder Draht verfolgen</translation>
+        <source>Register by catheter or wire</source>
+        <translation>Anhand von Katheter oder Draht registrieren</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::ExportController</name>
     <message>
-        <source>Points for 3D Slicer (*.fcsv *.mrk.json)</source>
-        <translation>Punkte für 3D Slicer (*.fcsv *.mrk.json)</translation>
+        <source>3D Slicer points (*.fcsv *.mrk.json)</source>
+        <translation>3D-Slicer-Punkte (*.fcsv *.mrk.json)</translation>
     </message>
     <message>
-        <source>Poses with their camera (*.txt *.yml *.xml)</source>
-        <translation>Lagen mit ihrer Kamera (*.txt *.yml *.xml)</translation>
+        <source>Poses with camera (*.txt *.yml *.xml)</source>
+        <translation>Lagen mit Kamera (*.txt *.yml *.xml)</translation>
     </message>
     <message>
-        <source>Drawings (*.svg)</source>
-        <translation>Zeichnungen (*.svg)</translation>
+        <source>Vector graphics (*.svg)</source>
+        <translation>Vektorgrafiken (*.svg)</translation>
     </message>
     <message>
-        <source>PDF pages (*.pdf)</source>
-        <translation>PDF-Seiten (*.pdf)</translation>
+        <source>PDF documents (*.pdf)</source>
+        <translation>PDF-Dokumente (*.pdf)</translation>
     </message>
     <message>
         <source>There is nothing to export yet. Open a vessel tree and an angiogram first.</source>
-        <translation>Noch nichts zu exportieren. Zuerst Gefäßbaum und Angiogramm öffnen.</translation>
+        <translation>Es gibt noch nichts zu exportieren. Öffnen Sie zuerst einen Gefäßbaum und ein Angiogramm.</translation>
     </message>
     <message>
         <source>Export overlay</source>
         <translation>Überlagerung exportieren</translation>
     </message>
     <message>
-        <source>PNG pictures (*.png)</source>
+        <source>PNG images (*.png)</source>
         <translation>PNG-Bilder (*.png)</translation>
     </message>
     <message>
@@ -472,39 +472,39 @@
         <translation>In diesem Bild sind noch keine Gefäße erkannt.</translation>
     </message>
     <message>
-        <source>How each point moved (*.csv)</source>
-        <translation>Bewegung jedes Punkts (*.csv)</translation>
+        <source>Displacement of each point (*.csv)</source>
+        <translation>Verschiebung jedes Punkts (*.csv)</translation>
     </message>
     <message>
-        <source>Bent centrelines (*.vtp)</source>
-        <translation>Gebogene Mittellinien (*.vtp)</translation>
+        <source>Deformed centerlines (*.vtp)</source>
+        <translation>Verformte Mittellinien (*.vtp)</translation>
     </message>
     <message>
-        <source>Export bent vessels</source>
-        <translation>Gebogene Gefäße exportieren</translation>
+        <source>Export deformed vessels</source>
+        <translation>Verformte Gefäße exportieren</translation>
     </message>
     <message>
-        <source>No bent vessels are known of this pose. Register first (R).</source>
-        <translation>Zu dieser Lage sind keine gebogenen Gefäße bekannt. Zuerst registrieren (R).</translation>
+        <source>There are no deformed vessels for this pose. Register first (R).</source>
+        <translation>Zu dieser Lage gibt es keine verformten Gefäße. Registrieren Sie zuerst (R).</translation>
     </message>
     <message>
         <source>Export traced vessels</source>
         <translation>Erkannte Gefäße exportieren</translation>
     </message>
     <message>
-        <source>2-D centrelines (*.csv)</source>
+        <source>2-D centerlines (*.csv)</source>
         <translation>2-D-Mittellinien (*.csv)</translation>
     </message>
     <message>
-        <source>There are no vessels yet. Open a centreline, or trace a scan.</source>
-        <translation>Noch keine Gefäße. Eine Mittellinie öffnen oder einen Scan nachzeichnen.</translation>
+        <source>There are no vessels yet. Open a centerline, or trace a scan.</source>
+        <translation>Es gibt noch keine Gefäße. Öffnen Sie eine Mittellinie oder erfassen Sie die Gefäße eines Scans.</translation>
     </message>
     <message>
         <source>Export vessel tree</source>
         <translation>Gefäßbaum exportieren</translation>
     </message>
     <message>
-        <source>Centrelines (*.vtp *.csv *.swc *.mrk.json)</source>
+        <source>Centerlines (*.vtp *.csv *.swc *.mrk.json)</source>
         <translation>Mittellinien (*.vtp *.csv *.swc *.mrk.json)</translation>
     </message>
     <message>
@@ -516,12 +516,12 @@
         <translation>Tabellen (*.csv)</translation>
     </message>
     <message>
-        <source>No check points or rings have been set yet.</source>
-        <translation>Es sind noch keine Prüfpunkte oder Ringe gesetzt.</translation>
+        <source>No target points or rings have been set yet.</source>
+        <translation>Es sind noch keine Zielpunkte oder Ringe gesetzt.</translation>
     </message>
     <message>
-        <source>Export check points</source>
-        <translation>Prüfpunkte exportieren</translation>
+        <source>Export target points</source>
+        <translation>Zielpunkte exportieren</translation>
     </message>
     <message>
         <source>Nothing has been measured yet.</source>
@@ -539,7 +539,7 @@
 <context>
     <name>angiopose::app::FollowController</name>
     <message>
-        <source>Following the vessels through the run: %1 %</source>
+        <source>Tracking the vessels through the run: %1 %</source>
         <translation>Gefäße werden durch die Serie verfolgt: %1 %</translation>
     </message>
     <message>
@@ -547,47 +547,47 @@
         <translation>Bereit</translation>
     </message>
     <message>
-        <source>The vessels cannot be followed</source>
-        <translation>Die Gefäße können nicht verfolgt werden</translation>
+        <source>Could not track the vessels</source>
+        <translation>Gefäße konnten nicht verfolgt werden</translation>
     </message>
     <message>
-        <source>Something else is under way. Let it end first.</source>
-        <translation>Etwas anderes läuft gerade. Warten Sie, bis es endet.</translation>
+        <source>Another task is running. Wait for it to finish.</source>
+        <translation>Eine andere Aufgabe läuft. Warten Sie, bis sie beendet ist.</translation>
     </message>
     <message>
         <source>Open vessels and an angiogram first.</source>
         <translation>Öffnen Sie zuerst Gefäße und ein Angiogramm.</translation>
     </message>
     <message>
-        <source>Following the vessels through the run …</source>
+        <source>Tracking the vessels through the run…</source>
         <translation>Gefäße werden durch die Serie verfolgt …</translation>
     </message>
     <message>
-        <source>Follow the vessels through the run</source>
+        <source>Track vessels through the run</source>
         <translation>Gefäße durch die Serie verfolgen</translation>
     </message>
     <message>
-        <source>The vessels were moved meanwhile: follow them again.</source>
-        <translation>Die Gefäße wurden inzwischen bewegt: verfolgen Sie sie erneut.</translation>
+        <source>The vessels were moved in the meantime. Track them again.</source>
+        <translation>Die Gefäße wurden inzwischen bewegt. Verfolgen Sie sie erneut.</translation>
     </message>
     <message>
-        <source>breath every %1 s, %2 mm to and fro</source>
-        <translation>Atmung alle %1 s, %2 mm hin und her</translation>
+        <source>breathing: period %1 s, %2 mm peak to peak</source>
+        <translation>Atmung: Periode %1 s, %2 mm Spitze–Spitze</translation>
     </message>
     <message>
-        <source>heartbeat every %1 s, %2 mm to and fro</source>
-        <translation>Herzschlag alle %1 s, %2 mm hin und her</translation>
+        <source>heartbeat: period %1 s, %2 mm peak to peak</source>
+        <translation>Herzschlag: Periode %1 s, %2 mm Spitze–Spitze</translation>
     </message>
     <message>
-        <source>Followed through %1 frames: scroll or play them</source>
+        <source>Tracked through %1 frames: scroll or play them</source>
         <translation>Durch %1 Bilder verfolgt: blättern oder abspielen</translation>
     </message>
     <message>
-        <source>Followed through %1 frames; %2 of them do not show the vessels well enough</source>
-        <translation>Durch %1 Bilder verfolgt; %2 davon zeigen die Gefäße nicht gut genug</translation>
+        <source>Tracked through %1 frames; %2 of them do not show the vessels well enough</source>
+        <translation>Durch %1 Bilder verfolgt; %2 davon zeigen die Gefäße nicht deutlich genug</translation>
     </message>
     <message>
-        <source>Export followed poses</source>
+        <source>Export tracked poses</source>
         <translation>Verfolgte Lagen exportieren</translation>
     </message>
     <message>
@@ -617,12 +617,12 @@
         <translation>AngioPose %1</translation>
     </message>
     <message>
-        <source>Finds where a 3-D vessel tree lies in a 2-D angiogram, without correspondences.
+        <source>Registers a 3-D vessel tree to a 2-D angiogram without correspondences.
 
 Not for clinical use: AngioPose is a research program, not a medical device.
 
 Apache License 2.0. Built on Qt, VTK, ITK, OpenCV, NLopt, Eigen and nanoflann.</source>
-        <translation>Findet, wo ein 3-D-Gefäßbaum in einem 2-D-Angiogramm liegt, ohne Korrespondenzen.
+        <translation>Registriert einen 3-D-Gefäßbaum auf ein 2-D-Angiogramm, ohne Korrespondenzen.
 
 Nicht für den klinischen Einsatz: AngioPose ist ein Forschungsprogramm, kein Medizinprodukt.
 
@@ -637,64 +637,64 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Hier beginnen</translation>
     </message>
     <message>
-        <source>Drop a case, or vessels and an angiogram, anywhere. “Open the sample case” works without own data.</source>
-        <translation>Einen Fall, oder Gefäße und ein Angiogramm, irgendwo ablegen. „Beispielfall öffnen“ geht ohne eigene Daten.</translation>
+        <source>Drop a case, or vessels and an angiogram, anywhere in the window. “Open the sample case” needs no data of your own.</source>
+        <translation>Legen Sie einen Fall oder Gefäße und ein Angiogramm irgendwo im Fenster ab. „Beispielfall öffnen“ benötigt keine eigenen Daten.</translation>
     </message>
     <message>
-        <source>The way to a result</source>
-        <translation>Der Weg zum Ergebnis</translation>
+        <source>Steps to a result</source>
+        <translation>Schritte zum Ergebnis</translation>
     </message>
     <message>
-        <source>Each step has a tick, or says in its tool tip what is missing. Click any of them, in any order.</source>
-        <translation>Jeder Schritt hat einen Haken oder sagt im Tooltip, was fehlt. In beliebiger Reihenfolge anklicken.</translation>
+        <source>Each step shows a check mark, or its tooltip names what is missing. Click the steps in any order.</source>
+        <translation>Jeder Schritt zeigt ein Häkchen, oder sein Tooltip nennt, was fehlt. Klicken Sie die Schritte in beliebiger Reihenfolge an.</translation>
     </message>
     <message>
         <source>The vessel tree</source>
         <translation>Der Gefäßbaum</translation>
     </message>
     <message>
-        <source>Its branches with length and distance to the image. A takes a branch into the auxiliary set, X leaves it out.</source>
-        <translation>Seine Äste mit Länge und Abstand zum Bild. A nimmt einen Ast in die Hilfsmenge, X lässt ihn weg.</translation>
+        <source>Its branches with their length and distance to the image. A adds a branch to the auxiliary subset, X excludes it.</source>
+        <translation>Seine Äste mit Länge und Abstand zum Bild. A nimmt einen Ast in die Hilfsäste auf, X schließt ihn aus.</translation>
     </message>
     <message>
         <source>The angiogram</source>
         <translation>Das Angiogramm</translation>
     </message>
     <message>
-        <source>The projected tree lies over it, coloured by distance. Wheel: frames. N: move the tree with arrows or mouse. H: hide it.</source>
-        <translation>Der projizierte Gefäßbaum liegt darüber, nach Abstand gefärbt. Rad: Bilder. N: mit Pfeilen oder Maus schieben. H: verbergen.</translation>
+        <source>The projected tree overlays it, colored by distance. Wheel: scroll frames. N: move the tree with arrows or mouse. H: hide it.</source>
+        <translation>Der projizierte Gefäßbaum überlagert es, nach Abstand gefärbt. Rad: Bilder blättern. N: Gefäßbaum mit Pfeiltasten oder Maus verschieben. H: verbergen.</translation>
     </message>
     <message>
         <source>Register</source>
         <translation>Registrieren</translation>
     </message>
     <message>
-        <source>R finds the pose. Stop keeps the best one so far, Ctrl+Z brings the old one back.</source>
-        <translation>R findet die Lage. Stopp behält die bisher beste, Strg+Z bringt die alte zurück.</translation>
+        <source>R finds the pose. Stop keeps the best pose so far; Ctrl+Z restores the previous one.</source>
+        <translation>R findet die Lage. Anhalten behält die bisher beste Lage; Strg+Z stellt die vorherige wieder her.</translation>
     </message>
     <message>
-        <source>Can it be trusted?</source>
-        <translation>Ist darauf Verlass?</translation>
+        <source>Is the result reliable?</source>
+        <translation>Ist das Ergebnis verlässlich?</translation>
     </message>
     <message>
-        <source>Numbers in mm, and sentences on what the image cannot tell. Shift+F1 shows good and bad fits.</source>
-        <translation>Zahlen in mm und Sätze darüber, was das Bild nicht verrät. Umschalt+F1 zeigt gute und schlechte Einpassungen.</translation>
+        <source>Distances in mm, and notes on what the image cannot determine. Shift+F1 shows good and bad fits.</source>
+        <translation>Abstände in mm und Hinweise darauf, was das Bild nicht bestimmen kann. Umschalt+F1 zeigt gute und schlechte Registrierungen.</translation>
     </message>
     <message>
-        <source>Help is never far</source>
-        <translation>Hilfe ist nah</translation>
+        <source>Getting help</source>
+        <translation>Hilfe finden</translation>
     </message>
     <message>
-        <source>F1 explains what the mouse points at, ? lists and changes all keys. This tour is under Help.</source>
-        <translation>F1 erklärt, worauf die Maus zeigt, ? zeigt und ändert alle Tasten. Dieser Rundgang steht unter Hilfe.</translation>
+        <source>F1 explains the item under the mouse pointer, ? lists and edits all shortcuts. This tour is in the Help menu.</source>
+        <translation>F1 erklärt das Element unter dem Mauszeiger, ? zeigt und ändert alle Tastenkürzel. Dieser Rundgang steht im Menü „Hilfe“.</translation>
     </message>
     <message>
-        <source>The angiogram is drawn by VTK (OpenGL).</source>
-        <translation>Das Angiogramm zeichnet VTK (OpenGL).</translation>
+        <source>The angiogram is rendered by VTK (OpenGL).</source>
+        <translation>Das Angiogramm wird von VTK (OpenGL) gerendert.</translation>
     </message>
     <message>
-        <source>The angiogram is drawn by the processor.</source>
-        <translation>Das Angiogramm zeichnet der Prozessor.</translation>
+        <source>The angiogram is rendered by the CPU.</source>
+        <translation>Das Angiogramm wird von der CPU gerendert.</translation>
     </message>
 </context>
 <context>
@@ -726,12 +726,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::PatientController</name>
     <message>
-        <source>Not the same patient in all inputs</source>
-        <translation>Nicht in allen Eingaben derselbe Patient</translation>
+        <source>The inputs belong to different patients</source>
+        <translation>Die Eingaben gehören zu verschiedenen Patienten</translation>
     </message>
     <message>
-        <source>The inputs do not belong together</source>
-        <translation>Die Eingaben gehören nicht zusammen</translation>
+        <source>The inputs do not match</source>
+        <translation>Die Eingaben passen nicht zusammen</translation>
     </message>
     <message>
         <source>Identity hidden (Shift+P shows it)</source>
@@ -773,7 +773,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Fälle (*.angiopose)</translation>
     </message>
     <message>
-        <source>Centrelines (*.vtp *.vtk *.csv *.swc *.json)</source>
+        <source>Centerlines (*.vtp *.vtk *.csv *.swc *.json)</source>
         <translation>Mittellinien (*.vtp *.vtk *.csv *.swc *.json)</translation>
     </message>
     <message>
@@ -792,7 +792,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::JudgementController</name>
     <message>
-        <source>nothing to judge yet</source>
+        <source>nothing to assess yet</source>
         <translation>noch nichts zu beurteilen</translation>
     </message>
 </context>
@@ -811,16 +811,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>auf %1</translation>
     </message>
     <message>
-        <source>place beside the vessels</source>
-        <translation>Stelle neben den Gefäßen</translation>
+        <source>point off the vessels</source>
+        <translation>Punkt neben den Gefäßen</translation>
     </message>
     <message>
-        <source>Fewer than four pairs: what they leave open stays as it is.</source>
-        <translation>Weniger als vier Paare: was sie offenlassen, bleibt wie es ist.</translation>
+        <source>Fewer than four pairs: pose components that the pairs do not determine remain unchanged.</source>
+        <translation>Weniger als vier Paare: Lagekomponenten, die sie nicht bestimmen, bleiben unverändert.</translation>
     </message>
     <message>
-        <source>The pairs leave %1 px; for clicks off by 2 px: rotation ±%2°, depth ±%3 mm.</source>
-        <translation>Die Paare lassen %1 px; bei Klicks 2 px daneben: Drehung ±%2°, Tiefe ±%3 mm.</translation>
+        <source>Residual of the pairs: %1 px. For click errors of 2 px: rotation ±%2°, depth ±%3 mm.</source>
+        <translation>Residuum der Paare: %1 px. Bei Klickfehlern von 2 px: Drehung ±%2°, Tiefe ±%3 mm.</translation>
     </message>
     <message>
         <source>Move landmark %1</source>
@@ -828,7 +828,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Open the vessels first.</source>
-        <translation>Zuerst die Gefäße öffnen.</translation>
+        <translation>Öffnen Sie zuerst die Gefäße.</translation>
     </message>
     <message>
         <source>Add landmark</source>
@@ -839,29 +839,29 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Landmarke entfernen</translation>
     </message>
     <message>
-        <source>Place vessels by landmarks</source>
-        <translation>Gefäße nach Landmarken legen</translation>
+        <source>Register from landmarks</source>
+        <translation>Nach Landmarken registrieren</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::LinkedCrosshair</name>
     <message>
-        <source>The cross-hair links views that stand side by side (%1).</source>
-        <translation>Das Fadenkreuz verbindet Ansichten, die nebeneinander stehen (%1).</translation>
+        <source>The crosshair links side-by-side views (%1).</source>
+        <translation>Das Fadenkreuz verknüpft nebeneinander gezeigte Ansichten (%1).</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::LookController</name>
     <message>
-        <source>Near vessels bright, far ones dim</source>
-        <translation>Nahe Gefäße hell, ferne dunkel</translation>
+        <source>Depth cueing</source>
+        <translation>Tiefenabstufung</translation>
     </message>
     <message>
-        <source>Depth cue off</source>
-        <translation>Tiefenhinweis aus</translation>
+        <source>Depth cueing off</source>
+        <translation>Tiefenabstufung aus</translation>
     </message>
     <message>
-        <source>Vessels as centrelines</source>
+        <source>Vessels as centerlines</source>
         <translation>Gefäße als Mittellinien</translation>
     </message>
     <message>
@@ -873,12 +873,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gefäße als Röhren</translation>
     </message>
     <message>
-        <source>Swipe: the overlay ends at the mouse</source>
-        <translation>Wischen: die Überlagerung endet an der Maus</translation>
+        <source>Swipe: the overlay ends at the mouse pointer</source>
+        <translation>Wischen: Die Überlagerung endet am Mauszeiger</translation>
     </message>
     <message>
-        <source>Lens: the bare angiogram under the mouse</source>
-        <translation>Lupe: unter der Maus das Angiogramm allein</translation>
+        <source>Lens: only the angiogram under the mouse pointer</source>
+        <translation>Lupe: unter dem Mauszeiger nur das Angiogramm</translation>
     </message>
     <message>
         <source>Swipe and lens off</source>
@@ -890,27 +890,27 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>No residuals yet</source>
-        <translation>Noch keine Abweichungen</translation>
+        <translation>Noch keine Residuen</translation>
     </message>
     <message>
-        <source>Worst %1 of %2: %3 mm median · W next · 1 fits</source>
+        <source>Worst %1 of %2: median %3 mm · W next · 1 fit view</source>
         <translation>Schlechtester %1 von %2: Median %3 mm · W weiter · 1 einpassen</translation>
     </message>
     <message>
-        <source>Seen from the source: only the view is mirrored</source>
-        <translation>Vom Fokus gesehen: nur die Ansicht ist gespiegelt</translation>
+        <source>View from the source: only the display is mirrored</source>
+        <translation>Ansicht von der Quelle: nur die Darstellung ist gespiegelt</translation>
     </message>
     <message>
-        <source>Seen from the detector</source>
-        <translation>Vom Detektor gesehen</translation>
+        <source>View from the detector</source>
+        <translation>Ansicht vom Detektor</translation>
     </message>
     <message>
-        <source>Vessels as a radiograph of the scan (DRR)</source>
-        <translation>Gefäße als Röntgenbild des Scans (DRR)</translation>
+        <source>Vessels as DRR of the scan</source>
+        <translation>Gefäße als DRR des Scans</translation>
     </message>
     <message>
-        <source>Vessels as a radiograph of tubes (DRR)</source>
-        <translation>Gefäße als Röntgenbild aus Röhren (DRR)</translation>
+        <source>Vessels as DRR of tubes</source>
+        <translation>Gefäße als DRR aus Röhren</translation>
     </message>
 </context>
 <context>
@@ -928,145 +928,145 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <name>angiopose::app::OpacificationController</name>
     <message>
         <source>Opacification over time</source>
-        <translation>Kontrastfüllung über die Zeit</translation>
+        <translation>Kontrastierung im Zeitverlauf</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::OpenController</name>
     <message>
-        <source>The pose is of an image of %1 × %2 px, the angiogram has %3 × %4. Open the pose of this image.</source>
-        <translation>Die Lage gehört zu einem Bild von %1 × %2 px, das Angiogramm hat %3 × %4. Die Lage dieses Bildes öffnen.</translation>
+        <source>The pose belongs to an image of %1 × %2 px, but the angiogram has %3 × %4. Open the pose that belongs to this image.</source>
+        <translation>Die Lage gehört zu einem Bild von %1 × %2 px, das Angiogramm hat jedoch %3 × %4. Öffnen Sie die Lage, die zu diesem Bild gehört.</translation>
     </message>
     <message>
-        <source>The camera of the pose is mirrored against the angiogram: one is seen from the detector, the other from the source. Mirror the image, or say so in the geometry.</source>
-        <translation>Die Kamera der Lage ist gegen das Angiogramm gespiegelt: eines ist vom Detektor, das andere von der Quelle aus gesehen. Das Bild spiegeln, oder es in der Geometrie angeben.</translation>
+        <source>The camera of the pose is mirrored relative to the angiogram: one is viewed from the detector, the other from the source. Mirror the image, or set this in the geometry.</source>
+        <translation>Die Kamera der Lage ist gegenüber dem Angiogramm gespiegelt: Eines ist vom Detektor, das andere von der Quelle aus gesehen. Spiegeln Sie das Bild, oder geben Sie es in der Geometrie an.</translation>
     </message>
     <message>
-        <source>The pose was found with other vessels than these.</source>
-        <translation>Die Lage wurde mit anderen Gefäßen gefunden als diesen.</translation>
+        <source>The pose was registered with different vessels.</source>
+        <translation>Die Lage wurde mit anderen Gefäßen registriert.</translation>
     </message>
     <message>
-        <source>The pose was found in another angiogram than this.</source>
-        <translation>Die Lage wurde in einem anderen Angiogramm gefunden als diesem.</translation>
+        <source>The pose was registered in a different angiogram.</source>
+        <translation>Die Lage wurde in einem anderen Angiogramm registriert.</translation>
     </message>
     <message>
         <source>A pose belongs to a case. Open vessels and an angiogram first, then the pose.</source>
-        <translation>Eine Lage gehört zu einem Fall. Erst Gefäße und ein Angiogramm öffnen, dann die Lage.</translation>
+        <translation>Eine Lage gehört zu einem Fall. Öffnen Sie zuerst Gefäße und ein Angiogramm, dann die Lage.</translation>
     </message>
     <message>
-        <source>At this pose the vessels lie behind the X-ray source. It may be of another patient, or lead from camera to patient: then invert it.</source>
-        <translation>In dieser Lage liegen die Gefäße hinter der Röntgenquelle. Sie ist vielleicht von einem anderen Patienten oder führt von der Kamera zum Patienten: dann umkehren.</translation>
+        <source>At this pose, the vessels lie behind the X-ray source. The pose may belong to another patient, or map camera to patient: in that case, invert it.</source>
+        <translation>In dieser Lage liegen die Gefäße hinter der Röntgenquelle. Die Lage gehört vielleicht zu einem anderen Patienten, oder sie bildet von der Kamera auf den Patienten ab: Dann kehren Sie sie um.</translation>
     </message>
     <message>
-        <source>The camera of the pose counts now. The geometry panel takes it back.</source>
-        <translation>Die Kamera der Lage gilt jetzt. Das Geometriefeld nimmt sie zurück.</translation>
+        <source>The camera of the pose is now in use. To revert, use the geometry panel.</source>
+        <translation>Die Kamera der Lage wird jetzt verwendet. Im Geometriefeld lässt sich das zurücknehmen.</translation>
     </message>
     <message>
         <source>Open pose %1</source>
         <translation>Lage %1 öffnen</translation>
     </message>
     <message>
-        <source>Points belong to vessels. Open those first, then the points.</source>
-        <translation>Punkte gehören zu Gefäßen. Erst diese öffnen, dann die Punkte.</translation>
+        <source>Points belong to vessels. Open the vessels first, then the points.</source>
+        <translation>Punkte gehören zu Gefäßen. Öffnen Sie zuerst die Gefäße, dann die Punkte.</translation>
     </message>
     <message>
-        <source>Check points added: %1.</source>
-        <translation>Prüfpunkte hinzugefügt: %1.</translation>
+        <source>Target points added: %1.</source>
+        <translation>Zielpunkte hinzugefügt: %1.</translation>
     </message>
     <message>
-        <source>None of them lies near the vessels. They may be of another patient, or in other coordinates.</source>
-        <translation>Keiner liegt nahe den Gefäßen. Vielleicht sind sie von einem anderen Patienten oder in anderen Koordinaten.</translation>
+        <source>None of them lies near the vessels. They may belong to another patient or use other coordinates.</source>
+        <translation>Keiner liegt nahe den Gefäßen. Sie gehören vielleicht zu einem anderen Patienten oder verwenden andere Koordinaten.</translation>
     </message>
     <message>
         <source>Open points %1</source>
         <translation>Punkte %1 öffnen</translation>
     </message>
     <message>
-        <source>Pose of %1 taken.</source>
+        <source>Pose from %1 applied.</source>
         <translation>Lage aus %1 übernommen.</translation>
     </message>
     <message>
         <source>A registration is running. Stop it before opening another file.</source>
-        <translation>Eine Registrierung läuft. Vor dem Öffnen einer anderen Datei anhalten.</translation>
+        <translation>Eine Registrierung läuft. Halten Sie sie an, bevor Sie eine andere Datei öffnen.</translation>
     </message>
     <message>
-        <source>Reading %1 …</source>
+        <source>Reading %1…</source>
         <translation>%1 wird gelesen …</translation>
     </message>
     <message>
-        <source>A registration was started meanwhile. Open the file again when it has ended.</source>
-        <translation>Inzwischen wurde eine Registrierung gestartet. Die Datei nach deren Ende erneut öffnen.</translation>
+        <source>A registration was started in the meantime. Open the file again after it has finished.</source>
+        <translation>Inzwischen wurde eine Registrierung gestartet. Öffnen Sie die Datei nach deren Ende erneut.</translation>
     </message>
     <message>
         <source>Open %1</source>
         <translation>%1 öffnen</translation>
     </message>
     <message>
-        <source>A blind trial is under way. End it before opening another file.</source>
-        <translation>Ein Blindversuch läuft. Vor dem Öffnen einer anderen Datei beenden.</translation>
+        <source>A blind trial is in progress. End it before opening another file.</source>
+        <translation>Ein Blindversuch läuft. Beenden Sie ihn, bevor Sie eine andere Datei öffnen.</translation>
     </message>
     <message>
-        <source>A blind trial was started meanwhile. Open the file again when it has ended.</source>
-        <translation>Inzwischen begann ein Blindversuch. Die Datei nach dessen Ende erneut öffnen.</translation>
+        <source>A blind trial was started in the meantime. Open the file again after it has finished.</source>
+        <translation>Inzwischen wurde ein Blindversuch gestartet. Öffnen Sie die Datei nach dessen Ende erneut.</translation>
     </message>
     <message>
         <source>Add view %1</source>
         <translation>Ansicht %1 hinzufügen</translation>
     </message>
     <message>
-        <source>View added: a click in the strip above the image shows it.</source>
-        <translation>Ansicht hinzugefügt: ein Klick in der Leiste über dem Bild zeigt sie.</translation>
+        <source>View added: click it in the strip above the image to show it.</source>
+        <translation>Ansicht hinzugefügt: Klicken Sie sie in der Leiste über dem Bild an, um sie zu zeigen.</translation>
     </message>
     <message>
-        <source>Further runs become views once there are vessels. Open them again then.</source>
-        <translation>Weitere Läufe werden zu Ansichten, sobald es Gefäße gibt. Dann bitte noch einmal öffnen.</translation>
+        <source>Additional runs can become views once there are vessels. Open them again then.</source>
+        <translation>Weitere Serien können zu Ansichten werden, sobald es Gefäße gibt. Öffnen Sie sie dann erneut.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::OpenDialogs</name>
     <message>
-        <source>Whose camera counts?</source>
-        <translation>Wessen Kamera gilt?</translation>
+        <source>Which camera should be used?</source>
+        <translation>Welche Kamera soll verwendet werden?</translation>
     </message>
     <message>
-        <source>“%1” brings a camera that is not the one of the case. A pose shows the vessels in their place by its own camera only.</source>
-        <translation>„%1“ bringt eine andere Kamera als die des Falls mit. Nur mit ihrer eigenen Kamera zeigt eine Lage die Gefäße an ihrem Ort.</translation>
+        <source>“%1” contains a camera that differs from the camera of the case. A pose shows the vessels in the right place only with its own camera.</source>
+        <translation>„%1“ enthält eine andere Kamera als der Fall. Eine Lage zeigt die Gefäße nur mit ihrer eigenen Kamera an der richtigen Stelle.</translation>
     </message>
     <message>
-        <source>Take pose and camera</source>
-        <translation>Lage und Kamera übernehmen</translation>
+        <source>Use pose and camera</source>
+        <translation>Lage und Kamera verwenden</translation>
     </message>
     <message>
-        <source>Take the pose alone</source>
-        <translation>Nur die Lage übernehmen</translation>
+        <source>Use pose only</source>
+        <translation>Nur die Lage verwenden</translation>
     </message>
     <message>
-        <source>Not the same patient?</source>
-        <translation>Nicht derselbe Patient?</translation>
+        <source>Different patient?</source>
+        <translation>Anderer Patient?</translation>
     </message>
     <message>
-        <source>If “%1” is opened all the same, every picture and report of the case will say so, and no registration of its images is trusted. Open it as the same patient where pseudonyms differ.</source>
-        <translation>Wird „%1“ dennoch geöffnet, steht es auf jedem Bild und Bericht des Falls, und keine Registrierung seiner Bilder gilt als verlässlich. Unterscheiden sich nur Pseudonyme, öffnen Sie es als denselben Patienten.</translation>
+        <source>If you open “%1” anyway, every image and report of the case states this, and no registration of its images counts as reliable. Open it as the same patient if only the pseudonyms differ.</source>
+        <translation>Wenn Sie „%1“ trotzdem öffnen, weist jedes Bild und jeder Bericht des Falls darauf hin, und keine Registrierung seiner Bilder gilt als verlässlich. Unterscheiden sich nur Pseudonyme, öffnen Sie es als denselben Patienten.</translation>
     </message>
     <message>
-        <source>Do not open it</source>
+        <source>Do not open</source>
         <translation>Nicht öffnen</translation>
     </message>
     <message>
-        <source>Open it all the same</source>
-        <translation>Dennoch öffnen</translation>
+        <source>Open anyway</source>
+        <translation>Trotzdem öffnen</translation>
     </message>
     <message>
-        <source>It is the same patient</source>
-        <translation>Es ist derselbe Patient</translation>
+        <source>Open as same patient</source>
+        <translation>Als denselben Patienten öffnen</translation>
     </message>
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Open folder or disc</source>
-        <translation>Ordner oder CD öffnen</translation>
+        <source>Open DICOM folder/CD</source>
+        <translation>DICOM-Ordner/CD öffnen</translation>
     </message>
     <message>
         <source>Add a view</source>
@@ -1077,8 +1077,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Eine weitere Ansicht derselben Gefäße?</translation>
     </message>
     <message>
-        <source>The case has an angiogram. “%1” can stand beside it, to register both together, or take its place.</source>
-        <translation>Der Fall hat ein Angiogramm. „%1“ kann daneben stehen, um beide zusammen zu registrieren, oder es ersetzen.</translation>
+        <source>The case already has an angiogram. Add “%1” as a second view for joint registration, or replace the current angiogram?</source>
+        <translation>Der Fall hat bereits ein Angiogramm. „%1“ als zweite Ansicht zur gemeinsamen Registrierung hinzufügen oder das aktuelle Angiogramm ersetzen?</translation>
     </message>
     <message>
         <source>Add as a view</source>
@@ -1093,23 +1093,23 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>A scan beside the vessels?</source>
-        <translation>Ein Scan neben den Gefäßen?</translation>
+        <source>Show the scan with the current vessels?</source>
+        <translation>Scan mit den aktuellen Gefäßen zeigen?</translation>
     </message>
     <message>
-        <source>The case has its vessels from a file. “%1” can be shown in slices with them, or its own vessels are traced and take their place.</source>
-        <translation>Der Fall hat seine Gefäße aus einer Datei. „%1“ kann mit ihnen in Schichten gezeigt werden, oder seine eigenen Gefäße werden verfolgt und ersetzen sie.</translation>
+        <source>The vessels of the case come from a file. Show “%1” in slices with these vessels, or trace its vessels and replace the current ones?</source>
+        <translation>Die Gefäße des Falls stammen aus einer Datei. „%1“ in Schichten mit diesen Gefäßen zeigen oder seine Gefäße erfassen und die aktuellen ersetzen?</translation>
     </message>
     <message>
-        <source>Show beside the vessels</source>
-        <translation>Neben den Gefäßen zeigen</translation>
+        <source>Show with the vessels</source>
+        <translation>Mit den Gefäßen zeigen</translation>
     </message>
     <message>
         <source>Trace its vessels</source>
-        <translation>Seine Gefäße verfolgen</translation>
+        <translation>Gefäße daraus erfassen</translation>
     </message>
     <message>
-        <source>Making the sample case …</source>
+        <source>Creating the sample case…</source>
         <translation>Beispielfall wird erzeugt …</translation>
     </message>
     <message>
@@ -1117,15 +1117,15 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Bereit</translation>
     </message>
     <message>
-        <source>Could not make the sample case</source>
-        <translation>Der Beispielfall ließ sich nicht erzeugen</translation>
+        <source>Could not create the sample case</source>
+        <translation>Der Beispielfall konnte nicht erzeugt werden</translation>
     </message>
     <message>
         <source>Save the open case first?</source>
         <translation>Den offenen Fall zuerst speichern?</translation>
     </message>
     <message>
-        <source>“%1” has changes that are not saved.</source>
+        <source>“%1” has unsaved changes.</source>
         <translation>„%1“ hat ungespeicherte Änderungen.</translation>
     </message>
     <message>
@@ -1137,8 +1137,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Änderungen verwerfen</translation>
     </message>
     <message>
-        <source>Keep the open case</source>
-        <translation>Beim offenen Fall bleiben</translation>
+        <source>Keep current case</source>
+        <translation>Beim aktuellen Fall bleiben</translation>
     </message>
     <message>
         <source>%1 mm across</source>
@@ -1149,99 +1149,99 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 m groß</translation>
     </message>
     <message>
-        <source>“%1” does not say in what unit its points are, and in millimetres it is unusually small or large for vessels. The case remembers what you choose.</source>
-        <translation>„%1“ sagt nicht, in welcher Einheit die Punkte sind, und in Millimetern wäre sie für Gefäße ungewöhnlich klein oder groß. Der Fall merkt sich die Wahl.</translation>
+        <source>“%1” does not state the unit of its points. In millimeters, it would be unusually small or large for vessels. The case stores your choice.</source>
+        <translation>„%1“ nennt keine Einheit der Punkte. In Millimetern wäre sie für Gefäße ungewöhnlich klein oder groß. Der Fall speichert Ihre Wahl.</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>What is the unit of the file?</source>
-        <translation>In welcher Einheit ist die Datei?</translation>
+        <source>Which unit does the file use?</source>
+        <translation>Welche Einheit verwendet die Datei?</translation>
     </message>
     <message>
-        <source>Discard what was done?</source>
-        <translation>Verwerfen, was getan wurde?</translation>
+        <source>Discard unsaved work?</source>
+        <translation>Ungespeicherte Arbeit verwerfen?</translation>
     </message>
     <message>
-        <source>“%1” has no vessels yet, so there is no case to save. What was done here is lost.</source>
-        <translation>„%1“ hat noch keine Gefäße, also gibt es keinen Fall zu speichern. Was hier getan wurde, geht verloren.</translation>
+        <source>“%1” has no vessels yet, so there is no case to save. Work done here will be lost.</source>
+        <translation>„%1“ hat noch keine Gefäße, daher gibt es keinen Fall zu speichern. Die bisherige Arbeit geht verloren.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::OpenNotes</name>
     <message>
-        <source>The vessels do not lie in this scan: it may be another one, or have other axes.</source>
-        <translation>Die Gefäße liegen nicht in diesem Scan: er kann ein anderer sein oder andere Achsen haben.</translation>
+        <source>The vessels do not lie in this scan: it may be a different scan or use different axes.</source>
+        <translation>Die Gefäße liegen nicht in diesem Scan: Es kann ein anderer Scan sein, oder er hat andere Achsen.</translation>
     </message>
     <message>
-        <source>The scan is shown without vessels: place a seed or set the threshold in the slices (%1), then trace.</source>
-        <translation>Der Scan wird ohne Gefäße gezeigt: Startpunkt setzen oder Schwelle in den Schichten (%1) wählen, dann erfassen.</translation>
+        <source>The scan has no traced vessels: place a seed or set the threshold in the slices (%1), then trace.</source>
+        <translation>Der Scan hat keine erfassten Gefäße: Setzen Sie in den Schichten (%1) einen Startpunkt oder die Schwelle, und erfassen Sie dann die Gefäße.</translation>
     </message>
     <message>
-        <source>One unit of the file is %1 mm, as you chose.</source>
-        <translation>Eine Einheit der Datei ist %1 mm, wie gewählt.</translation>
+        <source>One unit of the file is %1 mm, as you selected.</source>
+        <translation>Eine Einheit der Datei ist %1 mm, wie von Ihnen gewählt.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::PictureController</name>
     <message>
-        <source>The window is in the clipboard as a picture</source>
-        <translation>Das Fenster liegt als Bild in der Zwischenablage</translation>
+        <source>Screenshot copied to the clipboard</source>
+        <translation>Screenshot in die Zwischenablage kopiert</translation>
     </message>
     <message>
-        <source>Save picture of the window</source>
-        <translation>Bild des Fensters speichern</translation>
+        <source>Save screenshot</source>
+        <translation>Screenshot speichern</translation>
     </message>
     <message>
-        <source>PNG pictures (*.png)</source>
+        <source>PNG images (*.png)</source>
         <translation>PNG-Bilder (*.png)</translation>
     </message>
     <message>
-        <source>Written: %1</source>
-        <translation>Geschrieben: %1</translation>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
     </message>
     <message>
-        <source>Could not save the picture</source>
-        <translation>Das Bild ließ sich nicht speichern</translation>
+        <source>Could not save the image</source>
+        <translation>Das Bild konnte nicht gespeichert werden</translation>
     </message>
     <message>
-        <source>%1 could not be written. Choose another folder.</source>
-        <translation>%1 ließ sich nicht schreiben. Anderen Ordner wählen.</translation>
+        <source>Could not write %1. Choose another folder.</source>
+        <translation>%1 konnte nicht geschrieben werden. Wählen Sie einen anderen Ordner.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::PivotController</name>
     <message>
-        <source>Pick the pivot</source>
-        <translation>Drehpunkt wählen</translation>
+        <source>Set rotation center</source>
+        <translation>Drehpunkt setzen</translation>
     </message>
     <message>
-        <source>The vessels turn about the picked place now.</source>
-        <translation>Die Gefäße drehen sich jetzt um die gewählte Stelle.</translation>
+        <source>The vessels now rotate about the selected point.</source>
+        <translation>Die Gefäße drehen sich jetzt um den gewählten Punkt.</translation>
     </message>
     <message>
-        <source>Pivot back to the centroid</source>
-        <translation>Drehpunkt zurück zum Schwerpunkt</translation>
+        <source>Reset rotation center</source>
+        <translation>Drehpunkt zurücksetzen</translation>
     </message>
     <message>
-        <source>The vessels turn about their centroid again.</source>
+        <source>The vessels rotate about their centroid again.</source>
         <translation>Die Gefäße drehen sich wieder um ihren Schwerpunkt.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::PlotExport</name>
     <message>
-        <source>Copy picture</source>
+        <source>Copy image</source>
         <translation>Bild kopieren</translation>
     </message>
     <message>
-        <source>Export as SVG …</source>
+        <source>Export as SVG…</source>
         <translation>Als SVG exportieren …</translation>
     </message>
     <message>
-        <source>Export as PNG …</source>
+        <source>Export as PNG…</source>
         <translation>Als PNG exportieren …</translation>
     </message>
     <message>
@@ -1249,11 +1249,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Diagramm exportieren</translation>
     </message>
     <message>
-        <source>Drawings (*.svg)</source>
-        <translation>Zeichnungen (*.svg)</translation>
+        <source>Vector graphics (*.svg)</source>
+        <translation>Vektorgrafiken (*.svg)</translation>
     </message>
     <message>
-        <source>PNG pictures (*.png)</source>
+        <source>PNG images (*.png)</source>
         <translation>PNG-Bilder (*.png)</translation>
     </message>
 </context>
@@ -1264,16 +1264,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gefäße verschieben</translation>
     </message>
     <message>
-        <source>There is no pose to nudge yet: vessels, angiogram and geometry come first.</source>
-        <translation>Noch keine Lage zum Justieren: zuerst Gefäße, Angiogramm und Geometrie.</translation>
+        <source>There is no pose to nudge yet. Provide vessels, an angiogram and the geometry first.</source>
+        <translation>Es gibt noch keine Lage zum Justieren. Laden Sie zuerst Gefäße und Angiogramm, und legen Sie die Geometrie fest.</translation>
     </message>
     <message>
         <source>“%1” is locked.</source>
         <translation>„%1“ ist gesperrt.</translation>
     </message>
     <message>
-        <source>Back to start pose</source>
-        <translation>Zurück zur Startlage</translation>
+        <source>Reset to initial pose</source>
+        <translation>Auf Startlage zurücksetzen</translation>
     </message>
     <message>
         <source>A registration is running. Stop it first.</source>
@@ -1287,16 +1287,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::PoseGestures</name>
     <message>
-        <source>Nudge mode: arrows move, drag moves or rolls, N ends</source>
-        <translation>Justiermodus: Pfeile schieben, Ziehen schiebt oder dreht, N beendet</translation>
+        <source>Nudge mode: arrow keys move, drag moves or rolls, N exits</source>
+        <translation>Justiermodus: Pfeiltasten verschieben, Ziehen verschiebt oder rollt, N beendet</translation>
     </message>
     <message>
         <source>Nudge mode off</source>
         <translation>Justiermodus aus</translation>
     </message>
     <message>
-        <source>Copied: camera from patient, 4 × 4, mm</source>
-        <translation>Kopiert: Kamera aus Patient, 4 × 4, mm</translation>
+        <source>Copied: camera-from-patient matrix, 4 × 4, mm</source>
+        <translation>Kopiert: Matrix Kamera aus Patient, 4 × 4, mm</translation>
     </message>
 </context>
 <context>
@@ -1306,16 +1306,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Noch keine Lagen zu vergleichen.</translation>
     </message>
     <message>
-        <source>The pose as it is</source>
-        <translation>Die jetzige Lage</translation>
+        <source>Current pose</source>
+        <translation>Aktuelle Lage</translation>
     </message>
     <message>
         <source>The vessels of this frame are still being traced.</source>
         <translation>Die Gefäße dieses Bildes werden noch erkannt.</translation>
     </message>
     <message>
-        <source>Starting …</source>
-        <translation>Beginnt …</translation>
+        <source>Starting…</source>
+        <translation>Startet …</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -1323,7 +1323,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Run several methods</source>
-        <translation>Mehrere Methoden laufen lassen</translation>
+        <translation>Mehrere Methoden ausführen</translation>
     </message>
     <message>
         <source>1 method done</source>
@@ -1360,20 +1360,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::RegistrationController</name>
     <message>
-        <source>Open a vessel centreline first.</source>
-        <translation>Zuerst eine Gefäß-Mittellinie öffnen.</translation>
+        <source>Open a vessel centerline first.</source>
+        <translation>Öffnen Sie zuerst eine Gefäß-Mittellinie.</translation>
     </message>
     <message>
         <source>Open an angiogram first.</source>
-        <translation>Zuerst ein Angiogramm öffnen.</translation>
+        <translation>Öffnen Sie zuerst ein Angiogramm.</translation>
     </message>
     <message>
         <source>Register (%1)</source>
         <translation>Registrieren (%1)</translation>
     </message>
     <message>
-        <source>A blind trial is fitted by hand.</source>
-        <translation>Ein Blindversuch wird von Hand eingepasst.</translation>
+        <source>Fit a blind trial manually.</source>
+        <translation>Passen Sie einen Blindversuch manuell ein.</translation>
     </message>
     <message>
         <source>Register all views</source>
@@ -1383,8 +1383,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::ReplayController</name>
     <message>
-        <source>Other way %1 of %2, probability %3 % · %4 takes it</source>
-        <translation>Anderer Weg %1 von %2, Wahrscheinlichkeit %3 % · %4 übernimmt ihn</translation>
+        <source>Alternative path %1 of %2, probability %3 % · %4 accepts it</source>
+        <translation>Alternativer Weg %1 von %2, Wahrscheinlichkeit %3 % · %4 übernimmt ihn</translation>
     </message>
     <message>
         <source>tilt</source>
@@ -1399,20 +1399,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Rollen</translation>
     </message>
     <message>
-        <source>sideways</source>
-        <translation>seitlich</translation>
+        <source>horizontal</source>
+        <translation>horizontal</translation>
     </message>
     <message>
-        <source>up–down</source>
-        <translation>auf–ab</translation>
+        <source>vertical</source>
+        <translation>vertikal</translation>
     </message>
     <message>
         <source>depth</source>
         <translation>Tiefe</translation>
     </message>
     <message>
-        <source>There is no run to replay. Register first (R).</source>
-        <translation>Kein Lauf zum Wiederholen. Zuerst registrieren (R).</translation>
+        <source>There is no registration to replay. Register first (R).</source>
+        <translation>Es gibt keine Registrierung zum Wiedergeben. Registrieren Sie zuerst (R).</translation>
     </message>
     <message>
         <source>Replay ended</source>
@@ -1427,32 +1427,32 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Unsicherheit dieser Lage ist noch nicht bekannt.</translation>
     </message>
     <message>
-        <source>The run found no other solution.</source>
-        <translation>Der Lauf fand keine andere Lösung.</translation>
+        <source>The registration found no other solution.</source>
+        <translation>Die Registrierung fand keine andere Lösung.</translation>
     </message>
     <message>
-        <source>There is no run yet. Register first (R).</source>
-        <translation>Noch kein Lauf. Zuerst registrieren (R).</translation>
+        <source>There is no registration yet. Register first (R).</source>
+        <translation>Es gibt noch keine Registrierung. Registrieren Sie zuerst (R).</translation>
     </message>
     <message>
-        <source>The solution itself</source>
-        <translation>Die Lösung selbst</translation>
+        <source>Registered solution</source>
+        <translation>Registrierte Lösung</translation>
     </message>
     <message>
-        <source>J shows the other solutions first.</source>
-        <translation>J zeigt zuerst die anderen Lösungen.</translation>
+        <source>Press J first to show the other solutions.</source>
+        <translation>Zeigen Sie zuerst mit J die anderen Lösungen.</translation>
     </message>
     <message>
-        <source>Take solution %1</source>
+        <source>Accept solution %1</source>
         <translation>Lösung %1 übernehmen</translation>
     </message>
     <message>
-        <source>Other solution %1 of %2, score %3 · %4 takes it</source>
-        <translation>Andere Lösung %1 von %2, Güte %3 · %4 übernimmt</translation>
+        <source>Other solution %1 of %2, score %3 · %4 accepts it</source>
+        <translation>Andere Lösung %1 von %2, Güte %3 · %4 übernimmt sie</translation>
     </message>
     <message>
-        <source>By image noise only, poses within ±%1 mm (2 σ, mostly %2) look alike</source>
-        <translation>Allein durch Bildrauschen sehen Lagen innerhalb von ±%1 mm (2 σ, vor allem %2) gleich aus</translation>
+        <source>From image noise alone, poses within ±%1 mm (2 σ, mostly %2) are indistinguishable</source>
+        <translation>Allein wegen des Bildrauschens sind Lagen innerhalb von ±%1 mm (2 σ, vor allem %2) nicht unterscheidbar</translation>
     </message>
 </context>
 <context>
@@ -1462,32 +1462,32 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Anderes Bild wählen</translation>
     </message>
     <message>
-        <source>Before: start pose</source>
+        <source>Before: initial pose</source>
         <translation>Vorher: Startlage</translation>
     </message>
     <message>
-        <source>No bent vessels are known of this pose</source>
-        <translation>Zu dieser Lage sind keine gebogenen Gefäße bekannt</translation>
+        <source>There are no deformed vessels for this pose</source>
+        <translation>Zu dieser Lage gibt es keine verformten Gefäße</translation>
     </message>
     <message>
-        <source>Colours: how far from the traced vessels</source>
-        <translation>Farben: wie weit von den erkannten Gefäßen</translation>
+        <source>Colors: distance to the traced vessels</source>
+        <translation>Farben: Abstand zu den erkannten Gefäßen</translation>
     </message>
     <message>
-        <source>Colours: how far the bent vessels lie from the rigid ones</source>
-        <translation>Farben: wie weit die gebogenen Gefäße von den starren liegen</translation>
+        <source>Colors: displacement of the deformed vessels</source>
+        <translation>Farben: Verschiebung der verformten Gefäße</translation>
     </message>
     <message>
-        <source>Vessels as the rigid pose has them</source>
-        <translation>Gefäße, wie die starre Lage sie zeigt</translation>
+        <source>Vessels: rigid pose</source>
+        <translation>Gefäße: starre Lage</translation>
     </message>
     <message>
-        <source>Vessels as they are bent</source>
-        <translation>Gefäße, wie sie gebogen sind</translation>
+        <source>Vessels: deformed</source>
+        <translation>Gefäße: verformt</translation>
     </message>
     <message>
-        <source>After: pose as it is</source>
-        <translation>Nachher: jetzige Lage</translation>
+        <source>After: current pose</source>
+        <translation>Nachher: aktuelle Lage</translation>
     </message>
 </context>
 <context>
@@ -1501,20 +1501,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Option „%1“ ändern</translation>
     </message>
     <message>
-        <source>Tracing the vessels of this frame …</source>
+        <source>Tracing the vessels of this frame…</source>
         <translation>Gefäße dieses Bildes werden erkannt …</translation>
     </message>
     <message>
-        <source>Registration cannot run</source>
-        <translation>Die Registrierung kann nicht laufen</translation>
+        <source>Could not start the registration</source>
+        <translation>Die Registrierung konnte nicht gestartet werden</translation>
     </message>
     <message>
         <source>Registering: %1 · %2 % · %3 px</source>
         <translation>Registrierung: %1 · %2 % · %3 px</translation>
     </message>
     <message>
-        <source>Stopped, NOT RELIABLE: the best pose so far is kept, undo takes it back</source>
-        <translation>Gestoppt, NICHT VERLÄSSLICH: Die bisher beste Pose bleibt, Rückgängig nimmt sie zurück</translation>
+        <source>Stopped, NOT RELIABLE: the best pose so far is kept; Undo restores the previous one</source>
+        <translation>Angehalten, NICHT VERLÄSSLICH: Die bisher beste Lage bleibt; „Rückgängig“ stellt die vorherige wieder her</translation>
     </message>
     <message>
         <source>Registered: median %1 mm</source>
@@ -1560,8 +1560,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Noch nicht gespeichert</translation>
     </message>
     <message>
-        <source>A blind trial is under way. End it before saving.</source>
-        <translation>Ein Blindversuch läuft. Vor dem Speichern beenden.</translation>
+        <source>A blind trial is in progress. End it before saving.</source>
+        <translation>Ein Blindversuch läuft. Beenden Sie ihn vor dem Speichern.</translation>
     </message>
     <message>
         <source>Untitled case</source>
@@ -1572,11 +1572,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Noch kein Angiogramm</translation>
     </message>
     <message>
-        <source>A case holds vessels and an angiogram. Until it has one, save the vessels alone, as centrelines: opened together with any angiogram they make a case.</source>
-        <translation>Ein Fall enthält Gefäße und ein Angiogramm. Bis er eines hat, lassen sich die Gefäße allein speichern, als Mittellinien: zusammen mit einem Angiogramm geöffnet ergeben sie einen Fall.</translation>
+        <source>A case needs vessels and an angiogram. Until there is an angiogram, save only the vessels, as centerlines. Opened together with any angiogram, they form a case.</source>
+        <translation>Ein Fall benötigt Gefäße und ein Angiogramm. Solange das Angiogramm fehlt, speichern Sie nur die Gefäße, als Mittellinien. Zusammen mit einem Angiogramm geöffnet bilden sie einen Fall.</translation>
     </message>
     <message>
-        <source>Save the vessels …</source>
+        <source>Save vessels…</source>
         <translation>Gefäße speichern …</translation>
     </message>
     <message>
@@ -1588,7 +1588,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gefäße ohne Angiogramm</translation>
     </message>
     <message>
-        <source>Vessels saved as centrelines</source>
+        <source>Vessels saved as centerlines</source>
         <translation>Gefäße als Mittellinien gespeichert</translation>
     </message>
     <message>
@@ -1596,11 +1596,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Anderswo geändert</translation>
     </message>
     <message>
-        <source>“%1” was saved by another window or program since it was opened here. Overwriting discards what was saved there; reloading discards what was changed here.</source>
-        <translation>„%1“ wurde von einem anderen Fenster oder Programm gespeichert, seit es hier geöffnet wurde. Überschreiben verwirft, was dort gespeichert wurde; neu laden verwirft, was hier geändert wurde.</translation>
+        <source>“%1” was saved by another window or program after it was opened here. Overwriting discards the changes saved there; reloading discards the changes made here.</source>
+        <translation>„%1“ wurde von einem anderen Fenster oder Programm gespeichert, nachdem der Fall hier geöffnet wurde. Überschreiben verwirft die dort gespeicherten Änderungen; Neuladen verwirft die hier vorgenommenen.</translation>
     </message>
     <message>
-        <source>Save as …</source>
+        <source>Save as…</source>
         <translation>Speichern unter …</translation>
     </message>
     <message>
@@ -1626,32 +1626,32 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::SessionController</name>
     <message>
-        <source>Case packed: %1</source>
-        <translation>Fall gepackt: %1</translation>
+        <source>Case bundle saved: %1</source>
+        <translation>Fallpaket gespeichert: %1</translation>
     </message>
     <message>
-        <source>Could not pack the case</source>
-        <translation>Der Fall ließ sich nicht packen</translation>
+        <source>Could not save the case bundle</source>
+        <translation>Das Fallpaket konnte nicht gespeichert werden</translation>
     </message>
     <message>
         <source>DICOM objects written: %1</source>
         <translation>DICOM-Objekte geschrieben: %1</translation>
     </message>
     <message>
-        <source>The program could not be started again. Start it from the menu of the system.</source>
-        <translation>Das Programm ließ sich nicht noch einmal starten. Aus dem Menü des Systems starten.</translation>
+        <source>Could not start AngioPose again. Start it from the system menu.</source>
+        <translation>AngioPose konnte nicht erneut gestartet werden. Starten Sie es aus dem Menü des Systems.</translation>
     </message>
     <message>
         <source>Could not open another window</source>
-        <translation>Kein weiteres Fenster möglich</translation>
+        <translation>Es konnte kein weiteres Fenster geöffnet werden</translation>
     </message>
     <message>
         <source>Not for clinical use</source>
         <translation>Nicht für den klinischen Einsatz</translation>
     </message>
     <message>
-        <source>AngioPose is a research program. It is not a medical device: do not use it for diagnosis, treatment or navigation. Results can be wrong; one projection cannot tell everything about depth.</source>
-        <translation>AngioPose ist ein Forschungsprogramm und kein Medizinprodukt: nicht für Diagnose, Behandlung oder Navigation verwenden. Ergebnisse können falsch sein; eine einzelne Projektion verrät nicht alles über die Tiefe.</translation>
+        <source>AngioPose is a research program, not a medical device: do not use it for diagnosis, treatment or navigation. Results can be wrong; a single projection cannot fully determine depth.</source>
+        <translation>AngioPose ist ein Forschungsprogramm, kein Medizinprodukt: Verwenden Sie es nicht für Diagnose, Behandlung oder Navigation. Ergebnisse können falsch sein; eine einzelne Projektion kann die Tiefe nicht vollständig bestimmen.</translation>
     </message>
     <message>
         <source>I understand</source>
@@ -1678,7 +1678,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Speichern nicht möglich</translation>
     </message>
     <message>
-        <source>Saving …</source>
+        <source>Saving…</source>
         <translation>Wird gespeichert …</translation>
     </message>
     <message>
@@ -1686,75 +1686,75 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gespeichert</translation>
     </message>
     <message>
-        <source>Writing …</source>
+        <source>Writing…</source>
         <translation>Wird geschrieben …</translation>
     </message>
     <message>
-        <source>Written: %1</source>
-        <translation>Geschrieben: %1</translation>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
     </message>
     <message>
         <source>Could not export</source>
         <translation>Export nicht möglich</translation>
     </message>
     <message>
-        <source>The automatic copy cannot be written; it is tried again every minute. %1</source>
-        <translation>Die automatische Sicherung lässt sich nicht schreiben; es wird jede Minute wieder versucht. %1</translation>
+        <source>Autosave failed; AngioPose retries every minute. %1</source>
+        <translation>Die automatische Sicherung ist fehlgeschlagen; AngioPose versucht es jede Minute erneut. %1</translation>
     </message>
     <message>
         <source>Stopped; nothing was written.</source>
-        <translation>Gestoppt; nichts wurde geschrieben.</translation>
+        <translation>Angehalten; nichts wurde geschrieben.</translation>
     </message>
     <message>
-        <source>Some files were refused</source>
-        <translation>Einige Dateien wurden abgelehnt</translation>
+        <source>Some files were skipped</source>
+        <translation>Einige Dateien wurden übersprungen</translation>
     </message>
     <message>
         <source>Could not de-identify the files</source>
-        <translation>Dateien konnten nicht von Identität befreit werden</translation>
+        <translation>Die Dateien konnten nicht de-identifiziert werden</translation>
     </message>
     <message>
-        <source>The audit file is not complete</source>
-        <translation>Die Audit-Datei ist unvollständig</translation>
+        <source>The audit log is incomplete</source>
+        <translation>Das Audit-Protokoll ist unvollständig</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::SideBySideController</name>
     <message>
-        <source>No other views during a blind trial: they would tell the answer.</source>
-        <translation>Während eines Blindversuchs keine anderen Ansichten: sie würden die Lösung verraten.</translation>
+        <source>Other views are hidden during a blind trial: they would reveal the answer.</source>
+        <translation>Während eines Blindversuchs sind andere Ansichten verborgen: Sie würden die Lösung verraten.</translation>
     </message>
     <message>
-        <source>There is no angiogram yet that another could stand beside.</source>
-        <translation>Es gibt noch kein Angiogramm, neben dem ein anderes stehen könnte.</translation>
+        <source>Open an angiogram first. Another view can then be shown beside it.</source>
+        <translation>Öffnen Sie zuerst ein Angiogramm. Eine weitere Ansicht lässt sich dann daneben zeigen.</translation>
     </message>
     <message>
-        <source>This case has one view. Another angiogram of the same vessels (%1) will stand beside it.</source>
-        <translation>Dieser Fall hat eine Ansicht. Ein weiteres Angiogramm derselben Gefäße (%1) steht dann daneben.</translation>
+        <source>This case has only one view. Add another angiogram of the same vessels (%1) to show both side by side.</source>
+        <translation>Dieser Fall hat nur eine Ansicht. Fügen Sie ein weiteres Angiogramm derselben Gefäße hinzu (%1), um beide nebeneinander zu zeigen.</translation>
     </message>
     <message>
         <source>no geometry</source>
         <translation>keine Geometrie</translation>
     </message>
     <message>
-        <source>moves along</source>
-        <translation>bewegt sich mit</translation>
+        <source>linked</source>
+        <translation>gekoppelt</translation>
     </message>
     <message>
-        <source>pose of its own</source>
-        <translation>eigene Lage</translation>
+        <source>independent pose</source>
+        <translation>unabhängige Lage</translation>
     </message>
     <message>
-        <source>The vessels move here as they do in the shown view.</source>
-        <translation>Die Gefäße bewegen sich hier wie in der gezeigten Ansicht.</translation>
+        <source>The vessels move here together with the active view.</source>
+        <translation>Die Gefäße bewegen sich hier zusammen mit der aktiven Ansicht.</translation>
     </message>
     <message>
-        <source>The views are not registered together: the vessels stay here while they are moved in the shown view.</source>
-        <translation>Die Ansichten werden nicht gemeinsam registriert: hier bleiben die Gefäße, während sie in der gezeigten Ansicht bewegt werden.</translation>
+        <source>The views are not registered jointly: moving the vessels in the active view does not move them here.</source>
+        <translation>Die Ansichten werden nicht gemeinsam registriert: Werden die Gefäße in der aktiven Ansicht bewegt, bleiben sie hier stehen.</translation>
     </message>
     <message>
-        <source>A click here, or a double click in the image, makes it the shown view.</source>
-        <translation>Ein Klick hier oder ein Doppelklick ins Bild macht sie zur gezeigten Ansicht.</translation>
+        <source>Click here, or double-click the image, to make this the active view.</source>
+        <translation>Klicken Sie hier oder doppelklicken Sie ins Bild, um diese Ansicht zur aktiven zu machen.</translation>
     </message>
     <message>
         <source>The image of this view could not be read.</source>
@@ -1772,43 +1772,43 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Lage %1</translation>
     </message>
     <message>
-        <source>There is no pose to keep yet.</source>
-        <translation>Noch keine Lage zu behalten.</translation>
+        <source>There is no pose to save yet.</source>
+        <translation>Es gibt noch keine Lage zum Speichern.</translation>
     </message>
     <message>
-        <source>Keep %1</source>
-        <translation>%1 behalten</translation>
+        <source>Save snapshot %1</source>
+        <translation>Snapshot %1 speichern</translation>
     </message>
     <message>
-        <source>Kept as “%1” · Y compares</source>
-        <translation>Behalten als „%1“ · Y vergleicht</translation>
+        <source>Saved as “%1” · Y compares</source>
+        <translation>Gespeichert als „%1“ · Y vergleicht</translation>
     </message>
     <message>
-        <source>“%1”: median %2 mm · Esc goes back</source>
-        <translation>„%1“: Median %2 mm · Esc führt zurück</translation>
+        <source>“%1”: median %2 mm · Esc returns</source>
+        <translation>„%1“: Median %2 mm · Esc kehrt zurück</translation>
     </message>
     <message>
-        <source>“%1” · Esc goes back</source>
-        <translation>„%1“ · Esc führt zurück</translation>
+        <source>“%1” · Esc returns</source>
+        <translation>„%1“ · Esc kehrt zurück</translation>
     </message>
     <message>
-        <source>There is nothing to compare with yet: K keeps a pose, R leaves one.</source>
-        <translation>Noch nichts zum Vergleichen: K behält eine Lage, R hinterlässt eine.</translation>
+        <source>There is nothing to compare with yet: K saves a pose, and each registration (R) adds one.</source>
+        <translation>Es gibt noch nichts zum Vergleichen: K speichert eine Lage, und jede Registrierung (R) fügt eine hinzu.</translation>
     </message>
     <message>
-        <source>A: the pose as it is</source>
-        <translation>A: die jetzige Lage</translation>
+        <source>A: current pose</source>
+        <translation>A: aktuelle Lage</translation>
     </message>
     <message>
         <source>Restore %1</source>
         <translation>%1 wiederherstellen</translation>
     </message>
     <message>
-        <source>Describe a pose</source>
-        <translation>Lage beschreiben</translation>
+        <source>Edit snapshot</source>
+        <translation>Snapshot bearbeiten</translation>
     </message>
     <message>
-        <source>Delete a pose</source>
+        <source>Delete pose</source>
         <translation>Lage löschen</translation>
     </message>
     <message>
@@ -1823,51 +1823,51 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 %: %2</translation>
     </message>
     <message>
-        <source>%1 Return takes it.</source>
-        <translation>%1 Eingabe übernimmt ihn.</translation>
+        <source>%1 Press Return to accept it.</source>
+        <translation>%1 Mit der Eingabetaste übernehmen.</translation>
     </message>
     <message>
-        <source>Branches %1: probability %2 %, %3 % of the wire along them, %4 mm off their axes.</source>
-        <translation>Äste %1: Wahrscheinlichkeit %2 %, %3 % des Drahts längs davon, %4 mm neben ihren Achsen.</translation>
+        <source>Branches %1: probability %2 %; %3 % of the wire follows them, %4 mm off their axes.</source>
+        <translation>Äste %1: Wahrscheinlichkeit %2 %; %3 % des Drahts folgen ihnen, %4 mm neben ihren Achsen.</translation>
     </message>
     <message>
         <source>found</source>
         <translation>gefunden</translation>
     </message>
     <message>
-        <source>The solution itself</source>
-        <translation>Die Lösung selbst</translation>
+        <source>Registered solution</source>
+        <translation>Registrierte Lösung</translation>
     </message>
     <message>
         <source>%1 mm, %2°</source>
         <translation>%1 mm, %2°</translation>
     </message>
     <message>
-        <source>Other solution %1, score %2: %3 mm aside, %4 mm in depth and %5° turned from the one found. Return takes it.</source>
-        <translation>Andere Lösung %1, Güte %2: %3 mm seitlich, %4 mm in der Tiefe und %5° gedreht gegen die gefundene. Eingabe übernimmt sie.</translation>
+        <source>Other solution %1, score %2: differs from the registered one by %3 mm in plane, %4 mm in depth and %5° in rotation. Press Return to accept it.</source>
+        <translation>Andere Lösung %1, Güte %2: weicht von der registrierten um %3 mm in der Bildebene, %4 mm in der Tiefe und %5° in der Drehung ab. Mit der Eingabetaste übernehmen.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::StartPoseController</name>
     <message>
-        <source>Start pose from angles</source>
+        <source>Initial pose from angles</source>
         <translation>Startlage aus Winkeln</translation>
     </message>
     <message>
-        <source>Start pose from the angles, the isocentre in the vessels</source>
+        <source>Initial pose from the angles, with the isocenter in the vessels</source>
         <translation>Startlage aus den Winkeln, Isozentrum in den Gefäßen</translation>
     </message>
     <message>
-        <source>Vessels, angiogram and geometry come first.</source>
-        <translation>Zuerst Gefäße, Angiogramm und Geometrie.</translation>
+        <source>Provide vessels, an angiogram and the geometry first.</source>
+        <translation>Laden Sie zuerst Gefäße und Angiogramm, und legen Sie die Geometrie fest.</translation>
     </message>
     <message>
-        <source>Start pose by hand</source>
-        <translation>Startlage von Hand</translation>
+        <source>Manual initial pose</source>
+        <translation>Manuelle Startlage</translation>
     </message>
     <message>
-        <source>The pose as it is has become the start pose</source>
-        <translation>Die jetzige Lage ist nun die Startlage</translation>
+        <source>The current pose is now the initial pose</source>
+        <translation>Die aktuelle Lage ist jetzt die Startlage</translation>
     </message>
 </context>
 <context>
@@ -1882,7 +1882,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Open an angiogram: DICOM XA, PNG or TIFF.</source>
-        <translation>Ein Angiogramm öffnen: DICOM XA, PNG oder TIFF.</translation>
+        <translation>Öffnen Sie ein Angiogramm: DICOM XA, PNG oder TIFF.</translation>
     </message>
     <message>
         <source>no vessels traced</source>
@@ -1893,11 +1893,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>kein Kontrast?</translation>
     </message>
     <message>
-        <source>tracing …</source>
+        <source>tracing…</source>
         <translation>Erkennung …</translation>
     </message>
     <message>
-        <source>given centreline</source>
+        <source>given centerline</source>
         <translation>gegebene Mittellinie</translation>
     </message>
     <message>
@@ -1913,7 +1913,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>aus dem Fall</translation>
     </message>
     <message>
-        <source>contradictory</source>
+        <source>inconsistent</source>
         <translation>widersprüchlich</translation>
     </message>
     <message>
@@ -1921,16 +1921,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>teils angenommen</translation>
     </message>
     <message>
-        <source>Some values are assumed. Type them if you know them.</source>
-        <translation>Einige Werte sind angenommen. Wenn bekannt, bitte eintragen.</translation>
+        <source>Some values are assumed. Enter them if you know them.</source>
+        <translation>Einige Werte sind angenommen. Geben Sie sie ein, wenn sie bekannt sind.</translation>
     </message>
     <message>
-        <source>pixel spacing typed</source>
-        <translation>Pixelgröße eingegeben</translation>
+        <source>pixel spacing entered</source>
+        <translation>Pixelabstand eingegeben</translation>
     </message>
     <message>
         <source>pixel spacing derived</source>
-        <translation>Pixelgröße abgeleitet</translation>
+        <translation>Pixelabstand abgeleitet</translation>
     </message>
     <message>
         <source>from the header</source>
@@ -1945,12 +1945,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>aus Winkeln</translation>
     </message>
     <message>
-        <source>running …</source>
+        <source>running…</source>
         <translation>läuft …</translation>
     </message>
     <message>
-        <source>moved by hand</source>
-        <translation>von Hand verschoben</translation>
+        <source>moved manually</source>
+        <translation>manuell verschoben</translation>
     </message>
     <message>
         <source>followed</source>
@@ -1965,12 +1965,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>other frame</source>
+        <source>different frame</source>
         <translation>anderes Bild</translation>
     </message>
     <message>
-        <source>This pose was found in frame %1. R registers in the one that is shown.</source>
-        <translation>Diese Lage wurde in Bild %1 gefunden. R registriert im gezeigten.</translation>
+        <source>This pose was registered in frame %1. Press R to register in the displayed frame.</source>
+        <translation>Diese Lage wurde in Bild %1 registriert. Drücken Sie R, um im angezeigten Bild zu registrieren.</translation>
     </message>
     <message>
         <source>%1 mm median</source>
@@ -1978,22 +1978,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>written</source>
-        <translation>geschrieben</translation>
+        <translation>exportiert</translation>
     </message>
     <message>
-        <source>Open a CT angiogram, a segmentation, a surface or a centreline.</source>
-        <translation>Eine CT-Angiographie, Segmentierung, Oberfläche oder Mittellinie öffnen.</translation>
+        <source>Open a CT angiogram, a segmentation, a surface or a centerline.</source>
+        <translation>Öffnen Sie eine CT-Angiographie, Segmentierung, Oberfläche oder Mittellinie.</translation>
     </message>
     <message>
         <source>%1 pieces</source>
         <translation>%1 Stücke</translation>
     </message>
     <message>
-        <source>The vessels are in pieces. Below the branch list is how to join them.</source>
-        <translation>Die Gefäße sind in Stücken. Unter der Astliste steht, wie sie zu verbinden sind.</translation>
+        <source>The vessel tree is in pieces. The note below the branch list explains how to join them.</source>
+        <translation>Der Gefäßbaum besteht aus Stücken. Der Hinweis unter der Astliste erklärt, wie sie sich verbinden lassen.</translation>
     </message>
     <message>
-        <source>another patient?</source>
+        <source>different patient?</source>
         <translation>anderer Patient?</translation>
     </message>
     <message>
@@ -2001,8 +2001,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Bild %1, bearbeitet</translation>
     </message>
     <message>
-        <source>The header gives no pixel spacing: %1. Type it, or press Enter in the field to confirm it.</source>
-        <translation>Der Header nennt keine Pixelgröße: %1. Eintragen, oder im Feld mit der Eingabetaste bestätigen.</translation>
+        <source>The header contains no pixel spacing: %1. Enter it, or press Enter in the field to confirm it.</source>
+        <translation>Der Header enthält keinen Pixelabstand: %1. Geben Sie ihn ein, oder bestätigen Sie ihn im Feld mit der Eingabetaste.</translation>
     </message>
     <message>
         <source>from landmarks</source>
@@ -2013,8 +2013,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>nicht erfasst</translation>
     </message>
     <message>
-        <source>Nothing was traced in the scan. Place a seed or set the threshold beside its slices.</source>
-        <translation>Im Scan wurde nichts erfasst. Neben den Schichten einen Startpunkt setzen oder die Schwelle wählen.</translation>
+        <source>No vessels were traced in the scan. Place a seed or set the threshold next to the slices.</source>
+        <translation>Im Scan wurden keine Gefäße erfasst. Setzen Sie neben den Schichten einen Startpunkt oder die Schwelle.</translation>
     </message>
     <message>
         <source>NOT RELIABLE</source>
@@ -2036,12 +2036,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Native Bilder zeigen</translation>
     </message>
     <message>
-        <source>Whole run in one picture</source>
-        <translation>Ganze Serie in einem Bild</translation>
+        <source>Peak-opacification image</source>
+        <translation>Min-IP der ganzen Serie</translation>
     </message>
     <message>
         <source>One frame at a time</source>
-        <translation>Ein Bild nach dem anderen</translation>
+        <translation>Einzelbilder</translation>
     </message>
     <message>
         <source>Choose mask frames</source>
@@ -2053,11 +2053,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Open an angiogram first.</source>
-        <translation>Zuerst ein Angiogramm öffnen.</translation>
+        <translation>Öffnen Sie zuerst ein Angiogramm.</translation>
     </message>
     <message>
-        <source>Move the mask</source>
-        <translation>Maske verschieben</translation>
+        <source>Pixel shift</source>
+        <translation>Pixelshift</translation>
     </message>
 </context>
 <context>
@@ -2090,24 +2090,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::TracingController</name>
     <message>
-        <source>Tracing the vessels of the scan … %1 %</source>
-        <translation>Gefäße des CT werden erfasst … %1 %</translation>
+        <source>Tracing the vessels of the scan… %1 %</source>
+        <translation>Gefäße des Scans werden erfasst … %1 %</translation>
     </message>
     <message>
-        <source>Stopped: the vessels are as they were</source>
-        <translation>Angehalten: die Gefäße sind wie zuvor</translation>
+        <source>Stopped: the vessels are unchanged</source>
+        <translation>Angehalten: Die Gefäße sind unverändert</translation>
     </message>
     <message>
-        <source>These vessels were not traced: open a scan, a segmentation or a surface.</source>
-        <translation>Diese Gefäße wurden nicht erfasst: ein CT, eine Segmentierung oder Oberfläche öffnen.</translation>
+        <source>These vessels were not traced from an image: open a scan, a segmentation or a surface.</source>
+        <translation>Diese Gefäße wurden nicht aus einem Bild erfasst: Öffnen Sie einen Scan, eine Segmentierung oder eine Oberfläche.</translation>
     </message>
     <message>
         <source>A registration is running. Stop it first.</source>
         <translation>Eine Registrierung läuft. Zuerst anhalten.</translation>
     </message>
     <message>
-        <source>Tracing the vessels of the scan …</source>
-        <translation>Gefäße des CT werden erfasst …</translation>
+        <source>Tracing the vessels of the scan…</source>
+        <translation>Gefäße des Scans werden erfasst …</translation>
     </message>
     <message>
         <source>Trace vessels</source>
@@ -2126,35 +2126,35 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Bereit</translation>
     </message>
     <message>
-        <source>No label is ticked: tick those that are vessels.</source>
-        <translation>Kein Label ist angekreuzt: die ankreuzen, die Gefäße sind.</translation>
+        <source>No label is selected: select the labels that are vessels.</source>
+        <translation>Kein Label ist ausgewählt: Wählen Sie die Labels, die Gefäße sind.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::TreeActions</name>
     <message>
         <source>Select one branch: click it in the list or in a view.</source>
-        <translation>Einen Ast wählen: in der Liste oder einer Ansicht anklicken.</translation>
+        <translation>Wählen Sie einen Ast: Klicken Sie ihn in der Liste oder in einer Ansicht an.</translation>
     </message>
     <message>
-        <source>%1 pieces, too far apart to belong together</source>
-        <translation>%1 Stücke, zu weit auseinander, um zusammenzugehören</translation>
+        <source>%1 pieces, too far apart to be joined</source>
+        <translation>%1 Stücke, zu weit auseinander zum Verbinden</translation>
     </message>
     <message>
-        <source>Seed here</source>
-        <translation>Startpunkt hier</translation>
+        <source>Place seed here</source>
+        <translation>Startpunkt hier setzen</translation>
     </message>
     <message>
-        <source>Avoid this place</source>
-        <translation>Diese Stelle meiden</translation>
+        <source>Avoid this point</source>
+        <translation>Diesen Punkt meiden</translation>
     </message>
     <message>
         <source>%1 pieces · gap %2 mm: %3 – %4</source>
         <translation>%1 Stücke · Lücke %2 mm: %3 – %4</translation>
     </message>
     <message>
-        <source>Turn the vessels about this place</source>
-        <translation>Gefäße um diese Stelle drehen</translation>
+        <source>Rotate vessels about this point</source>
+        <translation>Gefäße um diesen Punkt drehen</translation>
     </message>
 </context>
 <context>
@@ -2165,23 +2165,23 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Select one branch: click it in the list or in a view.</source>
-        <translation>Einen Ast wählen: in der Liste oder einer Ansicht anklicken.</translation>
+        <translation>Wählen Sie einen Ast: Klicken Sie ihn in der Liste oder in einer Ansicht an.</translation>
     </message>
     <message>
-        <source>At least one branch has to stay.</source>
-        <translation>Mindestens ein Ast muss bleiben.</translation>
+        <source>At least one branch must remain.</source>
+        <translation>Mindestens ein Ast muss übrig bleiben.</translation>
     </message>
     <message>
         <source>Delete %1</source>
         <translation>%1 löschen</translation>
     </message>
     <message>
-        <source>Delete %1 and what leaves it</source>
-        <translation>%1 und seine Abgänge löschen</translation>
+        <source>Delete %1 and descendants</source>
+        <translation>%1 und nachgeordnete Äste löschen</translation>
     </message>
     <message>
-        <source>Click the place of the cut first, in a slice or on the branch in the 3-D view.</source>
-        <translation>Zuerst die Trennstelle anklicken, in einer Schicht oder am Ast in der 3-D-Ansicht.</translation>
+        <source>Click the cut position first, in a slice or on the branch in the 3-D view.</source>
+        <translation>Klicken Sie zuerst die Trennstelle an, in einer Schicht oder am Ast in der 3-D-Ansicht.</translation>
     </message>
     <message>
         <source>Cut %1</source>
@@ -2189,7 +2189,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Select the two branches to join: Ctrl adds the second one.</source>
-        <translation>Die zwei zu verbindenden Äste wählen: Strg fügt den zweiten hinzu.</translation>
+        <translation>Wählen Sie die zwei zu verbindenden Äste: Strg fügt den zweiten hinzu.</translation>
     </message>
     <message>
         <source>Join %1 and %2</source>
@@ -2200,8 +2200,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 glätten</translation>
     </message>
     <message>
-        <source>Root at %1</source>
-        <translation>Wurzel an %1</translation>
+        <source>Set root at %1</source>
+        <translation>Wurzel an %1 setzen</translation>
     </message>
     <message>
         <source>Show %1</source>
@@ -2216,16 +2216,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Alle Äste zeigen</translation>
     </message>
     <message>
-        <source>No end branch is shorter or thinner than that.</source>
+        <source>No terminal branch is shorter or thinner than that.</source>
         <translation>Kein Endast ist kürzer oder dünner.</translation>
     </message>
     <message>
         <source>Prune 1 branch</source>
-        <translation>1 Ast ausdünnen</translation>
+        <translation>1 Ast entfernen</translation>
     </message>
     <message>
         <source>Prune %1 branches</source>
-        <translation>%1 Äste ausdünnen</translation>
+        <translation>%1 Äste entfernen</translation>
     </message>
     <message>
         <source>Rename %1</source>
@@ -2255,12 +2255,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Name der Ansicht %1 (leer: ihre Winkel)</translation>
     </message>
     <message>
-        <source>Name a view</source>
-        <translation>Eine Ansicht benennen</translation>
+        <source>Rename view</source>
+        <translation>Ansicht umbenennen</translation>
     </message>
     <message>
-        <source>Take this view out</source>
-        <translation>Diese Ansicht herausnehmen</translation>
+        <source>Remove this view</source>
+        <translation>Diese Ansicht entfernen</translation>
     </message>
     <message>
         <source>%1 mm · %2 px</source>
@@ -2271,8 +2271,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>nicht gefunden</translation>
     </message>
     <message>
-        <source>%1. A click shows it, Delete takes the shown view out.</source>
-        <translation>%1. Ein Klick zeigt sie, Entf nimmt die gezeigte Ansicht heraus.</translation>
+        <source>%1. Click to show it; Delete removes the active view.</source>
+        <translation>%1. Klicken, um sie zu zeigen; Entf entfernt die aktive Ansicht.</translation>
     </message>
     <message>
         <source>The image of this view could not be read.</source>
@@ -2287,8 +2287,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Keine andere Ansicht kann an ihrer Stelle gezeigt werden.</translation>
     </message>
     <message>
-        <source>Take a view out</source>
-        <translation>Ansicht herausnehmen</translation>
+        <source>Remove view</source>
+        <translation>Ansicht entfernen</translation>
     </message>
 </context>
 <context>
@@ -2298,24 +2298,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Einzelbild</translation>
     </message>
     <message>
-        <source>start pose</source>
-        <translation>Ausgangslage</translation>
+        <source>initial pose</source>
+        <translation>Startlage</translation>
     </message>
     <message>
-        <source>a step of the run</source>
-        <translation>ein Schritt des Laufs</translation>
+        <source>a step of the registration</source>
+        <translation>ein Schritt der Registrierung</translation>
     </message>
     <message>
-        <source>a pose that image noise allows</source>
-        <translation>eine Lage, die das Bildrauschen zulässt</translation>
+        <source>a pose within image noise</source>
+        <translation>eine Lage innerhalb des Bildrauschens</translation>
     </message>
     <message>
         <source>another solution</source>
         <translation>eine andere Lösung</translation>
     </message>
     <message>
-        <source>a kept pose</source>
-        <translation>eine behaltene Lage</translation>
+        <source>a snapshot</source>
+        <translation>ein Snapshot</translation>
     </message>
     <message>
         <source>pose of this frame</source>
@@ -2334,39 +2334,39 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 · Median des ganzen Gefäßbaums %2 mm</translation>
     </message>
     <message>
-        <source>Opacification by frame · frame %1 of %2 · fullest: %3</source>
-        <translation>Kontrastfüllung je Bild · Bild %1 von %2 · vollstes: %3</translation>
+        <source>Opacification by frame · frame %1 of %2 · peak: %3</source>
+        <translation>Kontrastierung je Bild · Bild %1 von %2 · Maximum: %3</translation>
     </message>
 </context>
 <context>
     <name>core</name>
     <message>
-        <source>1 is the most likely way, 2 the next one, and so on.</source>
+        <source>1 is the most probable path, 2 the next, and so on.</source>
         <translation>1 ist der wahrscheinlichste Weg, 2 der nächste und so weiter.</translation>
     </message>
     <message>
-        <source>Adds the prior chosen above to the attraction.</source>
+        <source>Adds the prior selected above to the attraction.</source>
         <translation>Addiert den oben gewählten Prior zur Anziehung.</translation>
     </message>
     <message>
-        <source>Alternates between a few auxiliary points and all points by kernel-weighted PnP (Song, Ghaffari).</source>
-        <translation>Wechselt zwischen wenigen Hilfspunkten und allen Punkten, kerngewichtetes PnP (Song, Ghaffari).</translation>
+        <source>Alternates kernel-weighted PnP between a few auxiliary points and all points (Song, Ghaffari).</source>
+        <translation>Alterniert kerngewichtetes PnP zwischen wenigen Hilfspunkten und allen Punkten (Song, Ghaffari).</translation>
     </message>
     <message>
         <source>Alternating search</source>
-        <translation>Wechselnde Suche</translation>
+        <translation>Alternierende Suche</translation>
     </message>
     <message>
         <source>Alternation</source>
-        <translation>Wechsel</translation>
+        <translation>Alternierung</translation>
     </message>
     <message>
-        <source>Annealed particles around the start, or a walk over the out-of-plane angles.</source>
-        <translation>Abkühlende Partikel um den Start, oder ein Gang über die Winkel aus der Bildebene.</translation>
+        <source>Annealed particles around the initial pose, or a walk over the out-of-plane angles.</source>
+        <translation>Abkühlende Partikel um die Startlage, oder ein Durchlauf der Winkel aus der Bildebene.</translation>
     </message>
     <message>
-        <source>Another number draws other lots; the same repeats them.</source>
-        <translation>Eine andere Zahl zieht andere Lose, dieselbe wiederholt sie.</translation>
+        <source>A different number uses another random sequence; the same number reproduces it.</source>
+        <translation>Eine andere Zahl verwendet eine andere Zufallsfolge; dieselbe Zahl reproduziert sie.</translation>
     </message>
     <message>
         <source>Attracted by</source>
@@ -2377,16 +2377,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Hilfspunkte</translation>
     </message>
     <message>
-        <source>Best-first search over sequences of matched branches, a pose from each (after Zhu; re-implementation, parameters ours).</source>
-        <translation>Suche unter Folgen zugeordneter Äste, die besten zuerst, mit einer Lage zu jeder (nach Zhu; nachgebaut, eigene Parameter).</translation>
+        <source>Best-first search over sequences of matched branches, with one pose per sequence (after Zhu; re-implementation, our parameters).</source>
+        <translation>Best-first-Suche über Folgen zugeordneter Äste, mit je einer Lage pro Folge (nach Zhu; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Brightness under the vessels at their own width, evolution strategy (Jomier 2006; re-implementation, parameters ours).</source>
-        <translation>Helligkeit unter den Gefäßen in ihrer eigenen Breite, Evolutionsstrategie (Jomier 2006; nachgebaut, eigene Parameter).</translation>
+        <source>Image brightness under the vessels at their own width, evolution strategy (Jomier 2006; re-implementation, our parameters).</source>
+        <translation>Bildhelligkeit unter den Gefäßen in ihrer eigenen Breite, Evolutionsstrategie (Jomier 2006; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Chosen branches (nodes where none is chosen), nodes, the widest branches up to a third of the length, or random points.</source>
-        <translation>Gewählte Äste (Knoten, wo keiner gewählt ist), Knoten, die weitesten Äste bis zu einem Drittel der Länge, oder zufällige Punkte.</translation>
+        <source>Auxiliary branches (nodes if none are selected), nodes, the widest branches up to a third of the length, or random points.</source>
+        <translation>Hilfsäste (Knoten, wenn keine gewählt sind), Knoten, die weitesten Äste bis zu einem Drittel der Länge, oder zufällige Punkte.</translation>
     </message>
     <message>
         <source>Coarse search, then robust point-to-line refinement about the tree&apos;s centroid, with uncertainty.</source>
@@ -2394,34 +2394,34 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Covariance matrix adaptation, or one parent and one child at a time.</source>
-        <translation>Anpassung der Kovarianzmatrix, oder je ein Elter und ein Kind.</translation>
+        <translation>Kovarianzmatrix-Adaptation, oder je ein Elter und ein Kind.</translation>
     </message>
     <message>
-        <source>Damped steps on the Huber loss with fresh matches, or L-BFGS on the squared distances.</source>
-        <translation>Gedämpfte Schritte auf dem Huber-Verlust mit neuen Zuordnungen, oder L-BFGS auf den Abstandsquadraten.</translation>
+        <source>Damped steps on the Huber loss with updated matches, or L-BFGS on the squared distances.</source>
+        <translation>Gedämpfte Schritte auf dem Huber-Verlust mit aktualisierten Zuordnungen, oder L-BFGS auf den Abstandsquadraten.</translation>
     </message>
     <message>
         <source>Direction kernel</source>
         <translation>Richtungskern</translation>
     </message>
     <message>
-        <source>Directions count</source>
-        <translation>Richtungen zählen</translation>
+        <source>Use directions</source>
+        <translation>Richtungen verwenden</translation>
     </message>
     <message>
-        <source>Distance between the points of the traced vessels.</source>
-        <translation>Abstand der Punkte der erkannten Gefäße.</translation>
+        <source>Spacing of the points on the traced vessels.</source>
+        <translation>Punktabstand auf den erkannten Gefäßen.</translation>
     </message>
     <message>
-        <source>Distance between the tree points that are matched; smaller is slower.</source>
-        <translation>Abstand der zugeordneten Punkte des Gefäßbaums; kleiner ist langsamer.</translation>
+        <source>Spacing of the matched tree points; smaller values are slower.</source>
+        <translation>Abstand der zugeordneten Baumpunkte; kleinere Werte sind langsamer.</translation>
     </message>
     <message>
-        <source>Distance beyond which a point hardly counts in the end; the noise of the image may widen it.</source>
-        <translation>Abstand, ab dem ein Punkt am Ende kaum zählt; Bildrauschen kann ihn weiten.</translation>
+        <source>Distance beyond which a point has little weight in the final stage; image noise can increase it.</source>
+        <translation>Abstand, ab dem ein Punkt in der Endphase kaum noch Gewicht hat; Bildrauschen kann ihn vergrößern.</translation>
     </message>
     <message>
-        <source>Distance from which a point&apos;s pull stops growing.</source>
+        <source>Distance beyond which the pull of a point no longer grows.</source>
         <translation>Abstand, ab dem der Zug eines Punkts nicht mehr wächst.</translation>
     </message>
     <message>
@@ -2429,96 +2429,96 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kantenskala</translation>
     </message>
     <message>
-        <source>Edges found along the vessel walls&apos; normals, a pose chosen by RANSAC with gradient matching (Markelj 2008; re-implementation, parameters ours).</source>
-        <translation>Kanten längs der Normalen der Gefäßwände, Lage durch RANSAC mit Gradientenvergleich (Markelj 2008; nachgebaut, eigene Parameter).</translation>
+        <source>Edges along the normals of the vessel walls; RANSAC with gradient matching selects the pose (Markelj 2008; re-implementation, our parameters).</source>
+        <translation>Kanten längs der Normalen der Gefäßwände; RANSAC mit Gradientenvergleich wählt die Lage (Markelj 2008; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Evaluations at most</source>
-        <translation>Höchstens Auswertungen</translation>
+        <source>Max. evaluations</source>
+        <translation>Max. Auswertungen</translation>
     </message>
     <message>
         <source>Even spacing</source>
         <translation>Gleiche Abstände</translation>
     </message>
     <message>
-        <source>Factor by which the kernel narrows with each step after the first thirty.</source>
-        <translation>Faktor, um den der Kern nach den ersten dreißig Schritten mit jedem enger wird.</translation>
+        <source>Factor by which the kernel narrows in each step after the first thirty.</source>
+        <translation>Faktor, um den der Kern nach den ersten dreißig Schritten in jedem Schritt enger wird.</translation>
     </message>
     <message>
         <source>Final scale</source>
         <translation>Endskala</translation>
     </message>
     <message>
-        <source>First kernel width</source>
-        <translation>Erste Kernbreite</translation>
+        <source>Initial kernel width</source>
+        <translation>Anfängliche Kernbreite</translation>
     </message>
     <message>
-        <source>First reach</source>
-        <translation>Erste Reichweite</translation>
+        <source>Initial reach</source>
+        <translation>Anfängliche Reichweite</translation>
     </message>
     <message>
-        <source>First reach in the image</source>
-        <translation>Erste Reichweite im Bild</translation>
+        <source>Initial reach in the image</source>
+        <translation>Anfängliche Reichweite im Bild</translation>
     </message>
     <message>
-        <source>Flow steps at most</source>
-        <translation>Höchstens Flussschritte</translation>
+        <source>Max. flow steps</source>
+        <translation>Max. Flussschritte</translation>
     </message>
     <message>
-        <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image&apos;s brightness (Aylward 2003; re-implementation, parameters ours).</source>
+        <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image brightness (Aylward 2003; re-implementation, our parameters).</source>
         <translation>Gradientenaufstieg des mittleren Kerns zwischen Gefäßbaum und erkannten Gefäßen, oder der Bildhelligkeit (Aylward 2003; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Gradient flow of the inner product of tree and traced vessels as functions of the image (Ghaffari 2019; re-implementation, parameters ours).</source>
-        <translation>Gradientenfluss des inneren Produkts von Gefäßbaum und erkannten Gefäßen als Funktionen des Bildes (Ghaffari 2019; nachgebaut, eigene Parameter).</translation>
+        <source>Gradient flow of the inner product of tree and traced vessels as functions in the image (Ghaffari 2019; re-implementation, our parameters).</source>
+        <translation>Gradientenfluss des inneren Produkts von Gefäßbaum und erkannten Gefäßen als Funktionen im Bild (Ghaffari 2019; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Gradient steps at each of the three widths at most.</source>
-        <translation>Höchstens so viele Gradientenschritte je Breite (drei Breiten).</translation>
+        <source>Maximum number of gradient steps at each of the three widths.</source>
+        <translation>Höchstzahl der Gradientenschritte bei jeder der drei Breiten.</translation>
     </message>
     <message>
-        <source>How alike directions must be; small is strict.</source>
-        <translation>Wie ähnlich Richtungen sein müssen; klein ist streng.</translation>
+        <source>Required similarity of directions; smaller values are stricter.</source>
+        <translation>Geforderte Ähnlichkeit der Richtungen; kleinere Werte sind strenger.</translation>
     </message>
     <message>
-        <source>How far a bifurcation or end of the tree and one of the image may lie apart to be the same.</source>
-        <translation>Wie weit eine Verzweigung oder ein Ende des Baums und eines im Bild auseinanderliegen dürfen, um dasselbe zu sein.</translation>
+        <source>Maximum distance between a bifurcation or end of the tree and its match in the image.</source>
+        <translation>Höchstabstand zwischen einer Verzweigung oder einem Ende des Baums und der Zuordnung im Bild.</translation>
     </message>
     <message>
-        <source>How far across the ray the search reaches.</source>
-        <translation>Wie weit die Suche quer zum Strahl reicht.</translation>
+        <source>Search range perpendicular to the ray.</source>
+        <translation>Suchbereich senkrecht zum Strahl.</translation>
     </message>
     <message>
-        <source>How far along the vessel walls&apos; normals edges are sought at first.</source>
-        <translation>Wie weit anfangs längs der Normalen der Gefäßwände gesucht wird.</translation>
+        <source>Initial search distance for edges along the normals of the vessel walls.</source>
+        <translation>Anfängliche Suchweite für Kanten längs der Normalen der Gefäßwände.</translation>
     </message>
     <message>
-        <source>How far branches and the traced vessels that show them may lie apart at first.</source>
-        <translation>Wie weit Äste und die erkannten Gefäße, die sie zeigen, anfangs auseinanderliegen dürfen.</translation>
+        <source>Initial maximum distance between branches and their traced vessels.</source>
+        <translation>Anfänglicher Höchstabstand zwischen Ästen und den zugehörigen erkannten Gefäßen.</translation>
     </message>
     <message>
-        <source>How far the mask reaches beyond the projected vessels.</source>
-        <translation>Wie weit die Maske über die projizierten Gefäße hinausreicht.</translation>
+        <source>Margin of the mask around the projected vessels.</source>
+        <translation>Rand der Maske um die projizierten Gefäße.</translation>
     </message>
     <message>
-        <source>How far the search reaches in LAO/RAO and CRA/CAU.</source>
-        <translation>Wie weit die Suche in LAO/RAO und CRA/CAU reicht.</translation>
+        <source>Search range in LAO/RAO and CRA/CAU.</source>
+        <translation>Suchbereich in LAO/RAO und CRA/CAU.</translation>
     </message>
     <message>
-        <source>How far the search turns the vessels in the image.</source>
-        <translation>Wie weit die Suche die Gefäße im Bild dreht.</translation>
+        <source>Search range of the in-plane rotation.</source>
+        <translation>Suchbereich der Drehung in der Bildebene.</translation>
     </message>
     <message>
-        <source>How many, where the auxiliary points are random.</source>
-        <translation>Wie viele, wenn die Hilfspunkte zufällig sind.</translation>
+        <source>Number of auxiliary points if they are random.</source>
+        <translation>Anzahl der Hilfspunkte, wenn sie zufällig sind.</translation>
     </message>
     <message>
-        <source>How the pull towards the start pose is weighed against the image.</source>
-        <translation>Wie der Zug zur Startlage gegen das Bild gewogen wird.</translation>
+        <source>Weighting of the pull toward the initial pose against the image.</source>
+        <translation>Gewichtung des Zugs zur Startlage gegenüber dem Bild.</translation>
     </message>
     <message>
-        <source>How they are found: the tree and the grid are exact, the map is right to within three pixels.</source>
-        <translation>Wie sie gefunden werden: Baum und Gitter sind genau, die Karte auf drei Pixel.</translation>
+        <source>Method for finding the nearest points: tree and grid are exact, the map is accurate to within three pixels.</source>
+        <translation>Verfahren zum Finden der nächsten Punkte: Baum und Gitter sind exakt, die Karte ist auf drei Pixel genau.</translation>
     </message>
     <message>
         <source>Huber distance</source>
@@ -2529,35 +2529,35 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Hypothesen</translation>
     </message>
     <message>
-        <source>ICP iterations at most</source>
-        <translation>Höchstens ICP-Runden</translation>
+        <source>Max. ICP iterations</source>
+        <translation>Max. ICP-Iterationen</translation>
     </message>
     <message>
         <source>Image point spacing</source>
         <translation>Punktabstand im Bild</translation>
     </message>
     <message>
-        <source>Image points that pull each tree point: the nearest, the five nearest, or all within three kernel widths.</source>
-        <translation>Bildpunkte, die an jedem Baumpunkt ziehen: der nächste, die fünf nächsten, oder alle innerhalb dreier Kernbreiten.</translation>
+        <source>Image points that attract each tree point: the nearest, the five nearest, or all within three kernel widths.</source>
+        <translation>Bildpunkte, die jeden Baumpunkt anziehen: der nächste, die fünf nächsten, oder alle innerhalb von drei Kernbreiten.</translation>
     </message>
     <message>
-        <source>Iterations at most</source>
-        <translation>Höchstens Iterationen</translation>
+        <source>Max. iterations</source>
+        <translation>Max. Iterationen</translation>
     </message>
     <message>
-        <source>Keeps the projected tree as wide as the traced vessels; lower it where many branches are missing from the image.</source>
-        <translation>Hält den projizierten Baum so weit wie die erkannten Gefäße; senken, wo viele Äste im Bild fehlen.</translation>
+        <source>Keeps the projected tree as wide as the traced vessels; lower it if many branches are missing from the image.</source>
+        <translation>Hält den projizierten Baum so breit wie die erkannten Gefäße; verringern Sie den Wert, wenn viele Äste im Bild fehlen.</translation>
     </message>
     <message>
-        <source>Keeps the projected tree from shrinking; lower it where many branches are missing from the image.</source>
-        <translation>Hindert den projizierten Baum am Schrumpfen; senken, wo viele Äste im Bild fehlen.</translation>
+        <source>Keeps the projected tree from shrinking; lower it if many branches are missing from the image.</source>
+        <translation>Hindert den projizierten Baum am Schrumpfen; verringern Sie den Wert, wenn viele Äste im Bild fehlen.</translation>
     </message>
     <message>
         <source>Kernel decay</source>
         <translation>Kernabnahme</translation>
     </message>
     <message>
-        <source>Kernel width at first: the largest distance, or its square as the paper prints it.</source>
+        <source>Initial kernel width: the largest distance, or its square as printed in the paper.</source>
         <translation>Anfängliche Kernbreite: der größte Abstand, oder dessen Quadrat wie im Artikel.</translation>
     </message>
     <message>
@@ -2565,12 +2565,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kerngewichtetes iteratives PnP auf allen Punkten (Song, Ghaffari).</translation>
     </message>
     <message>
-        <source>L2 distance of oriented Gaussian mixtures of tree and traced vessels (Baka 2014; re-implementation, parameters ours).</source>
+        <source>L2 distance between oriented Gaussian mixtures of tree and traced vessels (Baka 2014; re-implementation, our parameters).</source>
         <translation>L2-Abstand gerichteter Gauß-Mischungen von Gefäßbaum und erkannten Gefäßen (Baka 2014; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Last kernel width</source>
-        <translation>Letzte Kernbreite</translation>
+        <source>Final kernel width</source>
+        <translation>Endgültige Kernbreite</translation>
     </message>
     <message>
         <source>Last pose ±, depth</source>
@@ -2585,84 +2585,84 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Letzte Lage ±, Verschiebung</translation>
     </message>
     <message>
-        <source>Least Huber loss of the distances to the nearest traced vessel (Rivest-Hénault 2012; re-implementation, parameters ours).</source>
-        <translation>Kleinster Huber-Verlust der Abstände zum nächsten erkannten Gefäß (Rivest-Hénault 2012; nachgebaut, eigene Parameter).</translation>
+        <source>Minimum Huber loss of the distances to the nearest traced vessel (Rivest-Hénault 2012; re-implementation, our parameters).</source>
+        <translation>Minimaler Huber-Verlust der Abstände zum nächsten erkannten Gefäß (Rivest-Hénault 2012; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Least squares on branches matched by their graphs, then vessels that move with their lengths kept (Groher 2009; re-implementation, parameters ours).</source>
-        <translation>Kleinste Quadrate auf Ästen, die nach ihren Graphen zugeordnet sind, danach Gefäße, die sich mit erhaltener Länge bewegen (Groher 2009; nachgebaut, eigene Parameter).</translation>
+        <source>Least squares on branches matched by their graphs, followed by length-preserving vessel motion (Groher 2009; re-implementation, our parameters).</source>
+        <translation>Kleinste Quadrate auf Ästen, die nach ihren Graphen zugeordnet sind, danach längenerhaltende Gefäßbewegung (Groher 2009; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Least squares on nearest pairs by OpenCV&apos;s SQPNP, repeated: what library parts make in an afternoon.</source>
-        <translation>Kleinste Quadrate auf nächsten Paaren mit OpenCVs SQPNP, wiederholt: was Bibliotheksteile an einem Nachmittag ergeben.</translation>
+        <source>Repeated least squares on nearest pairs, with OpenCV&apos;s SQPNP.</source>
+        <translation>Wiederholte kleinste Quadrate auf nächsten Paaren, mit OpenCVs SQPNP.</translation>
     </message>
     <message>
-        <source>Let vessels move</source>
-        <translation>Gefäße bewegen lassen</translation>
+        <source>Allow vessel motion</source>
+        <translation>Gefäßbewegung zulassen</translation>
     </message>
     <message>
-        <source>Lets the auxiliary and the full problem take turns.</source>
-        <translation>Lässt Hilfs- und volles Problem abwechseln.</translation>
+        <source>Alternates between the auxiliary and the full problem.</source>
+        <translation>Alterniert zwischen Hilfsproblem und vollem Problem.</translation>
     </message>
     <message>
-        <source>Lets the auxiliary points and all points take turns.</source>
-        <translation>Lässt Hilfspunkte und alle Punkte abwechseln.</translation>
+        <source>Alternates between the auxiliary points and all points.</source>
+        <translation>Alterniert zwischen den Hilfspunkten und allen Punkten.</translation>
     </message>
     <message>
-        <source>Line searches along all six directions.</source>
-        <translation>Liniensuchen in allen sechs Richtungen.</translation>
+        <source>Rounds of line searches along all six directions.</source>
+        <translation>Runden von Liniensuchen in allen sechs Richtungen.</translation>
     </message>
     <message>
-        <source>Looks for the pose around the start before refining it.</source>
-        <translation>Sucht die Lage um den Start, bevor sie verfeinert wird.</translation>
+        <source>Searches around the initial pose before the refinement.</source>
+        <translation>Sucht vor der Verfeinerung um die Startlage.</translation>
     </message>
     <message>
-        <source>Many poses at once, drawn anew by likelihood, or a walk over the out-of-plane angles (after Tian 2022; re-implementation, parameters ours).</source>
-        <translation>Viele Lagen zugleich, nach Wahrscheinlichkeit neu gezogen, oder ein Gang über die Winkel aus der Bildebene (nach Tian 2022; nachgebaut, eigene Parameter).</translation>
+        <source>Many poses at once, resampled by likelihood, or a walk over the out-of-plane angles (after Tian 2022; re-implementation, our parameters).</source>
+        <translation>Viele Lagen zugleich, Resampling nach Likelihood, oder ein Durchlauf der Winkel aus der Bildebene (nach Tian 2022; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
         <source>Mask margin</source>
         <translation>Maskenrand</translation>
     </message>
     <message>
-        <source>Matching and choosing a pose end after so many rounds.</source>
-        <translation>Zuordnen und Wählen enden nach so vielen Runden.</translation>
+        <source>Maximum number of rounds of matching and pose selection.</source>
+        <translation>Höchstzahl der Runden aus Zuordnung und Lagewahl.</translation>
     </message>
     <message>
-        <source>Matching and solving end after so many rounds.</source>
-        <translation>Zuordnen und Lösen enden nach so vielen Runden.</translation>
+        <source>Maximum number of rounds of matching and solving.</source>
+        <translation>Höchstzahl der Runden aus Zuordnung und Lösung.</translation>
     </message>
     <message>
-        <source>Matching branches and fitting the pose end after so many.</source>
-        <translation>Zuordnen der Äste und Anpassen der Lage enden nach so vielen.</translation>
+        <source>Maximum number of rounds of branch matching and pose fitting.</source>
+        <translation>Höchstzahl der Runden aus Astzuordnung und Lageanpassung.</translation>
     </message>
     <message>
-        <source>Moves the branches onto their partners after the rigid fit, lengths kept, and tells how far; the pose stays.</source>
-        <translation>Bewegt die Äste nach der starren Anpassung auf ihre Partner, Längen bleiben erhalten, und sagt, wie weit; die Lage bleibt.</translation>
+        <source>After the rigid fit, moves the branches onto their matches with lengths preserved and reports the displacement; the pose does not change.</source>
+        <translation>Bewegt die Äste nach der starren Anpassung längenerhaltend auf ihre Zuordnungen und meldet die Verschiebung; die Lage ändert sich nicht.</translation>
     </message>
     <message>
-        <source>NICP inside the alternating search (Song, Ghaffari; re-implementation, parameters ours).</source>
-        <translation>NICP in der wechselnden Suche (Song, Ghaffari; nachgebaut, eigene Parameter).</translation>
+        <source>NICP inside the alternating search (Song, Ghaffari; re-implementation, our parameters).</source>
+        <translation>NICP in der alternierenden Suche (Song, Ghaffari; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Narrows the kernel after five steps, or once no further point comes within its reach.</source>
-        <translation>Verengt den Kern nach fünf Schritten, oder sobald kein weiterer Punkt in Reichweite kommt.</translation>
+        <source>Narrows the kernel after five steps, or when no new point comes within its reach.</source>
+        <translation>Verengt den Kern nach fünf Schritten, oder wenn kein neuer Punkt in seine Reichweite kommt.</translation>
     </message>
     <message>
         <source>Nearest points</source>
         <translation>Nächste Punkte</translation>
     </message>
     <message>
-        <source>Neighbours</source>
+        <source>Neighbors</source>
         <translation>Nachbarn</translation>
     </message>
     <message>
-        <source>Off the axis ±</source>
+        <source>Off-axis ±</source>
         <translation>Neben der Achse ±</translation>
     </message>
     <message>
-        <source>Only a wire or catheter is visible: which way of the tree it takes, and the pose near the last full one.</source>
-        <translation>Nur ein Draht oder Katheter ist zu sehen: welchen Weg im Baum er nimmt, und die Lage nahe der letzten vollständigen.</translation>
+        <source>For images that show only a wire or catheter: finds its path through the tree, and the pose near the last full registration.</source>
+        <translation>Für Bilder, die nur einen Draht oder Katheter zeigen: findet seinen Weg im Gefäßbaum und die Lage nahe der letzten vollständigen Registrierung.</translation>
     </message>
     <message>
         <source>Particles</source>
@@ -2673,28 +2673,28 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Verglichene Pixel</translation>
     </message>
     <message>
-        <source>Points attract each other the more, the more alike the vessels run there.</source>
-        <translation>Punkte ziehen einander umso stärker an, je gleicher die Gefäße dort laufen.</translation>
+        <source>Points attract each other more strongly the more parallel the vessels are there.</source>
+        <translation>Punkte ziehen einander umso stärker an, je paralleler die Gefäße dort verlaufen.</translation>
     </message>
     <message>
         <source>Population</source>
         <translation>Population</translation>
     </message>
     <message>
-        <source>Poses from three random correspondences per round.</source>
-        <translation>Lagen aus drei zufälligen Zuordnungen je Runde.</translation>
+        <source>Number of poses per round, each from three random correspondences.</source>
+        <translation>Anzahl der Lagen je Runde, jede aus drei zufälligen Korrespondenzen.</translation>
     </message>
     <message>
-        <source>Poses kept per round.</source>
-        <translation>Je Runde behaltene Lagen.</translation>
+        <source>Number of poses kept per round.</source>
+        <translation>Anzahl der je Runde behaltenen Lagen.</translation>
     </message>
     <message>
-        <source>Poses tried in all.</source>
-        <translation>Insgesamt erprobte Lagen.</translation>
+        <source>Total number of poses tested.</source>
+        <translation>Gesamtzahl der geprüften Lagen.</translation>
     </message>
     <message>
-        <source>Poses tried per generation.</source>
-        <translation>Je Generation erprobte Lagen.</translation>
+        <source>Number of poses tested per generation.</source>
+        <translation>Anzahl der je Generation geprüften Lagen.</translation>
     </message>
     <message>
         <source>Prior</source>
@@ -2705,12 +2705,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gewicht des Priors</translation>
     </message>
     <message>
-        <source>Pull to the start</source>
-        <translation>Zug zum Start</translation>
+        <source>Initial-pose prior</source>
+        <translation>Prior der Startlage</translation>
     </message>
     <message>
-        <source>Radiographs computed at most.</source>
-        <translation>Höchstens berechnete Röntgenbilder.</translation>
+        <source>Maximum number of DRRs computed.</source>
+        <translation>Höchstzahl der berechneten DRRs.</translation>
     </message>
     <message>
         <source>Random points</source>
@@ -2721,24 +2721,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zufallsstartwert</translation>
     </message>
     <message>
-        <source>Rank correlation of the image with radiographs of the CTA or of tubes, Nelder–Mead (Steininger 2012; re-implementation, parameters ours).</source>
-        <translation>Rangkorrelation des Bildes mit Röntgenbildern der CTA oder von Röhren, Nelder–Mead (Steininger 2012; nachgebaut, eigene Parameter).</translation>
+        <source>Rank correlation of the image with DRRs of the CTA or of tubes, Nelder–Mead (Steininger 2012; re-implementation, our parameters).</source>
+        <translation>Rangkorrelation des Bildes mit DRRs der CTA oder von Röhren, Nelder–Mead (Steininger 2012; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Reach of the attraction at first.</source>
+        <source>Initial reach of the attraction.</source>
         <translation>Anfängliche Reichweite der Anziehung.</translation>
     </message>
     <message>
-        <source>Reach of the attraction in the end.</source>
-        <translation>Reichweite der Anziehung am Ende.</translation>
+        <source>Final reach of the attraction.</source>
+        <translation>Endgültige Reichweite der Anziehung.</translation>
     </message>
     <message>
-        <source>Reach of the roots</source>
+        <source>Root reach</source>
         <translation>Reichweite der Wurzeln</translation>
     </message>
     <message>
-        <source>Rigid only, or an affine stage after it, of which the rigid part is kept if it fits better.</source>
-        <translation>Nur starr, oder danach eine affine Stufe, deren starrer Teil bleibt, wenn er besser passt.</translation>
+        <source>Rigid only, or followed by an affine stage whose rigid part is kept if it fits better.</source>
+        <translation>Nur starr, oder gefolgt von einer affinen Stufe, deren starrer Teil bleibt, wenn er besser passt.</translation>
     </message>
     <message>
         <source>Rotation first</source>
@@ -2749,8 +2749,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Runden</translation>
     </message>
     <message>
-        <source>Rounds at most</source>
-        <translation>Höchstens Runden</translation>
+        <source>Max. rounds</source>
+        <translation>Max. Runden</translation>
     </message>
     <message>
         <source>Search</source>
@@ -2773,16 +2773,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Selbstterm</translation>
     </message>
     <message>
-        <source>Sequences of matched branches tried at most.</source>
-        <translation>So viele Folgen zugeordneter Äste werden höchstens versucht.</translation>
+        <source>Maximum number of matched-branch sequences tested.</source>
+        <translation>Höchstzahl der geprüften Folgen zugeordneter Äste.</translation>
     </message>
     <message>
-        <source>Share of the mask that the rank correlation is taken over; at least 2000 pixels.</source>
-        <translation>Anteil der Maske für die Rangkorrelation; mindestens 2000 Pixel.</translation>
+        <source>Fraction of the mask used for the rank correlation; at least 2000 pixels.</source>
+        <translation>Für die Rangkorrelation verwendeter Anteil der Maske; mindestens 2000 Pixel.</translation>
     </message>
     <message>
-        <source>Smoothing under the gradients of the image.</source>
-        <translation>Glättung unter den Bildgradienten.</translation>
+        <source>Smoothing scale of the image gradients.</source>
+        <translation>Glättungsskala der Bildgradienten.</translation>
     </message>
     <message>
         <source>Solver</source>
@@ -2793,12 +2793,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Weitenterm</translation>
     </message>
     <message>
-        <source>Spreads the points evenly before matching; off takes them as they are.</source>
-        <translation>Verteilt die Punkte vor dem Zuordnen gleichmäßig; aus nimmt sie, wie sie sind.</translation>
+        <source>Spaces the points evenly before matching; if off, uses the points unchanged.</source>
+        <translation>Verteilt die Punkte vor dem Zuordnen gleichmäßig; ausgeschaltet bleiben die Punkte unverändert.</translation>
     </message>
     <message>
-        <source>Standard deviation of the last full pose across the ray.</source>
-        <translation>Standardabweichung der letzten vollständigen Lage quer zum Strahl.</translation>
+        <source>Standard deviation of the last full pose perpendicular to the ray.</source>
+        <translation>Standardabweichung der letzten vollständigen Lage senkrecht zum Strahl.</translation>
     </message>
     <message>
         <source>Standard deviation of the last full pose along the ray.</source>
@@ -2809,99 +2809,99 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Standardabweichung der Winkel der letzten vollständigen Lage.</translation>
     </message>
     <message>
-        <source>Standard deviation of the start pose across the ray.</source>
-        <translation>Standardabweichung der Startlage quer zum Strahl.</translation>
+        <source>Standard deviation of the initial pose perpendicular to the ray.</source>
+        <translation>Standardabweichung der Startlage senkrecht zum Strahl.</translation>
     </message>
     <message>
-        <source>Standard deviation of the start pose along the ray.</source>
+        <source>Standard deviation of the initial pose along the ray.</source>
         <translation>Standardabweichung der Startlage längs des Strahls.</translation>
     </message>
     <message>
-        <source>Standard deviation of the start pose&apos;s angles; holds what the image cannot tell.</source>
-        <translation>Standardabweichung der Winkel der Startlage; hält, was das Bild nicht verrät.</translation>
+        <source>Standard deviation of the initial pose angles; constrains what the image cannot determine.</source>
+        <translation>Standardabweichung der Winkel der Startlage; legt fest, was das Bild nicht bestimmen kann.</translation>
     </message>
     <message>
-        <source>Standard deviation of the wire from the vessel&apos;s axis, beside what the vessel&apos;s width lets it.</source>
-        <translation>Standardabweichung des Drahts von der Gefäßachse, neben dem, was die Weite des Gefäßes zulässt.</translation>
+        <source>Standard deviation of the wire from the vessel axis, in addition to the play within the vessel width.</source>
+        <translation>Standardabweichung des Drahts von der Gefäßachse, zusätzlich zum Spiel innerhalb der Gefäßweite.</translation>
     </message>
     <message>
-        <source>Start depth ±</source>
+        <source>Initial depth ±</source>
         <translation>Starttiefe ±</translation>
     </message>
     <message>
-        <source>Steps along the flow, at all widths together.</source>
+        <source>Steps along the flow, total over all widths.</source>
         <translation>Schritte längs des Flusses, alle Breiten zusammen.</translation>
     </message>
     <message>
-        <source>Way taken</source>
-        <translation>Genommener Weg</translation>
+        <source>Wire path</source>
+        <translation>Weg des Drahts</translation>
     </message>
     <message>
-        <source>Weight of chosen branches</source>
-        <translation>Gewicht gewählter Äste</translation>
+        <source>Auxiliary branch weight</source>
+        <translation>Gewicht der Hilfsäste</translation>
     </message>
     <message>
-        <source>How much the branches chosen as auxiliary count against the fit of all; 1: they are not fitted apart.</source>
-        <translation>Wie viel die als Hilfsmenge gewählten Äste gegen die Anpassung aller zählen; 1: sie werden nicht eigens angepasst.</translation>
+        <source>Weight of the auxiliary branches relative to the fit of all branches; 1: no separate fit.</source>
+        <translation>Gewicht der Hilfsäste gegenüber der Anpassung aller Äste; 1: keine gesonderte Anpassung.</translation>
     </message>
     <message>
-        <source>Errors of the geometry</source>
-        <translation>Fehler der Geometrie</translation>
+        <source>Geometry uncertainty</source>
+        <translation>Unsicherheit der Geometrie</translation>
     </message>
     <message>
-        <source>Whether focal length and principal point may be off by what is usual where they come from, by what is given below, or not at all.</source>
-        <translation>Ob Brennweite und Hauptpunkt um so viel falsch sein können, wie es bei ihrer Herkunft üblich ist, um das unten Angegebene, oder gar nicht.</translation>
+        <source>Uncertainty of focal length and principal point: typical for their origin, as given below, or none.</source>
+        <translation>Unsicherheit von Brennweite und Hauptpunkt: typisch für ihre Herkunft, wie unten angegeben, oder keine.</translation>
     </message>
     <message>
         <source>Focal length ±</source>
         <translation>Brennweite ±</translation>
     </message>
     <message>
-        <source>Standard deviation of the focal length where it is given.</source>
-        <translation>Standardabweichung der Brennweite, wo sie angegeben wird.</translation>
+        <source>Standard deviation of the focal length, if given.</source>
+        <translation>Standardabweichung der Brennweite, falls angegeben.</translation>
     </message>
     <message>
         <source>Principal point ±</source>
         <translation>Hauptpunkt ±</translation>
     </message>
     <message>
-        <source>Standard deviation of each coordinate of the principal point where it is given.</source>
-        <translation>Standardabweichung jeder Koordinate des Hauptpunkts, wo sie angegeben wird.</translation>
+        <source>Standard deviation of each principal-point coordinate, if given.</source>
+        <translation>Standardabweichung jeder Koordinate des Hauptpunkts, falls angegeben.</translation>
     </message>
     <message>
-        <source>Estimate the geometry</source>
+        <source>Estimate geometry</source>
         <translation>Geometrie schätzen</translation>
     </message>
     <message>
-        <source>Where the images clearly contradict focal length or principal point, takes over those that they show and registers again.</source>
-        <translation>Wo die Bilder Brennweite oder Hauptpunkt klar widersprechen, werden die übernommen, die sie zeigen, und es wird noch einmal registriert.</translation>
+        <source>If the images clearly contradict the focal length or principal point, adopts the values they indicate and registers again.</source>
+        <translation>Wenn die Bilder Brennweite oder Hauptpunkt klar widersprechen, werden die daraus ermittelten Werte übernommen und erneut registriert.</translation>
     </message>
     <message>
-        <source>Mirrored and turned images</source>
+        <source>Mirrored and rotated images</source>
         <translation>Gespiegelte und gedrehte Bilder</translation>
     </message>
     <message>
-        <source>Where a fit is in doubt, tells whether the image looks mirrored or turned.</source>
-        <translation>Sagt, wo eine Anpassung zweifelhaft ist, ob das Bild gespiegelt oder gedreht aussieht.</translation>
+        <source>If the fit has low confidence, reports whether the image looks mirrored or rotated.</source>
+        <translation>Meldet bei geringer Konfidenz der Anpassung, ob das Bild gespiegelt oder gedreht aussieht.</translation>
     </message>
     <message>
-        <source>Bent vessels</source>
-        <translation>Verbogene Gefäße</translation>
+        <source>Deformation</source>
+        <translation>Deformation</translation>
     </message>
     <message>
-        <source>Whether the vessels are bent onto the image after the rigid registration: never, where the fit looks as if they were bent (angiopose, nothing locked), or always.</source>
-        <translation>Ob die Gefäße nach der starren Registrierung auf das Bild gebogen werden: nie, wo die Anpassung so aussieht, als wären sie verbogen (angiopose, nichts festgehalten), oder immer.</translation>
+        <source>Deforms the vessels onto the image after the rigid registration: never, if the fit suggests a deformation (angiopose, nothing locked), or always.</source>
+        <translation>Verformt die Gefäße nach der starren Registrierung auf das Bild: nie, wenn die Anpassung auf eine Verformung hindeutet (angiopose, nichts gesperrt), oder immer.</translation>
     </message>
     <message>
-        <source>Start rotation ±</source>
+        <source>Initial rotation ±</source>
         <translation>Startdrehung ±</translation>
     </message>
     <message>
-        <source>Start scale</source>
+        <source>Initial scale</source>
         <translation>Startskala</translation>
     </message>
     <message>
-        <source>Start shift ±</source>
+        <source>Initial shift ±</source>
         <translation>Startversatz ±</translation>
     </message>
     <message>
@@ -2917,19 +2917,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Strategie</translation>
     </message>
     <message>
-        <source>Strength of the pull towards the start pose.</source>
+        <source>Strength of the pull toward the initial pose.</source>
         <translation>Stärke des Zugs zur Startlage.</translation>
     </message>
     <message>
-        <source>The refinement ends after so many steps.</source>
-        <translation>Die Verfeinerung endet nach so vielen Schritten.</translation>
+        <source>Maximum number of refinement steps.</source>
+        <translation>Höchstzahl der Verfeinerungsschritte.</translation>
     </message>
     <message>
-        <source>The spread narrows by a quarter in each.</source>
-        <translation>Die Streuung nimmt in jeder um ein Viertel ab.</translation>
+        <source>The spread narrows by a quarter in each round.</source>
+        <translation>Die Streuung nimmt in jeder Runde um ein Viertel ab.</translation>
     </message>
     <message>
-        <source>The traced vessels, or the brightness of the image at each vessel&apos;s own width.</source>
+        <source>The traced vessels, or the image brightness at each vessel&apos;s own width.</source>
         <translation>Die erkannten Gefäße, oder die Bildhelligkeit in der Breite jedes Gefäßes.</translation>
     </message>
     <message>
@@ -2941,24 +2941,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Punktabstand im Baum</translation>
     </message>
     <message>
-        <source>Turns about the source before all else.</source>
-        <translation>Dreht vor allem anderen um den Fokus.</translation>
+        <source>Rotates about the source before all other steps.</source>
+        <translation>Dreht vor allen anderen Schritten um die Quelle.</translation>
     </message>
     <message>
-        <source>Turns and shifts in balance, or raw radians beside millimetres, which hardly shifts.</source>
-        <translation>Drehung und Verschiebung ausgewogen, oder Bogenmaß neben Millimetern, was kaum verschiebt.</translation>
+        <source>Balanced rotation and translation, or unscaled radians and millimeters, which hardly translates.</source>
+        <translation>Drehung und Verschiebung ausgewogen, oder unskaliert Bogenmaß und Millimeter, was kaum verschiebt.</translation>
     </message>
     <message>
-        <source>Vessel walls against image gradients, Powell&apos;s method (Mitrović 2013; re-implementation, parameters ours).</source>
+        <source>Vessel walls against image gradients, Powell&apos;s method (Mitrović 2013; re-implementation, our parameters).</source>
         <translation>Gefäßwände gegen Bildgradienten, Powell-Verfahren (Mitrović 2013; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Width of the mixtures&apos; Gaussians at first.</source>
+        <source>Initial width of the mixture Gaussians.</source>
         <translation>Anfängliche Breite der Gauß-Mischungen.</translation>
     </message>
     <message>
-        <source>Width of the mixtures&apos; Gaussians in the end.</source>
-        <translation>Breite der Gauß-Mischungen am Ende.</translation>
+        <source>Final width of the mixture Gaussians.</source>
+        <translation>Endgültige Breite der Gauß-Mischungen.</translation>
     </message>
     <message>
         <source>affine</source>
@@ -3006,15 +3006,15 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>bending</source>
-        <translation>Biegen</translation>
+        <translation>Deformation</translation>
     </message>
     <message>
         <source>stopped by the user</source>
-        <translation>von Hand angehalten</translation>
+        <translation>vom Benutzer angehalten</translation>
     </message>
     <message>
         <source>chosen</source>
-        <translation>gewählte</translation>
+        <translation>Hilfsäste</translation>
     </message>
     <message>
         <source>closest</source>
@@ -3164,8 +3164,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::AngleController</name>
     <message>
-        <source>Angles that show %1</source>
-        <translation>Winkel, aus denen %1 zu sehen ist</translation>
+        <source>C-arm angles for %1</source>
+        <translation>C-Bogen-Winkel für %1</translation>
     </message>
     <message>
         <source>No branch</source>
@@ -3175,38 +3175,38 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::ui::AngleDialog</name>
     <message>
-        <source>Only where it takes off, 10 mm around</source>
-        <translation>Nur wo er abgeht, 10 mm ringsum</translation>
+        <source>Origin only (±10 mm)</source>
+        <translation>Nur am Abgang (±10 mm)</translation>
     </message>
     <message>
         <source>C-arm angles</source>
         <translation>C-Bogen-Winkel</translation>
     </message>
     <message>
-        <source>Blue: seen at full length and clear of other vessels. Amber: foreshortened or hidden.</source>
-        <translation>Blau: in ganzer Länge und frei von anderen Gefäßen zu sehen. Orange: verkürzt oder verdeckt.</translation>
+        <source>Blue: visible at full length and free of overlap. Amber: foreshortened or overlapped.</source>
+        <translation>Blau: in voller Länge und ohne Überlagerung sichtbar. Orange: verkürzt oder überlagert.</translation>
     </message>
     <message>
-        <source>Where the gantry stood for this image.</source>
-        <translation>Wo der C-Bogen bei diesem Bild stand.</translation>
+        <source>Gantry position of this image.</source>
+        <translation>C-Bogen-Stellung dieses Bildes.</translation>
     </message>
     <message>
-        <source>The gantry reaches</source>
-        <translation>Der C-Bogen erreicht</translation>
+        <source>Gantry limits</source>
+        <translation>C-Bogen-Grenzen</translation>
     </message>
     <message>
         <source>Now: %1</source>
         <translation>Jetzt: %1</translation>
     </message>
     <message>
-        <source>%1: foreshortened by %2 %, covered by other vessels %3 %</source>
-        <translation>%1: um %2 % verkürzt, zu %3 % von anderen Gefäßen verdeckt</translation>
+        <source>%1: foreshortening %2 %, overlap %3 %</source>
+        <translation>%1: Verkürzung %2 %, Überlagerung %3 %</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::AngleMapPlot</name>
     <message>
-        <source>Map of the gantry&apos;s angles</source>
+        <source>Gantry angle map</source>
         <translation>Karte der C-Bogen-Winkel</translation>
     </message>
     <message>
@@ -3217,79 +3217,79 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::ui::SimulatedView</name>
     <message>
-        <source>The vessels from these angles</source>
-        <translation>Die Gefäße aus diesen Winkeln</translation>
+        <source>Simulated view at these angles</source>
+        <translation>Simulierte Ansicht bei diesen Winkeln</translation>
     </message>
 </context>
 <context>
     <name>messages</name>
     <message>
-        <source>The camera or pose has an entry that is not a finite number. Export it again.</source>
+        <source>The camera or the pose contains a value that is not a finite number. Export it again.</source>
         <comment>projection.not-finite</comment>
-        <translation>Kamera oder Lage haben einen Eintrag, der keine endliche Zahl ist. Neu exportieren.</translation>
+        <translation>Kamera oder Lage enthalten einen Wert, der keine endliche Zahl ist. Bitte neu exportieren.</translation>
     </message>
     <message>
-        <source>The left 3 x 3 part of the projection matrix has no inverse, so that it is no X-ray camera. Export it again.</source>
+        <source>The left 3 x 3 block of the projection matrix is singular, so this is not an X-ray camera. Export it again.</source>
         <comment>projection.degenerate</comment>
-        <translation>Der linke 3 x 3-Teil der Projektionsmatrix hat keine Inverse, sie ist also keine Röntgenkamera. Neu exportieren.</translation>
+        <translation>Der linke 3 x 3-Block der Projektionsmatrix ist singulär; dies ist also keine Röntgenkamera. Bitte neu exportieren.</translation>
     </message>
     <message>
-        <source>The pixels of the camera are not at right angles (a skew of %1). Give a camera without skew, or resample the image.</source>
+        <source>The camera has skewed pixels (skew %1). Provide a camera without skew, or resample the image.</source>
         <comment>projection.skewed</comment>
-        <translation>Die Pixel der Kamera stehen nicht im rechten Winkel (Scherung von %1). Eine Kamera ohne Scherung angeben oder das Bild umrechnen.</translation>
+        <translation>Die Kamera hat gescherte Pixel (Scherung %1). Geben Sie eine Kamera ohne Scherung an, oder tasten Sie das Bild neu ab.</translation>
     </message>
     <message>
-        <source>K must hold focal lengths and principal point only: fx 0 cx, 0 fy cy, 0 0 1. Is it transposed?</source>
+        <source>K must contain only focal lengths and principal point: fx 0 cx, 0 fy cy, 0 0 1. Check whether it is transposed.</source>
         <comment>projection.intrinsics</comment>
-        <translation>K darf nur Brennweiten und Hauptpunkt enthalten: fx 0 cx, 0 fy cy, 0 0 1. Ist sie transponiert?</translation>
+        <translation>K darf nur Brennweiten und Hauptpunkt enthalten: fx 0 cx, 0 fy cy, 0 0 1. Prüfen Sie, ob sie transponiert ist.</translation>
     </message>
     <message>
-        <source>R is not a rotation (scale or shear). Give a rigid pose in mm.</source>
+        <source>R is not a rotation (it contains scale or shear). Provide a rigid pose in mm.</source>
         <comment>projection.no-rotation</comment>
-        <translation>R ist keine Drehung (Skalierung oder Scherung). Eine starre Lage in mm angeben.</translation>
+        <translation>R ist keine Drehung (enthält Skalierung oder Scherung). Geben Sie eine starre Lage in mm an.</translation>
     </message>
     <message>
-        <source>it holds no camera with its pose. Give P (3 x 4), or K (3 x 3), R (3 x 3, or rvec) and t (3).</source>
+        <source>the file contains no camera with a pose. Provide P (3 x 4), or K (3 x 3), R (3 x 3, or rvec) and t (3).</source>
         <comment>exchange.no-pose</comment>
-        <translation>enthält keine Kamera mit ihrer Lage. P (3 x 4) angeben, oder K (3 x 3), R (3 x 3 oder rvec) und t (3).</translation>
+        <translation>die Datei enthält keine Kamera mit Lage. Geben Sie P (3 x 4) an, oder K (3 x 3), R (3 x 3 oder rvec) und t (3).</translation>
     </message>
     <message>
-        <source>it holds %1 numbers. P = K [R t] has 12 (three rows of four), a pose cameraFromPatient 16.</source>
+        <source>the file contains %1 numbers. P = K [R t] has 12 (three rows of four), a pose cameraFromPatient has 16.</source>
         <comment>exchange.numbers</comment>
-        <translation>enthält %1 Zahlen. P = K [R t] hat 12 (drei Zeilen zu vier), eine Lage cameraFromPatient 16.</translation>
+        <translation>die Datei enthält %1 Zahlen. P = K [R t] hat 12 (drei Zeilen zu vier), eine Lage cameraFromPatient hat 16.</translation>
     </message>
     <message>
-        <source>its camera bends straight lines (distortion coefficients). Undistort the image, then give a camera without them.</source>
+        <source>the camera has lens distortion (distortion coefficients). Undistort the image, then provide a camera without distortion.</source>
         <comment>exchange.distorted</comment>
-        <translation>die Kamera krümmt gerade Linien (Verzeichnungskoeffizienten). Das Bild entzerren, dann eine Kamera ohne sie angeben.</translation>
+        <translation>die Kamera hat eine Verzeichnung (Verzeichnungskoeffizienten). Entzerren Sie das Bild, und geben Sie dann eine Kamera ohne Verzeichnung an.</translation>
     </message>
     <message>
-        <source>a pose in this form needs its camera. Give one: a case, or a pose with a camera.</source>
+        <source>a pose in this format needs a camera. Provide a case, or a pose with a camera.</source>
         <comment>exchange.no-camera</comment>
-        <translation>in dieser Form braucht eine Lage ihre Kamera. Eine angeben: einen Fall, oder eine Lage mit Kamera.</translation>
+        <translation>eine Lage in diesem Format braucht eine Kamera. Geben Sie einen Fall an, oder eine Lage mit Kamera.</translation>
     </message>
     <message>
-        <source>a camera with its pose is written as .json, .txt, .yml, .yaml or .xml. Change the extension.</source>
+        <source>a camera with a pose can be saved as .json, .txt, .yml, .yaml or .xml. Change the extension.</source>
         <comment>exchange.extension</comment>
-        <translation>eine Kamera mit ihrer Lage wird als .json, .txt, .yml, .yaml oder .xml geschrieben. Die Endung ändern.</translation>
+        <translation>eine Kamera mit Lage lässt sich als .json, .txt, .yml, .yaml oder .xml speichern. Ändern Sie die Endung.</translation>
     </message>
     <message>
-        <source>this is a file of PyTorch, which can run programs when it is read. Write its pose as JSON first (FORMATS §3.4).</source>
+        <source>this is a PyTorch file, which can execute code when it is read. Save its pose as JSON first (FORMATS §3.4).</source>
         <comment>exchange.pickle</comment>
-        <translation>das ist eine Datei von PyTorch, die beim Lesen Programme ausführen kann. Ihre Lage erst als JSON schreiben (FORMATS §3.4).</translation>
+        <translation>dies ist eine PyTorch-Datei, die beim Lesen Code ausführen kann. Speichern Sie ihre Lage zuerst als JSON (FORMATS §3.4).</translation>
     </message>
     <message>
-        <source>it is no view of DiffDRR: %1 is missing or wrong. FORMATS §3.4 names the keys.</source>
+        <source>this is not a DiffDRR view: %1 is missing or invalid. FORMATS §3.4 lists the keys.</source>
         <comment>exchange.diffdrr-keys</comment>
-        <translation>ist keine Ansicht von DiffDRR: %1 fehlt oder ist falsch. FORMATS §3.4 nennt die Schlüssel.</translation>
+        <translation>dies ist keine DiffDRR-Ansicht: %1 fehlt oder ist ungültig. FORMATS §3.4 listet die Schlüssel auf.</translation>
     </message>
     <message>
-        <source>it holds no fiducials. Export the points of a markups node.</source>
+        <source>the file contains no fiducials. Export the points of a markups node.</source>
         <comment>fiducials.none</comment>
-        <translation>enthält keine Punkte. Die Punkte eines Markups-Knotens exportieren.</translation>
+        <translation>die Datei enthält keine Fiducials. Exportieren Sie die Punkte eines Markups-Knotens.</translation>
     </message>
     <message>
-        <source>line %1 holds no point (id,x,y,z,…). Export the points again.</source>
+        <source>line %1 contains no point (id,x,y,z,…). Export the points again.</source>
         <comment>fiducials.line</comment>
         <translation>Zeile %1 enthält keinen Punkt (id,x,y,z,…). Die Punkte neu exportieren.</translation>
     </message>
@@ -3299,124 +3299,124 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das Koordinatensystem ist %1, nicht LPS oder RAS. Die Punkte in Patientenkoordinaten exportieren.</translation>
     </message>
     <message>
-        <source>points are written as .fcsv or .mrk.json. Change the extension.</source>
+        <source>points can be saved as .fcsv or .mrk.json. Change the extension.</source>
         <comment>fiducials.extension</comment>
-        <translation>Punkte werden als .fcsv oder .mrk.json geschrieben. Die Endung ändern.</translation>
+        <translation>Punkte lassen sich als .fcsv oder .mrk.json speichern. Ändern Sie die Endung.</translation>
     </message>
     <message>
-        <source>%1 is a pose or holds points. Open it by itself while the case that it belongs to is open.</source>
+        <source>%1 is a pose or contains points. Open the case it belongs to first, then open this file on its own.</source>
         <comment>open.pose-alone</comment>
-        <translation>%1 ist eine Lage oder enthält Punkte. Für sich öffnen, während der zugehörige Fall offen ist.</translation>
+        <translation>%1 ist eine Lage oder enthält Punkte. Öffnen Sie zuerst den zugehörigen Fall, dann diese Datei allein.</translation>
     </message>
     <message>
-        <source>The pose brings a camera that is not the one of the case. The picture is drawn by its own.</source>
+        <source>The camera of the pose differs from the camera of the case. The vessels are drawn with the camera of the pose.</source>
         <comment>pose.other-camera</comment>
-        <translation>Die Lage bringt eine andere Kamera als die des Falls mit. Das Bild wird mit ihrer eigenen gezeichnet.</translation>
+        <translation>Die Kamera der Lage weicht von der Kamera des Falls ab. Die Gefäße werden mit der Kamera der Lage gezeichnet.</translation>
     </message>
     <message>
-        <source>The pose is of an image of %1 x %2 px, the angiogram has %3 x %4. Choose the pose of this image.</source>
+        <source>The pose belongs to an image of %1 x %2 px; the angiogram has %3 x %4. Choose the pose of this image.</source>
         <comment>pose.other-image</comment>
-        <translation>Die Lage gehört zu einem Bild von %1 x %2 px, das Angiogramm hat %3 x %4. Die Lage dieses Bildes wählen.</translation>
+        <translation>Die Lage gehört zu einem Bild von %1 x %2 px, das Angiogramm hat %3 x %4. Wählen Sie die Lage dieses Bildes.</translation>
     </message>
     <message>
-        <source>the case has no landmarks, check points or rings. Set some in the window first.</source>
+        <source>the case has no landmarks, target points or ostium rings. Add some in the window first.</source>
         <comment>convert.no-points</comment>
-        <translation>der Fall hat keine Landmarken, Prüfpunkte oder Ringe. Erst welche im Fenster setzen.</translation>
+        <translation>der Fall hat keine Landmarken, Zielpunkte oder Ostiumringe. Setzen Sie zuerst welche im Fenster.</translation>
     </message>
     <message>
-        <source>The pose is taken as of a detector at negative z without an extrinsic matrix, as xReg has X-ray runs. Give --camera if the image is mirrored.</source>
+        <source>The pose is assumed to have the detector at negative z and no extrinsic matrix, as in xReg X-ray data. Use --camera if the image is mirrored.</source>
         <comment>convert.xreg-guessed</comment>
-        <translation>Die Lage gilt als die eines Detektors bei negativem z ohne extrinsische Matrix, wie xReg Röntgenserien hat. Ist das Bild gespiegelt, --camera angeben.</translation>
+        <translation>Für die Lage wird ein Detektor bei negativem z ohne extrinsische Matrix angenommen, wie in xReg-Röntgendaten. Geben Sie --camera an, wenn das Bild gespiegelt ist.</translation>
     </message>
     <message>
-        <source>the system gives no random numbers, so that nothing could be kept secret.</source>
+        <source>the operating system provides no random numbers, so pseudonyms cannot be kept secret.</source>
         <comment>deidentify.no-random-key</comment>
-        <translation>das System gibt keine Zufallszahlen, sodass nichts geheim bliebe.</translation>
+        <translation>das Betriebssystem liefert keine Zufallszahlen; Pseudonyme lassen sich daher nicht geheim halten.</translation>
     </message>
     <message>
-        <source>Letters are drawn into the picture, at column %1, row %2 and elsewhere: read them, or have them blacked out.</source>
+        <source>The image contains burned-in text, at column %1, row %2 and elsewhere. Review it, or mask it.</source>
         <comment>deidentify.letters-stay</comment>
-        <translation>In das Bild sind Buchstaben gezeichnet, bei Spalte %1, Zeile %2 und anderswo: lesen oder schwärzen lassen.</translation>
+        <translation>Das Bild enthält eingebrannten Text, bei Spalte %1, Zeile %2 und an anderen Stellen. Prüfen oder maskieren Sie ihn.</translation>
     </message>
     <message>
-        <source>Letters drawn into the picture were blacked out (%1 % of its area). Look whether all are gone.</source>
+        <source>Burned-in text was masked (%1 % of the image area). Check that none remains.</source>
         <comment>deidentify.letters-blacked-out</comment>
-        <translation>In das Bild gezeichnete Buchstaben wurden geschwärzt (%1 % seiner Fläche). Prüfen, ob alle weg sind.</translation>
+        <translation>Eingebrannter Text wurde maskiert (%1 % der Bildfläche). Prüfen Sie, dass nichts übrig ist.</translation>
     </message>
     <message>
-        <source>The header says that identity is drawn into the picture, and no letters were found in it: look at every frame.</source>
+        <source>The header declares burned-in identity, but no text was found in the image. Review every frame.</source>
         <comment>deidentify.letters-declared</comment>
-        <translation>Laut Kopfdaten steht eine Identität im Bild, doch Buchstaben wurden nicht gefunden: jedes Einzelbild ansehen.</translation>
+        <translation>Laut Header sind Patientendaten in das Bild eingebrannt, doch es wurde kein Text gefunden. Prüfen Sie jedes Einzelbild.</translation>
     </message>
     <message>
-        <source>The colours became grey, as the program shows them.</source>
+        <source>Colors were converted to gray levels, as displayed in the program.</source>
         <comment>deidentify.colour-dropped</comment>
-        <translation>Die Farben wurden grau, wie das Programm sie zeigt.</translation>
+        <translation>Farben wurden in Graustufen umgewandelt, wie im Programm dargestellt.</translation>
     </message>
     <message>
-        <source>Damaged frames were stored as they could be decoded: %1 of %2.</source>
+        <source>Damaged frames were saved as far as they could be decoded: %1 of %2.</source>
         <comment>deidentify.frames-damaged</comment>
         <translation>Beschädigte Einzelbilder wurden gespeichert, soweit sie zu decodieren waren: %1 von %2.</translation>
     </message>
     <message>
-        <source>Files that hold no image were left out: %1 of %2.</source>
+        <source>Files without an image were skipped: %1 of %2.</source>
         <comment>deidentify.files-left-out</comment>
-        <translation>Dateien ohne Bild wurden ausgelassen: %1 von %2.</translation>
+        <translation>Dateien ohne Bild wurden übersprungen: %1 von %2.</translation>
     </message>
     <message>
-        <source>its segments are stored in a way that cannot be stored again. Convert it to .nii.gz or .nrrd: labels have no names there.</source>
+        <source>its segments are stored in a form that cannot be saved again. Convert it to .nii.gz or .nrrd; these formats store no label names.</source>
         <comment>deidentify.segmentation</comment>
-        <translation>seine Segmente sind so gespeichert, dass sie sich nicht wieder speichern lassen. In .nii.gz oder .nrrd umwandeln: Dort haben Label keine Namen.</translation>
+        <translation>ihre Segmente sind in einer Form gespeichert, die sich nicht wieder speichern lässt. Wandeln Sie sie in .nii.gz oder .nrrd um; diese Formate speichern keine Label-Namen.</translation>
     </message>
     <message>
-        <source>its compressed pixels of 32 bits cannot be stored again. Convert it to .nii.gz or .nrrd.</source>
+        <source>its compressed 32-bit pixels cannot be saved again. Convert it to .nii.gz or .nrrd.</source>
         <comment>deidentify.pixels-too-wide</comment>
-        <translation>ihre komprimierten Pixel mit 32 Bit lassen sich nicht neu speichern. In .nii.gz oder .nrrd umwandeln.</translation>
+        <translation>ihre komprimierten 32-Bit-Pixel lassen sich nicht wieder speichern. Wandeln Sie sie in .nii.gz oder .nrrd um.</translation>
     </message>
     <message>
-        <source>only PNG, JPEG, TIFF and DICOM pictures can be freed of what is written beside the pixels. Save it as PNG.</source>
+        <source>only PNG, JPEG, TIFF and DICOM images can be stripped of metadata. Save it as PNG.</source>
         <comment>deidentify.picture</comment>
-        <translation>nur PNG-, JPEG-, TIFF- und DICOM-Bilder lassen sich von dem befreien, was neben den Pixeln steht. Als PNG speichern.</translation>
+        <translation>nur aus PNG-, JPEG-, TIFF- und DICOM-Bildern lassen sich die Metadaten entfernen. Speichern Sie es als PNG.</translation>
     </message>
     <message>
-        <source>the folder is not empty. Choose a new one, so that nothing else is handed on with it.</source>
+        <source>the folder is not empty. Choose a new one, so nothing else is shared with the output.</source>
         <comment>deidentify.output-not-empty</comment>
-        <translation>der Ordner ist nicht leer. Einen neuen wählen, damit nichts anderes mitgegeben wird.</translation>
+        <translation>der Ordner ist nicht leer. Wählen Sie einen neuen, damit nichts anderes weitergegeben wird.</translation>
     </message>
     <message>
-        <source>it holds no DICOM image. Choose the folder of one study.</source>
+        <source>the folder contains no DICOM image. Choose the folder of one study.</source>
         <comment>deidentify.nothing</comment>
-        <translation>es enthält kein DICOM-Bild. Den Ordner einer Studie wählen.</translation>
+        <translation>der Ordner enthält kein DICOM-Bild. Wählen Sie den Ordner einer Studie.</translation>
     </message>
     <message>
-        <source>an input of the case could not be read and is not in the archive: %1</source>
+        <source>an input file of the case could not be read and is not in the ZIP archive: %1</source>
         <comment>pack.input-missing</comment>
-        <translation>eine Eingabe des Falls war nicht lesbar und fehlt im Archiv: %1</translation>
+        <translation>eine Eingabedatei des Falls war nicht lesbar und fehlt im ZIP-Archiv: %1</translation>
     </message>
     <message>
-        <source>a case is packed as .zip. Give the file that ending.</source>
+        <source>cases are shared as .zip. Change the extension.</source>
         <comment>pack.format</comment>
-        <translation>ein Fall wird als .zip gepackt. Der Datei diese Endung geben.</translation>
+        <translation>Fälle werden als .zip weitergegeben. Ändern Sie die Endung.</translation>
     </message>
     <message>
-        <source>the archive cannot be written (%1). Choose another folder or make room.</source>
+        <source>the ZIP archive cannot be written (%1). Choose another folder, or free disk space.</source>
         <comment>pack.not-written</comment>
-        <translation>das Archiv lässt sich nicht schreiben (%1). Einen anderen Ordner wählen oder Platz schaffen.</translation>
+        <translation>das ZIP-Archiv lässt sich nicht schreiben (%1). Wählen Sie einen anderen Ordner, oder schaffen Sie Speicherplatz.</translation>
     </message>
     <message>
-        <source>Names, notes and texts typed by hand were taken out: %1. Numbers stand in their places.</source>
+        <source>User-entered names, notes and texts were replaced by numbers: %1.</source>
         <comment>pack.texts-cleared</comment>
-        <translation>Von Hand geschriebene Namen, Notizen und Texte wurden entfernt: %1. An ihrer Stelle stehen Nummern.</translation>
+        <translation>Eingegebene Namen, Notizen und Texte wurden durch Nummern ersetzt: %1.</translation>
     </message>
     <message>
-        <source>the packed case does not open as the one it came from: %1 Nothing was written.</source>
+        <source>the packed case does not match the original: %1 Nothing was written.</source>
         <comment>pack.differs</comment>
-        <translation>der gepackte Fall öffnet sich nicht wie der ursprüngliche: %1 Nichts wurde geschrieben.</translation>
+        <translation>der gepackte Fall stimmt nicht mit dem Original überein: %1 Es wurde nichts geschrieben.</translation>
     </message>
     <message>
-        <source>Branches keep their names: look whether they name anatomy alone.</source>
+        <source>Branch names are kept. Check that they contain anatomy only.</source>
         <comment>pack.branch-names</comment>
-        <translation>Äste behalten ihre Namen: prüfen, ob sie nur Anatomie benennen.</translation>
+        <translation>Astnamen bleiben erhalten. Prüfen Sie, dass sie nur Anatomie benennen.</translation>
     </message>
     <message>
         <source>a view is missing.</source>
@@ -3429,9 +3429,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Pixel eines Bildes weichen ab.</translation>
     </message>
     <message>
-        <source>a result does not hold.</source>
+        <source>a result is no longer valid.</source>
         <comment>pack.results</comment>
-        <translation>ein Ergebnis gilt nicht.</translation>
+        <translation>ein Ergebnis ist nicht mehr gültig.</translation>
     </message>
     <message>
         <source>the vessels differ.</source>
@@ -3439,87 +3439,87 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Gefäße weichen ab.</translation>
     </message>
     <message>
-        <source>a key needs at least 16 bytes. Make one: head -c 32 /dev/urandom &gt; key</source>
+        <source>a key needs at least 16 bytes. Create one: head -c 32 /dev/urandom &gt; key</source>
         <comment>deidentify.key-too-short</comment>
         <translation>ein Schlüssel braucht mindestens 16 Byte. Einen erzeugen: head -c 32 /dev/urandom &gt; key</translation>
     </message>
     <message>
-        <source>without identity this input becomes a file with the ending %1, or, for a folder, a folder. Name OUT so.</source>
+        <source>de-identification turns this input into a file with the extension %1, and a folder into a folder. Name OUT accordingly.</source>
         <comment>deidentify.kind</comment>
-        <translation>ohne Identität wird diese Eingabe zu einer Datei mit der Endung %1, ein Ordner zu einem Ordner. OUT so benennen.</translation>
+        <translation>bei der De-Identifizierung wird diese Eingabe zu einer Datei mit der Endung %1, ein Ordner zu einem Ordner. Benennen Sie OUT entsprechend.</translation>
     </message>
     <message>
-        <source>it is a TIFF whose pixels cannot be stored again bit by bit (only grey, palette or RGB of 8 or 16 bits or float, in strips). Save it as PNG.</source>
+        <source>this TIFF cannot be saved again without loss (supported: gray, palette or RGB with 8 or 16 bits or float, in strips). Save it as PNG.</source>
         <comment>deidentify.tiff</comment>
-        <translation>es ist ein TIFF, dessen Pixel sich nicht Bit für Bit wieder speichern lassen (nur Grau, Palette oder RGB mit 8 oder 16 Bit oder Gleitkomma, in Streifen). Als PNG speichern.</translation>
+        <translation>dieses TIFF lässt sich nicht verlustfrei wieder speichern (unterstützt: Grau, Palette oder RGB mit 8 oder 16 Bit oder Gleitkomma, in Streifen). Speichern Sie es als PNG.</translation>
     </message>
     <message>
-        <source>it is a document (PDF), whose pages may show names anywhere. Make it anew from a case without identity.</source>
+        <source>this is a document (PDF), and any page may show names. Generate it again from a de-identified case.</source>
         <comment>deidentify.pages</comment>
-        <translation>es ist ein Dokument (PDF), dessen Seiten überall Namen zeigen können. Es aus einem Fall ohne Identität neu machen.</translation>
+        <translation>dies ist ein Dokument (PDF), dessen Seiten überall Namen zeigen können. Erzeugen Sie es neu aus einem de-identifizierten Fall.</translation>
     </message>
     <message>
-        <source>objects of this kind (class %1) hold what cannot be cleared for sure. Leave it out.</source>
+        <source>objects of this kind (class %1) contain data that cannot be de-identified reliably. Leave it out.</source>
         <comment>deidentify.object</comment>
-        <translation>Objekte dieser Art (Klasse %1) enthalten, was sich nicht sicher tilgen lässt. Es weglassen.</translation>
+        <translation>Objekte dieser Art (Klasse %1) enthalten Daten, die sich nicht sicher de-identifizieren lassen. Lassen Sie es weg.</translation>
     </message>
     <message>
-        <source>it says that it is no image (class %1) but holds one, which would be lost. Export it again, or leave it out.</source>
+        <source>its class (%1) declares no image, but the file contains one, which would be lost. Export it again, or leave it out.</source>
         <comment>deidentify.object-with-pixels</comment>
-        <translation>es gibt an, kein Bild zu sein (Klasse %1), enthält aber eines, das verloren ginge. Es erneut exportieren oder weglassen.</translation>
+        <translation>seine Klasse (%1) sieht kein Bild vor, die Datei enthält aber eines, das verloren ginge. Exportieren Sie es erneut, oder lassen Sie es weg.</translation>
     </message>
     <message>
-        <source>Words in a report, segmentation or presentation state were taken out, codes and numbers stayed: %1.</source>
+        <source>Free text in reports, segmentations or presentation states was removed; codes and numbers were kept: %1.</source>
         <comment>deidentify.words-cleared</comment>
-        <translation>Worte eines Befunds, einer Segmentierung oder eines Darstellungszustands wurden entfernt, Kodes und Zahlen blieben: %1.</translation>
+        <translation>Freitext in Befunden, Segmentierungen oder Darstellungszuständen wurde entfernt; Kodes und Zahlen blieben erhalten: %1.</translation>
     </message>
     <message>
-        <source>It may as well take %1 (%2).</source>
+        <source>Alternative path: %1 (%2).</source>
         <comment>wire.may-follow</comment>
-        <translation>Ebenso kann er %1 nehmen (%2).</translation>
+        <translation>Alternativer Weg: %1 (%2).</translation>
     </message>
     <message>
-        <source>No way through the vessel tree is likely: the best has a probability of %1.</source>
+        <source>No path through the vessel tree is likely: the best one has a probability of %1.</source>
         <comment>wire.unlikely</comment>
         <translation>Kein Weg durch den Gefäßbaum ist wahrscheinlich: der beste hat eine Wahrscheinlichkeit von %1.</translation>
     </message>
     <message>
-        <source>Only %1 of the wire lies along the vessel tree.</source>
+        <source>Only %1 of the guidewire lies along the vessel tree.</source>
         <comment>wire.off-tree</comment>
-        <translation>Nur %1 des Drahts liegen längs des Gefäßbaums.</translation>
+        <translation>Nur %1 des Führungsdrahts liegen entlang des Gefäßbaums.</translation>
     </message>
     <message>
-        <source>The traced curves make no single line: %1 of it are gaps. Take out the curves that are no wire.</source>
+        <source>The traced centerlines do not form a single line: gaps make up %1 of it. Remove those that are not the guidewire.</source>
         <comment>wire.in-pieces</comment>
-        <translation>Die erkannten Kurven ergeben keine einzelne Linie: %1 davon sind Lücken. Nehmen Sie die Kurven heraus, die kein Draht sind.</translation>
+        <translation>Die verfolgten Mittellinien bilden keine einzelne Linie: %1 davon sind Lücken. Entfernen Sie die, die nicht zum Führungsdraht gehören.</translation>
     </message>
     <message>
-        <source>The wire lies along no way of the vessel tree near the start pose. Start from the last full registration, or let it be off by more.</source>
+        <source>The guidewire matches no path of the vessel tree near the initial pose. Start from the last full registration, or allow a larger deviation.</source>
         <comment>wire.nowhere</comment>
-        <translation>Der Draht liegt nahe der Startlage längs keines Wegs im Gefäßbaum. Beginnen Sie mit der letzten vollständigen Registrierung, oder lassen Sie größere Abweichungen zu.</translation>
+        <translation>Der Führungsdraht passt nahe der Startlage zu keinem Weg im Gefäßbaum. Beginnen Sie mit der letzten vollständigen Registrierung, oder lassen Sie eine größere Abweichung zu.</translation>
     </message>
     <message>
-        <source>The wire takes the branches %1 with a probability of %2; it lies %3 off their axes.</source>
+        <source>The guidewire follows branches %1 with a probability of %2; it lies %3 off the centerlines.</source>
         <comment>wire.follows</comment>
-        <translation>Der Draht nimmt mit einer Wahrscheinlichkeit von %2 die Äste %1; er liegt %3 neben ihren Achsen.</translation>
+        <translation>Der Führungsdraht folgt mit einer Wahrscheinlichkeit von %2 den Ästen %1; er liegt %3 neben den Mittellinien.</translation>
     </message>
     <message>
-        <source>There are %1 likely ways: the most likely one is taken instead of the one asked for.</source>
+        <source>There are %1 likely paths: the most likely one is used instead of the requested one.</source>
         <comment>wire.fewer-ways</comment>
-        <translation>Es gibt %1 wahrscheinliche Wege: statt des verlangten wird der wahrscheinlichste genommen.</translation>
+        <translation>Es gibt %1 wahrscheinliche Wege: Statt des gewünschten wird der wahrscheinlichste verwendet.</translation>
     </message>
     <message>
-        <source>pictures are written as .png or .svg, and by the window as .pdf. Choose one of these.</source>
+        <source>images can be saved as .png or .svg, in the window also as .pdf. Choose one of these.</source>
         <comment>picture.kind</comment>
-        <translation>Bilder werden als .png oder .svg geschrieben, vom Fenster auch als .pdf. Eines davon wählen.</translation>
+        <translation>Bilder lassen sich als .png oder .svg speichern, im Fenster auch als .pdf. Wählen Sie eines davon.</translation>
     </message>
     <message>
-        <source>Grey values of 16 bit are written as .png alone.</source>
+        <source>16-bit gray values can only be saved as .png.</source>
         <comment>picture.grey-kind</comment>
-        <translation>Grauwerte mit 16 Bit werden nur als .png geschrieben.</translation>
+        <translation>Grauwerte mit 16 Bit lassen sich nur als .png speichern.</translation>
     </message>
     <message>
-        <source>The folder &apos;%1&apos; cannot be made: %2.</source>
+        <source>The folder &apos;%1&apos; cannot be created: %2.</source>
         <comment>folder.not-made</comment>
         <translation>Der Ordner „%1“ lässt sich nicht anlegen: %2.</translation>
     </message>
@@ -3529,9 +3529,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Unerwarteter Fehler: %1</translation>
     </message>
     <message>
-        <source>there is no setting &apos;%1&apos;. The nearest are: %2.</source>
+        <source>there is no setting &apos;%1&apos;. The closest names are: %2.</source>
         <comment>setting.unknown</comment>
-        <translation>es gibt keine Einstellung „%1“. Am nächsten kommen: %2.</translation>
+        <translation>es gibt keine Einstellung „%1“. Die ähnlichsten Namen sind: %2.</translation>
     </message>
     <message>
         <source>the setting %1 cannot be &apos;%2&apos;: %3</source>
@@ -3539,9 +3539,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Einstellung %1 kann nicht „%2“ sein: %3</translation>
     </message>
     <message>
-        <source>a batch needs a header row with the column case, or with vessels and angiogram, and a row for each case.</source>
+        <source>a batch needs a header row with the column case, or the columns vessels and angiogram, and one row per case.</source>
         <comment>batch.header-missing</comment>
-        <translation>ein Stapel braucht eine Kopfzeile mit der Spalte case, oder mit vessels und angiogram, und eine Zeile für jeden Fall.</translation>
+        <translation>ein Stapel braucht eine Kopfzeile mit der Spalte case oder den Spalten vessels und angiogram, und eine Zeile je Fall.</translation>
     </message>
     <message>
         <source>line %1, column %2: %3</source>
@@ -3549,94 +3549,94 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zeile %1, Spalte %2: %3</translation>
     </message>
     <message>
-        <source>line %1 names a case and inputs beside it. Name either the case, or its vessels and its angiogram.</source>
+        <source>line %1 names both a case and inputs. Name either the case, or its vessels and its angiogram.</source>
         <comment>batch.not-both</comment>
-        <translation>Zeile %1 nennt einen Fall und daneben Eingaben. Nennen Sie entweder den Fall, oder seine Gefäße und sein Angiogramm.</translation>
+        <translation>Zeile %1 nennt sowohl einen Fall als auch Eingaben. Nennen Sie entweder den Fall, oder seine Gefäße und sein Angiogramm.</translation>
     </message>
     <message>
-        <source>line %1 names too little. Name a case, or both vessels and an angiogram.</source>
+        <source>line %1 is incomplete. Name a case, or both vessels and an angiogram.</source>
         <comment>batch.inputs-lack</comment>
-        <translation>Zeile %1 nennt zu wenig. Nennen Sie einen Fall, oder sowohl Gefäße als auch ein Angiogramm.</translation>
+        <translation>Zeile %1 ist unvollständig. Nennen Sie einen Fall, oder sowohl Gefäße als auch ein Angiogramm.</translation>
     </message>
     <message>
-        <source>line %1: the seeds &apos;%2&apos; are no points. Write x y z in mm (LPS), and &apos;;&apos; between points.</source>
+        <source>line %1: the seeds &apos;%2&apos; are not points. Write x y z in mm (LPS), with &apos;;&apos; between points.</source>
         <comment>batch.seeds-unclear</comment>
-        <translation>Zeile %1: Die Startpunkte „%2“ sind keine Punkte. Schreiben Sie x y z in mm (LPS), und „;“ zwischen Punkten.</translation>
+        <translation>Zeile %1: Die Startpunkte „%2“ sind keine Punkte. Schreiben Sie x y z in mm (LPS), mit „;“ zwischen den Punkten.</translation>
     </message>
     <message>
-        <source>the program that worked on it ended before its time (%1). What was written of it is not kept.</source>
+        <source>the worker process ended unexpectedly (%1). Its partial output was discarded.</source>
         <comment>batch.crashed</comment>
-        <translation>das Programm, das daran arbeitete, endete vor der Zeit (%1). Was davon geschrieben war, wird nicht behalten.</translation>
+        <translation>der Arbeitsprozess endete unerwartet (%1). Seine unvollständige Ausgabe wurde verworfen.</translation>
     </message>
     <message>
-        <source>it took longer than %1 and was ended. Give it more time with --time-limit.</source>
+        <source>the case took longer than %1 and was aborted. Raise the limit with --time-limit.</source>
         <comment>batch.out-of-time</comment>
-        <translation>er brauchte länger als %1 und wurde beendet. Geben Sie ihm mit --time-limit mehr Zeit.</translation>
+        <translation>der Fall brauchte länger als %1 und wurde abgebrochen. Erhöhen Sie die Grenze mit --time-limit.</translation>
     </message>
     <message>
-        <source>the program that works on the cases, %1, cannot be started.</source>
+        <source>the worker program %1 cannot be started.</source>
         <comment>batch.no-worker</comment>
-        <translation>das Programm, das die Fälle bearbeitet, %1, lässt sich nicht starten.</translation>
+        <translation>das Arbeitsprogramm %1 lässt sich nicht starten.</translation>
     </message>
     <message>
-        <source>it holds %1 series. Name a file of one of them, or a case that names the series.</source>
+        <source>the input contains %1 series. Name a file of one of them, or a case that names the series.</source>
         <comment>batch.several-series</comment>
-        <translation>es enthält %1 Serien. Nennen Sie eine Datei einer davon, oder einen Fall, der die Serie nennt.</translation>
+        <translation>die Eingabe enthält %1 Serien. Nennen Sie eine Datei einer davon, oder einen Fall, der die Serie nennt.</translation>
     </message>
     <message>
-        <source>its vessels are %1 units across, which are hardly millimetres. Name a case that tells the unit.</source>
+        <source>the vessels measure %1 units across, which is unlikely to be millimeters. Name a case that gives the unit.</source>
         <comment>batch.unit-unclear</comment>
-        <translation>seine Gefäße messen %1 Einheiten, was kaum Millimeter sind. Nennen Sie einen Fall, der die Einheit angibt.</translation>
+        <translation>die Gefäße messen insgesamt %1 Einheiten, was kaum Millimeter sind. Nennen Sie einen Fall, der die Einheit angibt.</translation>
     </message>
     <message>
-        <source>no folder holds an outcome of this row. Run it, with --resume.</source>
+        <source>no folder contains a result for this row. Run it with --resume.</source>
         <comment>batch.row-missing</comment>
-        <translation>kein Ordner enthält ein Ergebnis dieser Zeile. Führen Sie sie mit --resume aus.</translation>
+        <translation>kein Ordner enthält ein Ergebnis zu dieser Zeile. Führen Sie sie mit --resume aus.</translation>
     </message>
     <message>
-        <source>the outcomes of %1 and %2 come from other settings or another version. Merge what was run alike.</source>
+        <source>the results of %1 and %2 come from different settings or versions. Merge only results of the same settings and version.</source>
         <comment>batch.merge-differs</comment>
-        <translation>die Ergebnisse von %1 und %2 stammen aus anderen Einstellungen oder einer anderen Version. Führen Sie zusammen, was gleich ausgeführt wurde.</translation>
+        <translation>die Ergebnisse von %1 und %2 stammen aus unterschiedlichen Einstellungen oder Versionen. Führen Sie nur Ergebnisse gleicher Einstellungen und Version zusammen.</translation>
     </message>
     <message>
-        <source>nothing has been registered in this case: its vessels are where they start. Give --register, or --from with a result; --start-pose where the start itself is wanted.</source>
+        <source>this case has not been registered: its vessels are at the initial pose. Use --register, or --from with a result; use --start-pose to export the initial pose itself.</source>
         <comment>dicom-export.at-start</comment>
-        <translation>in diesem Fall wurde nichts registriert: Seine Gefäße sind, wo sie beginnen. Geben Sie --register an, oder --from mit einem Ergebnis; --start-pose, wenn die Startlage selbst gewünscht ist.</translation>
+        <translation>dieser Fall wurde nicht registriert: Seine Gefäße sind in der Startlage. Geben Sie --register an, oder --from mit einem Ergebnis; mit --start-pose wird die Startlage selbst exportiert.</translation>
     </message>
     <message>
-        <source>Nothing has been registered in this case: its vessels are drawn where they start. Register it with --save, or give --pose or --from.</source>
+        <source>This case has not been registered: the vessels are drawn at the initial pose. Register it with --save, or use --pose or --from.</source>
         <comment>command.drawn-at-start</comment>
-        <translation>In diesem Fall wurde nichts registriert: Seine Gefäße sind in der Startlage gezeichnet. Registrieren Sie ihn mit --save, oder geben Sie --pose oder --from an.</translation>
+        <translation>Dieser Fall wurde nicht registriert: Die Gefäße sind in der Startlage gezeichnet. Registrieren Sie ihn mit --save, oder geben Sie --pose oder --from an.</translation>
     </message>
     <message>
-        <source>at the start pose: nothing registered</source>
+        <source>at the initial pose: not registered</source>
         <comment>pose.at-start</comment>
-        <translation>in der Startlage: nichts registriert</translation>
+        <translation>in der Startlage: nicht registriert</translation>
     </message>
     <message>
-        <source>it is no result of a registration. Give a result.json or joint.json that `register` or `batch` wrote.</source>
+        <source>this is not a registration result. Provide a result.json or joint.json written by `register` or `batch`.</source>
         <comment>result.not-one</comment>
-        <translation>das ist kein Ergebnis einer Registrierung. Geben Sie eine result.json oder joint.json an, die `register` oder `batch` geschrieben hat.</translation>
+        <translation>dies ist kein Registrierungsergebnis. Geben Sie eine result.json oder joint.json an, die `register` oder `batch` geschrieben hat.</translation>
     </message>
     <message>
-        <source>it does not hold what it was found from: an earlier version found it, or its registration estimated the geometry. Register its case instead.</source>
+        <source>the result does not record its inputs: an earlier version computed it, or its registration estimated the geometry. Register its case instead.</source>
         <comment>result.without-case</comment>
-        <translation>es enthält nicht, woraus es gefunden wurde: Eine frühere Version hat es gefunden, oder seine Registrierung hat die Geometrie geschätzt. Registrieren Sie stattdessen seinen Fall.</translation>
+        <translation>das Ergebnis hält seine Eingaben nicht fest: Eine frühere Version hat es berechnet, oder seine Registrierung hat die Geometrie geschätzt. Registrieren Sie stattdessen seinen Fall.</translation>
     </message>
     <message>
-        <source>its input %1 is nowhere to be found with the content that it was found from (SHA-256 %2). Name the folder that it lies in with --inputs.</source>
+        <source>no input %1 with the recorded content (SHA-256 %2) was found. Specify its folder with --inputs.</source>
         <comment>result.input-missing</comment>
-        <translation>seine Eingabe %1 ist nirgends mit dem Inhalt zu finden, aus dem es gefunden wurde (SHA-256 %2). Nennen Sie mit --inputs den Ordner, in dem sie liegt.</translation>
+        <translation>es wurde keine Eingabe %1 mit dem aufgezeichneten Inhalt (SHA-256 %2) gefunden. Geben Sie ihren Ordner mit --inputs an.</translation>
     </message>
     <message>
-        <source>its input %1 has other content than it was found from. Name the folder of the right one with --inputs.</source>
+        <source>the content of input %1 has changed since the result was computed. Specify the folder of the original with --inputs.</source>
         <comment>result.input-changed</comment>
-        <translation>seine Eingabe %1 hat anderen Inhalt als der, aus dem es gefunden wurde. Nennen Sie mit --inputs den Ordner der richtigen.</translation>
+        <translation>der Inhalt der Eingabe %1 hat sich seit der Berechnung geändert. Geben Sie den Ordner des Originals mit --inputs an.</translation>
     </message>
     <message>
-        <source>--shard needs a part and a number of parts such as 2/4, not &apos;%1&apos;.</source>
+        <source>--shard needs the part and the number of parts, such as 2/4, not &apos;%1&apos;.</source>
         <comment>command.shard-unclear</comment>
-        <translation>--shard braucht einen Teil und die Zahl der Teile wie 2/4, nicht „%1“.</translation>
+        <translation>--shard braucht den Teil und die Anzahl der Teile, z. B. 2/4, nicht „%1“.</translation>
     </message>
     <message>
         <source>There is no degree of freedom &apos;%1&apos; to lock. Use %2, or none.</source>
@@ -3644,9 +3644,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Es gibt keinen Freiheitsgrad „%1“ zum Sperren. Möglich: %2 oder none.</translation>
     </message>
     <message>
-        <source>no bent vessels are known of its pose. Register it where they look bent, or with the option deformable=always.</source>
+        <source>its pose has no deformable registration. Register it where the vessels look deformed, or with the option deformable=always.</source>
         <comment>command.no-bent-vessels</comment>
-        <translation>zu seiner Lage sind keine gebogenen Gefäße bekannt. Registrieren Sie ihn, wo sie gebogen aussehen, oder mit der Option deformable=always.</translation>
+        <translation>zu seiner Lage gibt es keine deformierbare Registrierung. Registrieren Sie ihn dort, wo die Gefäße verformt aussehen, oder mit der Option deformable=always.</translation>
     </message>
     <message>
         <source>the image of this view could not be read.</source>
@@ -3654,24 +3654,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das Bild dieser Ansicht konnte nicht gelesen werden.</translation>
     </message>
     <message>
-        <source>The folders to merge hold runs of &apos;%1&apos;, not of &apos;%2&apos;.</source>
+        <source>The folders to merge contain results of &apos;%1&apos;, not of &apos;%2&apos;.</source>
         <comment>command.merge-of-others</comment>
-        <translation>Die zu vereinenden Ordner enthalten Läufe von „%1“, nicht von „%2“.</translation>
+        <translation>Die zusammenzuführenden Ordner enthalten Ergebnisse von „%1“, nicht von „%2“.</translation>
     </message>
     <message>
-        <source>it holds no centrelines yet. Trace them: angiopose-cli trace-vessel %1 --output %2.</source>
+        <source>the file contains no centerlines yet. Trace them: angiopose-cli trace-vessel %1 --output %2.</source>
         <comment>convert.no-curves</comment>
-        <translation>enthält noch keine Mittellinien. Gefäße verfolgen mit: angiopose-cli trace-vessel %1 --output %2.</translation>
+        <translation>die Datei enthält noch keine Mittellinien. Erfassen Sie sie mit: angiopose-cli trace-vessel %1 --output %2.</translation>
     </message>
     <message>
-        <source>it is neither a volume nor a surface, so it makes no volume. Choose a scan (DICOM, NIfTI, NRRD, MetaImage) or a surface, or give another output name.</source>
+        <source>this is neither a volume nor a surface and cannot be converted to a volume. Choose a scan (DICOM, NIfTI, NRRD, MetaImage) or a surface, or another output name.</source>
         <comment>convert.no-volume</comment>
-        <translation>ist weder Volumen noch Oberfläche und ergibt daher kein Volumen. CT-Daten (DICOM, NIfTI, NRRD, MetaImage) oder eine Oberfläche wählen, oder einen anderen Ausgabenamen angeben.</translation>
+        <translation>dies ist weder Volumen noch Oberfläche und lässt sich nicht in ein Volumen umwandeln. Wählen Sie einen Scan (DICOM, NIfTI, NRRD, MetaImage) oder eine Oberfläche, oder einen anderen Ausgabenamen.</translation>
     </message>
     <message>
-        <source>the extension is none that is written. Centrelines: .vtp, .csv, .swc, .mrk.json; volumes: .nii, .nii.gz, .nrrd, .mha; surfaces: .stl; poses: .json, .tfm, .h5; X-ray runs: .dcm.</source>
+        <source>this extension cannot be written. Centerlines: .vtp, .csv, .swc, .mrk.json; volumes: .nii, .nii.gz, .nrrd, .mha; surfaces: .stl; poses: .json, .tfm, .h5; X-ray runs: .dcm.</source>
         <comment>convert.extension</comment>
-        <translation>diese Endung wird nicht geschrieben. Mittellinien: .vtp, .csv, .swc, .mrk.json; Volumen: .nii, .nii.gz, .nrrd, .mha; Oberflächen: .stl; Lagen: .json, .tfm, .h5; Röntgenaufnahmen: .dcm.</translation>
+        <translation>diese Endung lässt sich nicht schreiben. Mittellinien: .vtp, .csv, .swc, .mrk.json; Volumen: .nii, .nii.gz, .nrrd, .mha; Oberflächen: .stl; Lagen: .json, .tfm, .h5; Röntgenserien: .dcm.</translation>
     </message>
     <message>
         <source>this is the input, which is never overwritten. Choose another name.</source>
@@ -3679,339 +3679,339 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das ist die Eingabe, die nie überschrieben wird. Einen anderen Namen wählen.</translation>
     </message>
     <message>
-        <source>it is no label image, so it has no labels. Leave --label out, or choose a segmentation.</source>
+        <source>this is not a label image, so it has no labels. Omit --label, or choose a segmentation.</source>
         <comment>trace.no-labels</comment>
-        <translation>ist kein Label-Bild und hat daher keine Labels. --label weglassen oder eine Segmentierung wählen.</translation>
+        <translation>dies ist kein Label-Bild und hat daher keine Labels. Lassen Sie --label weg, oder wählen Sie eine Segmentierung.</translation>
     </message>
     <message>
-        <source>it holds centrelines already, which need no tracing. `convert` changes their format.</source>
+        <source>the file already contains centerlines; no tracing is needed. `convert` changes their format.</source>
         <comment>trace.centrelines</comment>
-        <translation>enthält schon Mittellinien, die nicht verfolgt werden müssen. `convert` ändert ihr Format.</translation>
+        <translation>die Datei enthält bereits Mittellinien; Erfassen ist nicht nötig. `convert` ändert ihr Format.</translation>
     </message>
     <message>
-        <source>it cannot be traced. Choose another surface.</source>
+        <source>this surface cannot be traced. Choose another one.</source>
         <comment>trace.other-surface</comment>
-        <translation>lässt sich nicht verfolgen. Eine andere Oberfläche wählen.</translation>
+        <translation>diese Oberfläche lässt sich nicht erfassen. Wählen Sie eine andere.</translation>
     </message>
     <message>
-        <source>thin vessels are told by the values of a scan, and this has none. Leave --tubes out.</source>
+        <source>detecting thin vessels requires the gray values of a scan; this file has none. Omit --tubes.</source>
         <comment>trace.tubes-of-mask</comment>
-        <translation>dünne Gefäße zeigen sich an den Werten eines Scans, und hier sind keine. Lassen Sie --tubes weg.</translation>
+        <translation>zum Erkennen dünner Gefäße sind die Grauwerte eines Scans nötig; diese Datei enthält keine. Lassen Sie --tubes weg.</translation>
     </message>
     <message>
-        <source>it cannot be traced. Choose a scan.</source>
+        <source>this file cannot be traced. Choose a scan.</source>
         <comment>trace.no-scan</comment>
-        <translation>lässt sich nicht verfolgen. CT-Daten wählen.</translation>
+        <translation>diese Datei lässt sich nicht erfassen. Wählen Sie einen Scan.</translation>
     </message>
     <message>
-        <source>this is no file that AngioPose reads. It reads cases (.angiopose), centrelines (VTP, VTK, CSV, SWC, .mrk.json), scans and segmentations (DICOM, NIfTI, NRRD, MetaImage), surfaces (STL, PLY, OBJ), angiograms (DICOM, PNG, TIFF, JPEG) and poses (.json, .tfm).</source>
+        <source>unsupported file type. AngioPose reads cases (.angiopose), centerlines (VTP, VTK, CSV, SWC, .mrk.json), scans and segmentations (DICOM, NIfTI, NRRD, MetaImage), surfaces (STL, PLY, OBJ), angiograms (DICOM, PNG, TIFF, JPEG) and poses (.json, .tfm).</source>
         <comment>info.unknown</comment>
-        <translation>das ist keine Datei, die AngioPose liest. Gelesen werden Fälle (.angiopose), Mittellinien (VTP, VTK, CSV, SWC, .mrk.json), CT-Daten und Segmentierungen (DICOM, NIfTI, NRRD, MetaImage), Oberflächen (STL, PLY, OBJ), Angiogramme (DICOM, PNG, TIFF, JPEG) und Lagen (.json, .tfm).</translation>
+        <translation>nicht unterstützter Dateityp. AngioPose liest Fälle (.angiopose), Mittellinien (VTP, VTK, CSV, SWC, .mrk.json), Scans und Segmentierungen (DICOM, NIfTI, NRRD, MetaImage), Oberflächen (STL, PLY, OBJ), Angiogramme (DICOM, PNG, TIFF, JPEG) und Lagen (.json, .tfm).</translation>
     </message>
     <message>
-        <source>this is %1, nothing that AngioPose reads. It reads cases (.angiopose), centrelines (VTP, VTK, CSV, SWC, .mrk.json), scans and segmentations (DICOM, NIfTI, NRRD, MetaImage), surfaces (STL, PLY, OBJ), angiograms (DICOM, PNG, TIFF, JPEG) and poses (.json, .tfm).</source>
+        <source>this is %1, which AngioPose does not read. AngioPose reads cases (.angiopose), centerlines (VTP, VTK, CSV, SWC, .mrk.json), scans and segmentations (DICOM, NIfTI, NRRD, MetaImage), surfaces (STL, PLY, OBJ), angiograms (DICOM, PNG, TIFF, JPEG) and poses (.json, .tfm).</source>
         <comment>info.other</comment>
-        <translation>das ist %1, was AngioPose nicht liest. Gelesen werden Fälle (.angiopose), Mittellinien (VTP, VTK, CSV, SWC, .mrk.json), CT-Daten und Segmentierungen (DICOM, NIfTI, NRRD, MetaImage), Oberflächen (STL, PLY, OBJ), Angiogramme (DICOM, PNG, TIFF, JPEG) und Lagen (.json, .tfm).</translation>
+        <translation>dies ist %1, was AngioPose nicht liest. AngioPose liest Fälle (.angiopose), Mittellinien (VTP, VTK, CSV, SWC, .mrk.json), Scans und Segmentierungen (DICOM, NIfTI, NRRD, MetaImage), Oberflächen (STL, PLY, OBJ), Angiogramme (DICOM, PNG, TIFF, JPEG) und Lagen (.json, .tfm).</translation>
     </message>
     <message>
-        <source>There is not enough memory for this. Close other programs or use smaller inputs.</source>
+        <source>Not enough memory. Close other programs, or use smaller inputs.</source>
         <comment>run.not-enough-memory</comment>
-        <translation>Dafür reicht der Speicher nicht. Andere Programme schließen oder kleinere Daten verwenden.</translation>
+        <translation>Nicht genügend Speicher. Schließen Sie andere Programme, oder verwenden Sie kleinere Daten.</translation>
     </message>
     <message>
-        <source>A library gave up: %1. Check the inputs.</source>
+        <source>A library reported an error: %1. Check the inputs.</source>
         <comment>run.library-gave-up</comment>
-        <translation>Eine Bibliothek gab auf: %1. Die Eingaben prüfen.</translation>
+        <translation>Eine Bibliothek meldet einen Fehler: %1. Prüfen Sie die Eingaben.</translation>
     </message>
     <message>
-        <source>Stopped before the run began.</source>
+        <source>The registration was stopped before it began.</source>
         <comment>run.stopped-before</comment>
-        <translation>Angehalten, bevor der Lauf begann.</translation>
+        <translation>Die Registrierung wurde angehalten, bevor sie begann.</translation>
     </message>
     <message>
-        <source>There is nothing to show yet.</source>
+        <source>Nothing to show yet.</source>
         <comment>run.not-shown</comment>
-        <translation>Es gibt noch nichts zu zeigen.</translation>
+        <translation>Noch nichts anzuzeigen.</translation>
     </message>
     <message>
-        <source>The scan does not reach to the vessels. Show all of it, or open the scan that the vessels lie in.</source>
+        <source>The scan does not reach the vessels. Show the whole scan, or open the scan that contains the vessels.</source>
         <comment>scan.beside-vessels</comment>
-        <translation>Der Scan reicht nicht bis zu den Gefäßen. Den ganzen Scan zeigen oder den öffnen, in dem die Gefäße liegen.</translation>
+        <translation>Der Scan reicht nicht bis zu den Gefäßen. Zeigen Sie den ganzen Scan, oder öffnen Sie den Scan, der die Gefäße enthält.</translation>
     </message>
     <message>
         <source>An overlay needs a vessel tree and an angiogram. Open both first.</source>
         <comment>picture.overlay-incomplete</comment>
-        <translation>Eine Überlagerung braucht Gefäßbaum und Angiogramm. Zuerst beide öffnen.</translation>
+        <translation>Eine Überlagerung braucht Gefäßbaum und Angiogramm. Öffnen Sie zuerst beide.</translation>
     </message>
     <message>
-        <source>A picture needs a vessel tree and an angiogram. Open both first.</source>
+        <source>An image export needs a vessel tree and an angiogram. Open both first.</source>
         <comment>picture.incomplete</comment>
-        <translation>Ein Bild braucht Gefäßbaum und Angiogramm. Zuerst beide öffnen.</translation>
+        <translation>Ein Bildexport braucht Gefäßbaum und Angiogramm. Öffnen Sie zuerst beide.</translation>
     </message>
     <message>
-        <source>it was stopped; whole objects that came are kept.</source>
+        <source>stopped; completely received objects are kept.</source>
         <comment>archive.stopped</comment>
-        <translation>Es wurde angehalten; ganze Objekte, die kamen, bleiben.</translation>
+        <translation>angehalten; vollständig empfangene Objekte bleiben erhalten.</translation>
     </message>
     <message>
-        <source>the host %1 is not known. Check its name in the list of archives, and the network.</source>
+        <source>host %1 is unknown. Check its name in the PACS list, and the network.</source>
         <comment>archive.unknown-host</comment>
-        <translation>Den Rechner %1 kennt niemand. Seinen Namen in der Liste der Archive prüfen, und das Netz.</translation>
+        <translation>der Host %1 ist unbekannt. Prüfen Sie seinen Namen in der PACS-Liste und das Netzwerk.</translation>
     </message>
     <message>
-        <source>%1 cannot be reached (%2). Check host and port, the network, and that the archive runs.</source>
+        <source>%1 cannot be reached (%2). Check host, port and network, and that the PACS is running.</source>
         <comment>archive.no-connection</comment>
-        <translation>%1 ist nicht zu erreichen (%2). Rechner und Port, das Netz, und ob das Archiv läuft, prüfen.</translation>
+        <translation>%1 ist nicht erreichbar (%2). Prüfen Sie Host, Port und Netzwerk, und ob das PACS läuft.</translation>
     </message>
     <message>
-        <source>%1 took the connection and did not answer within %2. Check that the port is that of a DICOM archive.</source>
+        <source>%1 accepted the connection but did not answer within %2. Check that the port belongs to a PACS.</source>
         <comment>archive.silent</comment>
-        <translation>%1 nahm die Verbindung an und antwortete nicht innerhalb von %2. Prüfen, ob der Port der eines DICOM-Archivs ist.</translation>
+        <translation>%1 nahm die Verbindung an, antwortete aber nicht innerhalb von %2. Prüfen Sie, ob der Port zu einem PACS gehört.</translation>
     </message>
     <message>
-        <source>no answer came within %1. Try again later, or allow it more “Time for an answer”; whole objects that came are kept.</source>
+        <source>no response within %1. Try again later, or increase the response timeout of this PACS; completely received objects are kept.</source>
         <comment>archive.no-answer</comment>
-        <translation>Innerhalb von %1 kam keine Antwort. Später noch einmal versuchen, oder ihm mehr „Zeit für eine Antwort“ geben; ganze Objekte, die kamen, bleiben.</translation>
+        <translation>keine Antwort innerhalb von %1. Versuchen Sie es später erneut, oder erhöhen Sie das Zeitlimit dieses PACS; vollständig empfangene Objekte bleiben erhalten.</translation>
     </message>
     <message>
-        <source>the connection broke off (%1). Try again; whole objects that came are kept.</source>
+        <source>the connection was lost (%1). Try again; completely received objects are kept.</source>
         <comment>archive.broken</comment>
-        <translation>Die Verbindung brach ab (%1). Noch einmal versuchen; ganze Objekte, die kamen, bleiben.</translation>
+        <translation>die Verbindung brach ab (%1). Versuchen Sie es erneut; vollständig empfangene Objekte bleiben erhalten.</translation>
     </message>
     <message>
-        <source>there is no AE title %1 at %2. Correct the AE title of this archive in the list of archives.</source>
+        <source>%2 does not know the AE title %1. Correct the AE title of this PACS in the PACS list.</source>
         <comment>archive.unknown-title</comment>
-        <translation>Einen AE-Titel %1 gibt es bei %2 nicht. Den AE-Titel dieses Archivs in der Liste der Archive berichtigen.</translation>
+        <translation>%2 kennt den AE-Titel %1 nicht. Berichtigen Sie den AE-Titel dieses PACS in der PACS-Liste.</translation>
     </message>
     <message>
-        <source>our AE title %1 is not allowed there. Have it entered in the archive, or correct ours in the list of archives.</source>
+        <source>the PACS does not accept our AE title %1. Have it registered there, or correct it in the PACS list.</source>
         <comment>archive.title-not-allowed</comment>
-        <translation>Unser AE-Titel %1 ist dort nicht zugelassen. Ihn im Archiv eintragen lassen, oder unseren in der Liste der Archive berichtigen.</translation>
+        <translation>das PACS akzeptiert unseren AE-Titel %1 nicht. Lassen Sie ihn dort eintragen, oder berichtigen Sie ihn in der PACS-Liste.</translation>
     </message>
     <message>
-        <source>the association was refused (%1). Ask who runs the archive whether this computer may connect.</source>
+        <source>the association was rejected (%1). Ask the PACS administrator whether this computer may connect.</source>
         <comment>archive.refused</comment>
-        <translation>Die Verbindung wurde abgelehnt (%1). Den Betreiber des Archivs fragen, ob sich dieser Rechner verbinden darf.</translation>
+        <translation>die Assoziation wurde abgelehnt (%1). Fragen Sie den PACS-Administrator, ob sich dieser Rechner verbinden darf.</translation>
     </message>
     <message>
-        <source>the archive ended the association in the middle. Look into its log, or try again; whole objects that came are kept.</source>
+        <source>the PACS aborted the association. Check its log, or try again; completely received objects are kept.</source>
         <comment>archive.aborted</comment>
-        <translation>Das Archiv beendete die Verbindung mittendrin. In sein Protokoll sehen oder noch einmal versuchen; ganze Objekte, die kamen, bleiben.</translation>
+        <translation>das PACS brach die Assoziation ab. Prüfen Sie sein Protokoll, oder versuchen Sie es erneut; vollständig empfangene Objekte bleiben erhalten.</translation>
     </message>
     <message>
-        <source>it does not offer %1. Ask who runs it to allow that for our AE title %2.</source>
+        <source>the PACS does not offer %1. Ask its administrator to allow it for our AE title %2.</source>
         <comment>archive.no-service</comment>
-        <translation>Es bietet %1 nicht an. Den Betreiber bitten, das unserem AE-Titel %2 zu erlauben.</translation>
+        <translation>das PACS bietet %1 nicht an. Bitten Sie den Administrator, es für unseren AE-Titel %2 freizugeben.</translation>
     </message>
     <message>
-        <source>%1 failed with %2. Look into the archive&apos;s log, or ask who runs it.</source>
+        <source>%1 failed with %2. Check the PACS log, or ask its administrator.</source>
         <comment>archive.status</comment>
-        <translation>%1 schlug mit %2 fehl. In das Protokoll des Archivs sehen, oder den Betreiber fragen.</translation>
+        <translation>%1 schlug mit %2 fehl. Prüfen Sie das Protokoll des PACS, oder fragen Sie den Administrator.</translation>
     </message>
     <message>
-        <source>its answer makes no sense (%1). Check that host, port and address are those of a DICOM archive.</source>
+        <source>the response is invalid (%1). Check that host, port and address belong to a PACS.</source>
         <comment>archive.nonsense</comment>
-        <translation>Seine Antwort ergibt keinen Sinn (%1). Prüfen, ob Rechner, Port und Adresse die eines DICOM-Archivs sind.</translation>
+        <translation>die Antwort ist ungültig (%1). Prüfen Sie, ob Host, Port und Adresse zu einem PACS gehören.</translation>
     </message>
     <message>
-        <source>no secure connection came about (%1). Check the CA file of this archive, the certificates, and whether it wants TLS at this port.</source>
+        <source>the TLS handshake failed (%1). Check the CA file of this PACS, the certificates, and whether this port uses TLS.</source>
         <comment>archive.tls-refused</comment>
-        <translation>Es kam keine sichere Verbindung zustande (%1). Die CA-Datei dieses Archivs, die Zertifikate, und ob es an diesem Port TLS will, prüfen.</translation>
+        <translation>der TLS-Handshake schlug fehl (%1). Prüfen Sie die CA-Datei dieses PACS, die Zertifikate, und ob dieser Port TLS verwendet.</translation>
     </message>
     <message>
-        <source>the file %1 is of no use for TLS (%2). Check its path and content.</source>
+        <source>the file %1 cannot be used for TLS (%2). Check its path and content.</source>
         <comment>archive.tls-file</comment>
-        <translation>Die Datei %1 taugt nicht für TLS (%2). Pfad und Inhalt prüfen.</translation>
+        <translation>die Datei %1 ist für TLS nicht verwendbar (%2). Prüfen Sie Pfad und Inhalt.</translation>
     </message>
     <message>
-        <source>its certificate is not one of the host %1. Check the host; where it is right, switch “Its certificate must be one of the host” off for this archive.</source>
+        <source>the certificate was not issued for host %1. Check the host; if it is correct, turn off the host name check for this PACS.</source>
         <comment>archive.tls-host</comment>
-        <translation>Sein Zertifikat ist keines des Rechners %1. Den Rechner prüfen; stimmt er, für dieses Archiv „Sein Zertifikat muss das des Hosts sein“ ausschalten.</translation>
+        <translation>das Zertifikat wurde nicht für den Host %1 ausgestellt. Prüfen Sie den Host; ist er richtig, schalten Sie die Prüfung des Hostnamens für dieses PACS aus.</translation>
     </message>
     <message>
-        <source>it is no list of archives (%1). Correct it, or remove the file.</source>
+        <source>this is not a PACS list (%1). Correct it, or delete the file.</source>
         <comment>archive.list-invalid</comment>
-        <translation>Es ist keine Liste von Archiven (%1). Sie berichtigen, oder die Datei entfernen.</translation>
+        <translation>dies ist keine PACS-Liste (%1). Berichtigen Sie sie, oder löschen Sie die Datei.</translation>
     </message>
     <message>
-        <source>there is no archive %1 in %2; known: %3. Add it, or correct the name.</source>
+        <source>there is no PACS %1 in %2; known: %3. Add it, or correct the name.</source>
         <comment>archive.unknown</comment>
-        <translation>Ein Archiv %1 gibt es in %2 nicht; bekannt: %3. Es hinzufügen, oder den Namen berichtigen.</translation>
+        <translation>in %2 gibt es kein PACS %1; bekannt: %3. Fügen Sie es hinzu, oder berichtigen Sie den Namen.</translation>
     </message>
     <message>
-        <source>an archive has no name of 1 to 64 characters. Name it.</source>
+        <source>a PACS has no valid name (1 to 64 characters). Enter one.</source>
         <comment>archive.no-name</comment>
-        <translation>Ein Archiv hat keinen Namen von 1 bis 64 Zeichen. Es benennen.</translation>
+        <translation>ein PACS hat keinen gültigen Namen (1 bis 64 Zeichen). Geben Sie einen ein.</translation>
     </message>
     <message>
-        <source>it has neither a host nor a DICOMweb address. Give one.</source>
+        <source>the PACS has neither a host nor a DICOMweb address. Enter one.</source>
         <comment>archive.no-address</comment>
-        <translation>Es hat weder einen Rechner noch eine DICOMweb-Adresse. Eines davon angeben.</translation>
+        <translation>das PACS hat weder einen Host noch eine DICOMweb-Adresse. Geben Sie eines davon ein.</translation>
     </message>
     <message>
-        <source>%1 is no host. Give a name or an address without port and spaces.</source>
+        <source>%1 is not a valid host. Enter a name or an address without port and spaces.</source>
         <comment>archive.bad-host</comment>
-        <translation>%1 ist kein Rechner. Einen Namen oder eine Adresse ohne Port und Leerzeichen angeben.</translation>
+        <translation>%1 ist kein gültiger Host. Geben Sie einen Namen oder eine Adresse ohne Port und Leerzeichen ein.</translation>
     </message>
     <message>
-        <source>the port %1 is not one of 1 to 65535. Correct it.</source>
+        <source>port %1 is not between 1 and 65535. Correct it.</source>
         <comment>archive.bad-port</comment>
-        <translation>Der Port %1 ist keiner von 1 bis 65535. Ihn berichtigen.</translation>
+        <translation>Port %1 liegt nicht zwischen 1 und 65535. Berichtigen Sie ihn.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no AE title. Give 1 to 16 letters, digits or signs other than the backslash.</source>
+        <source>&quot;%1&quot; is not a valid AE title. Enter 1 to 16 letters, digits or symbols other than the backslash.</source>
         <comment>archive.bad-title</comment>
-        <translation>„%1“ ist kein AE-Titel. 1 bis 16 Buchstaben, Ziffern oder Zeichen außer dem umgekehrten Schrägstrich angeben.</translation>
+        <translation>„%1“ ist kein gültiger AE-Titel. Geben Sie 1 bis 16 Buchstaben, Ziffern oder Zeichen außer dem umgekehrten Schrägstrich ein.</translation>
     </message>
     <message>
-        <source>%1 is no DICOMweb address. Give one that begins with https:// or http://.</source>
+        <source>%1 is not a DICOMweb address. Enter one that begins with https:// or http://.</source>
         <comment>archive.bad-url</comment>
-        <translation>%1 ist keine DICOMweb-Adresse. Eine angeben, die mit https:// oder http:// beginnt.</translation>
+        <translation>%1 ist keine DICOMweb-Adresse. Geben Sie eine ein, die mit https:// oder http:// beginnt.</translation>
     </message>
     <message>
-        <source>the “Time for an answer” must be 1 to 600 s. Correct it.</source>
+        <source>the response timeout must be 1 to 600 s. Correct it.</source>
         <comment>archive.bad-time</comment>
-        <translation>Die „Zeit für eine Antwort“ muss 1 bis 600 s sein. Sie berichtigen.</translation>
+        <translation>das Zeitlimit für Antworten muss 1 bis 600 s betragen. Berichtigen Sie es.</translation>
     </message>
     <message>
-        <source>a certificate and its key belong together, and one is missing. Give both files.</source>
+        <source>a client certificate requires its key and vice versa; one is missing. Specify both files.</source>
         <comment>archive.key-without-certificate</comment>
-        <translation>Zertifikat und Schlüssel gehören zusammen, und eines fehlt. Beide Dateien angeben.</translation>
+        <translation>Zertifikat und Schlüssel gehören zusammen; eines fehlt. Geben Sie beide Dateien an.</translation>
     </message>
     <message>
-        <source>it has a DICOMweb address only. Give host and port too, or use DICOMweb.</source>
+        <source>the PACS has only a DICOMweb address. Enter host and port too, or use DICOMweb.</source>
         <comment>archive.no-dimse</comment>
-        <translation>Es hat nur eine DICOMweb-Adresse. Auch Rechner und Port angeben, oder DICOMweb nehmen.</translation>
+        <translation>das PACS hat nur eine DICOMweb-Adresse. Geben Sie auch Host und Port ein, oder verwenden Sie DICOMweb.</translation>
     </message>
     <message>
-        <source>it has no DICOMweb address. Give one, or use DIMSE.</source>
+        <source>the PACS has no DICOMweb address. Enter one, or use DIMSE.</source>
         <comment>archive.no-web</comment>
-        <translation>Es hat keine DICOMweb-Adresse. Eine angeben, oder DIMSE nehmen.</translation>
+        <translation>das PACS hat keine DICOMweb-Adresse. Geben Sie eine ein, oder verwenden Sie DIMSE.</translation>
     </message>
     <message>
-        <source>names and images go to %1 without encryption. Use https:// or TLS where others share the network.</source>
+        <source>names and images are sent to %1 without encryption. Use https:// or TLS on a shared network.</source>
         <comment>archive.plain-text</comment>
-        <translation>Namen und Bilder gehen unverschlüsselt an %1. https:// oder TLS nehmen, wo andere das Netz mitbenutzen.</translation>
+        <translation>Namen und Bilder werden unverschlüsselt an %1 gesendet. Verwenden Sie in gemeinsam genutzten Netzen https:// oder TLS.</translation>
     </message>
     <message>
-        <source>%1 is no date. Write YYYY-MM-DD, or two of them with .. between: 2024-01-01..2024-02-01.</source>
+        <source>%1 is not a date. Write YYYY-MM-DD, or a range: 2024-01-01..2024-02-01.</source>
         <comment>archive.bad-date</comment>
-        <translation>%1 ist kein Datum. JJJJ-MM-TT schreiben, oder zwei davon mit .. dazwischen: 2024-01-01..2024-02-01.</translation>
+        <translation>%1 ist kein Datum. Schreiben Sie JJJJ-MM-TT, oder einen Bereich: 2024-01-01..2024-02-01.</translation>
     </message>
     <message>
-        <source>there are more than %1 matches; the rest is left out. Ask for less.</source>
+        <source>there are more than %1 matches; the rest is omitted. Narrow the query.</source>
         <comment>archive.many-matches</comment>
-        <translation>Es gibt mehr als %1 Treffer; der Rest fehlt. Enger suchen.</translation>
+        <translation>es gibt mehr als %1 Treffer; der Rest fehlt. Schränken Sie die Suche ein.</translation>
     </message>
     <message>
-        <source>it holds nothing of %1. Search again.</source>
+        <source>the PACS has no data for %1. Query again.</source>
         <comment>archive.nothing-there</comment>
-        <translation>Es hat nichts von %1. Noch einmal suchen.</translation>
+        <translation>das PACS hat keine Daten zu %1. Suchen Sie erneut.</translation>
     </message>
     <message>
-        <source>%1 is no UID. Copy it from what find prints.</source>
+        <source>%1 is not a UID. Copy it from the output of find.</source>
         <comment>archive.bad-uid</comment>
-        <translation>%1 ist keine UID. Sie aus dem kopieren, was find ausgibt.</translation>
+        <translation>%1 ist keine UID. Kopieren Sie sie aus der Ausgabe von find.</translation>
     </message>
     <message>
-        <source>%1 of %2 objects came, the archive did not send the others (%3). Retrieve again, or look into its log.</source>
+        <source>%1 of %2 objects were received; the PACS did not send the others (%3). Retrieve again, or check its log.</source>
         <comment>archive.not-all-came</comment>
-        <translation>%1 von %2 Objekten kamen, die anderen schickte das Archiv nicht (%3). Noch einmal holen, oder in sein Protokoll sehen.</translation>
+        <translation>%1 von %2 Objekten wurden empfangen; die übrigen sendete das PACS nicht (%3). Rufen Sie erneut ab, oder prüfen Sie sein Protokoll.</translation>
     </message>
     <message>
-        <source>it does not offer C-GET, and C-MOVE needs a port of our own. Set its “Port for C-MOVE”, and have AE title, host and port entered in the archive.</source>
+        <source>the PACS does not offer C-GET, and C-MOVE needs a local port. Set the C-MOVE port, and have AE title, host and port registered at the PACS.</source>
         <comment>archive.no-way-back</comment>
-        <translation>Es bietet C-GET nicht an, und C-MOVE braucht einen Port bei uns. Seinen „Port für C-MOVE“ setzen, und AE-Titel, Rechner und Port im Archiv eintragen lassen.</translation>
+        <translation>das PACS bietet C-GET nicht an, und C-MOVE braucht einen lokalen Port. Setzen Sie den C-MOVE-Port, und lassen Sie AE-Titel, Host und Port im PACS eintragen.</translation>
     </message>
     <message>
-        <source>port %1 cannot be listened on (%2). Choose another port, above 1024.</source>
+        <source>cannot listen on port %1 (%2). Choose another port above 1024.</source>
         <comment>archive.port-taken</comment>
-        <translation>An Port %1 lässt sich nicht lauschen (%2). Einen anderen Port über 1024 wählen.</translation>
+        <translation>an Port %1 lässt sich nicht lauschen (%2). Wählen Sie einen anderen Port über 1024.</translation>
     </message>
     <message>
-        <source>an object is larger than the limit of %1 and was not kept. Raise the limit if it is wanted (--max-object).</source>
+        <source>an object exceeds the limit of %1 and was discarded. Raise the limit if you need it (--max-object).</source>
         <comment>archive.object-too-large</comment>
-        <translation>Ein Objekt ist größer als die Grenze von %1 und wurde nicht behalten. Die Grenze heben, wenn es gewollt ist (--max-object).</translation>
+        <translation>ein Objekt überschreitet die Grenze von %1 und wurde verworfen. Erhöhen Sie bei Bedarf die Grenze (--max-object).</translation>
     </message>
     <message>
-        <source>an object that came is no readable DICOM object, and was not kept. Look into the archive&apos;s log.</source>
+        <source>a received object is not readable DICOM and was discarded. Check the PACS log.</source>
         <comment>archive.object-unreadable</comment>
-        <translation>Ein Objekt, das kam, ist kein lesbares DICOM-Objekt und wurde nicht behalten. In das Protokoll des Archivs sehen.</translation>
+        <translation>ein empfangenes Objekt ist kein lesbares DICOM und wurde verworfen. Prüfen Sie das Protokoll des PACS.</translation>
     </message>
     <message>
-        <source>an object that came is not the one that was announced (%1), and was not kept. Look into the archive&apos;s log.</source>
+        <source>a received object is not the announced one (%1) and was discarded. Check the PACS log.</source>
         <comment>archive.object-foreign</comment>
-        <translation>Ein Objekt, das kam, ist nicht das angekündigte (%1) und wurde nicht behalten. In das Protokoll des Archivs sehen.</translation>
+        <translation>ein empfangenes Objekt ist nicht das angekündigte (%1) und wurde verworfen. Prüfen Sie das Protokoll des PACS.</translation>
     </message>
     <message>
-        <source>an object came whose UID (%1) is that of another one here; the earlier one is kept. Find out which is right.</source>
+        <source>a received object has the UID (%1) of a different local object; the local one is kept. Find out which is correct.</source>
         <comment>archive.object-differs</comment>
-        <translation>Es kam ein Objekt, dessen UID (%1) die eines anderen hier ist; das frühere bleibt. Herausfinden, welches richtig ist.</translation>
+        <translation>ein empfangenes Objekt hat die UID (%1) eines anderen lokalen Objekts; das lokale bleibt erhalten. Klären Sie, welches richtig ist.</translation>
     </message>
     <message>
-        <source>the series does not fit into the cache of %1. Raise its limit, or empty it.</source>
+        <source>the series does not fit into the cache of %1. Raise its limit, or clear it.</source>
         <comment>archive.cache-too-small</comment>
-        <translation>Die Serie passt nicht in den Zwischenspeicher von %1. Seine Grenze heben, oder ihn leeren.</translation>
+        <translation>die Serie passt nicht in den Cache von %1. Erhöhen Sie seine Grenze, oder leeren Sie ihn.</translation>
     </message>
     <message>
-        <source>the folder cannot be made or used (%1). Choose another one, or make room.</source>
+        <source>the folder cannot be created or used (%1). Choose another one, or free disk space.</source>
         <comment>archive.no-folder</comment>
-        <translation>Der Ordner lässt sich nicht anlegen oder benutzen (%1). Einen anderen wählen, oder Platz schaffen.</translation>
+        <translation>der Ordner lässt sich nicht anlegen oder benutzen (%1). Wählen Sie einen anderen, oder schaffen Sie Speicherplatz.</translation>
     </message>
     <message>
-        <source>it is no whole DICOM file with its transfer syntax, and was not sent. Write it anew, or choose another.</source>
+        <source>this is not a complete DICOM file with a transfer syntax and was not sent. Write it again, or choose another file.</source>
         <comment>archive.not-sendable</comment>
-        <translation>Es ist keine ganze DICOM-Datei mit ihrer Übertragungssyntax und wurde nicht gesendet. Sie neu schreiben, oder eine andere wählen.</translation>
+        <translation>dies ist keine vollständige DICOM-Datei mit Transfersyntax und wurde nicht gesendet. Schreiben Sie sie neu, oder wählen Sie eine andere.</translation>
     </message>
     <message>
-        <source>the archive does not take objects of its kind as they are stored (class %1, transfer syntax %2). Convert it, or ask who runs the archive.</source>
+        <source>the PACS does not accept this kind of object in its stored form (class %1, transfer syntax %2). Convert it, or ask the PACS administrator.</source>
         <comment>archive.not-taken</comment>
-        <translation>Das Archiv nimmt solche Objekte nicht so, wie sie gespeichert sind (Klasse %1, Übertragungssyntax %2). Es umwandeln, oder den Betreiber des Archivs fragen.</translation>
+        <translation>das PACS nimmt solche Objekte in der gespeicherten Form nicht an (Klasse %1, Transfersyntax %2). Wandeln Sie es um, oder fragen Sie den PACS-Administrator.</translation>
     </message>
     <message>
-        <source>the archive refused it with %1. Look into its log, or ask who runs it.</source>
+        <source>the PACS rejected the object with %1. Check its log, or ask its administrator.</source>
         <comment>archive.store-refused</comment>
-        <translation>Das Archiv lehnte es mit %1 ab. In sein Protokoll sehen, oder den Betreiber fragen.</translation>
+        <translation>das PACS lehnte das Objekt mit %1 ab. Prüfen Sie sein Protokoll, oder fragen Sie den Administrator.</translation>
     </message>
     <message>
-        <source>%1 was answered with HTTP status %2. Check the DICOMweb address, or ask who runs the archive.</source>
+        <source>%1 returned HTTP status %2. Check the DICOMweb address, or ask the PACS administrator.</source>
         <comment>archive.http-status</comment>
-        <translation>%1 wurde mit HTTP-Status %2 beantwortet. Die DICOMweb-Adresse prüfen, oder den Betreiber des Archivs fragen.</translation>
+        <translation>%1 lieferte den HTTP-Status %2. Prüfen Sie die DICOMweb-Adresse, oder fragen Sie den PACS-Administrator.</translation>
     </message>
     <message>
-        <source>access was refused (HTTP status %1). Check the client certificate or the authorization file of this archive.</source>
+        <source>access was denied (HTTP status %1). Check the client certificate or the authorization file of this PACS.</source>
         <comment>archive.http-forbidden</comment>
-        <translation>Der Zugang wurde verweigert (HTTP-Status %1). Das Zertifikat oder die Datei für Authorization dieses Archivs prüfen.</translation>
+        <translation>der Zugriff wurde verweigert (HTTP-Status %1). Prüfen Sie das Client-Zertifikat oder die Berechtigungsdatei dieses PACS.</translation>
     </message>
     <message>
-        <source>its answer is larger than %1. Ask for less.</source>
+        <source>the response is larger than %1. Narrow the query.</source>
         <comment>archive.http-too-large</comment>
-        <translation>Seine Antwort ist größer als %1. Enger suchen.</translation>
+        <translation>die Antwort ist größer als %1. Schränken Sie die Suche ein.</translation>
     </message>
     <message>
-        <source>%1 (AE title %2) was turned away: it is not on the list of those that may call.</source>
+        <source>%1 (AE title %2) was rejected: it is not in the list of allowed callers.</source>
         <comment>archive.title-turned-away</comment>
-        <translation>%1 (AE-Titel %2) wurde abgewiesen: nicht auf der Liste derer, die anrufen dürfen.</translation>
+        <translation>%1 (AE-Titel %2) wurde abgelehnt: nicht in der Liste der zugelassenen Sender.</translation>
     </message>
     <message>
-        <source>%1 (AE title %2) was turned away: it called %3, which is not our AE title. Correct it there.</source>
+        <source>%1 (AE title %2) was rejected: its called AE title %3 is not ours. Correct it at the sender.</source>
         <comment>archive.called-otherwise</comment>
-        <translation>%1 (AE-Titel %2) wurde abgewiesen: gerufen wurde %3, was nicht unser AE-Titel ist. Ihn dort berichtigen.</translation>
+        <translation>%1 (AE-Titel %2) wurde abgelehnt: Der gerufene AE-Titel %3 ist nicht unserer. Berichtigen Sie ihn beim Sender.</translation>
     </message>
     <message>
-        <source>a call to the port came to nothing (%1). Look at the caller: address, port, whether it uses TLS.</source>
+        <source>an incoming connection failed (%1). Check the sender: address, port, TLS.</source>
         <comment>archive.call-failed</comment>
-        <translation>Ein Anruf am Port führte zu nichts (%1). Beim Anrufer nachsehen: Adresse, Port, ob er TLS benutzt.</translation>
+        <translation>eine eingehende Verbindung schlug fehl (%1). Prüfen Sie beim Sender: Adresse, Port, TLS.</translation>
     </message>
     <message>
-        <source>a caller was turned away: no secure connection came about (%1). Check its certificate, those trusted here, and whether it uses TLS.</source>
+        <source>an incoming connection was rejected: the TLS handshake failed (%1). Check the sender&apos;s certificate, the certificates accepted here, and whether the sender uses TLS.</source>
         <comment>archive.call-not-secured</comment>
-        <translation>Ein Anrufer wurde abgewiesen: Es kam keine sichere Verbindung zustande (%1). Sein Zertifikat, die hier vertrauten, und ob er TLS benutzt, prüfen.</translation>
+        <translation>eine eingehende Verbindung wurde abgelehnt: Der TLS-Handshake schlug fehl (%1). Prüfen Sie das Zertifikat des Senders, die hier akzeptierten Zertifikate, und ob der Sender TLS verwendet.</translation>
     </message>
     <message>
-        <source>TLS at a port needs a certificate of ours and its key. Give both files.</source>
+        <source>TLS on a listening port needs our own certificate and its key. Specify both files.</source>
         <comment>archive.port-unsecured</comment>
-        <translation>TLS an einem Port braucht ein Zertifikat von uns und seinen Schlüssel. Beide Dateien angeben.</translation>
+        <translation>TLS an einem lauschenden Port braucht ein eigenes Zertifikat und dessen Schlüssel. Geben Sie beide Dateien an.</translation>
     </message>
     <message>
         <source>%1 does not exist. Check the name, or whether its drive is mounted.</source>
@@ -4024,19 +4024,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 lässt sich nicht lesen: %2. Die Rechte prüfen.</translation>
     </message>
     <message>
-        <source>%1 is empty. Copy the file again from where it came from.</source>
+        <source>%1 is empty. Copy the file again from its source.</source>
         <comment>open.empty</comment>
-        <translation>%1 ist leer. Die Datei vom Ursprungsort neu kopieren.</translation>
+        <translation>%1 ist leer. Kopieren Sie die Datei erneut von der Quelle.</translation>
     </message>
     <message>
-        <source>%1 is not a file that AngioPose opens. Open a case (.angiopose), a centreline (VTP, VTK, CSV, SWC), a CT scan (DICOM folder, NIfTI, NRRD, MetaImage), a surface (STL, PLY, OBJ) or an angiogram (DICOM, PNG, TIFF).</source>
+        <source>Unsupported file type: %1. Open a case (.angiopose), a centerline (VTP, VTK, CSV, SWC), a CT scan (DICOM folder, NIfTI, NRRD, MetaImage), a surface (STL, PLY, OBJ) or an angiogram (DICOM, PNG, TIFF).</source>
         <comment>open.unknown</comment>
-        <translation>%1 kann AngioPose nicht öffnen. Einen Fall (.angiopose), eine Mittellinie (VTP, VTK, CSV, SWC), ein CT (DICOM-Ordner, NIfTI, NRRD, MetaImage), eine Oberfläche (STL, PLY, OBJ) oder ein Angiogramm (DICOM, PNG, TIFF) öffnen.</translation>
+        <translation>Nicht unterstützter Dateityp: %1. Öffnen Sie einen Fall (.angiopose), eine Mittellinie (VTP, VTK, CSV, SWC), ein CT (DICOM-Ordner, NIfTI, NRRD, MetaImage), eine Oberfläche (STL, PLY, OBJ) oder ein Angiogramm (DICOM, PNG, TIFF).</translation>
     </message>
     <message>
-        <source>%1 is a case. Open it alone, without other files.</source>
+        <source>%1 is a case. Open it on its own, without other files.</source>
         <comment>open.case-alone</comment>
-        <translation>%1 ist ein Fall. Allein öffnen, ohne andere Dateien.</translation>
+        <translation>%1 ist ein Fall. Öffnen Sie ihn allein, ohne andere Dateien.</translation>
     </message>
     <message>
         <source>%1 is a second vessel tree. Open one vessel tree at a time.</source>
@@ -4044,29 +4044,29 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 ist ein zweiter Gefäßbaum. Nur einen auf einmal öffnen.</translation>
     </message>
     <message>
-        <source>%1 is a second 2-D centreline. Open one 2-D centreline at a time.</source>
+        <source>%1 is a second 2-D centerline. Open one 2-D centerline at a time.</source>
         <comment>open.second-centreline</comment>
         <translation>%1 ist eine zweite 2-D-Mittellinie. Nur eine auf einmal öffnen.</translation>
     </message>
     <message>
-        <source>%1 is a second angiogram. Open one at a time; others join it as views.</source>
+        <source>%1 is a second angiogram. Open one at a time; add others as views.</source>
         <comment>open.second-angiogram</comment>
-        <translation>%1 ist ein zweites Angiogramm. Nur eines auf einmal öffnen; weitere kommen als Ansichten dazu.</translation>
+        <translation>%1 ist ein zweites Angiogramm. Öffnen Sie nur eines auf einmal; weitere fügen Sie als Ansichten hinzu.</translation>
     </message>
     <message>
-        <source>%1 has moved and was found as %2. Save the case to remember.</source>
+        <source>%1 was moved and was found at %2. Save the case to keep the new path.</source>
         <comment>open.moved</comment>
-        <translation>%1 wurde verschoben und als %2 gefunden. Zum Merken den Fall speichern.</translation>
+        <translation>%1 wurde verschoben und unter %2 gefunden. Speichern Sie den Fall, um den neuen Pfad zu behalten.</translation>
     </message>
     <message>
-        <source>this is no angiogram. Choose an XA image, or a case with one.</source>
+        <source>this is not an angiogram. Choose an XA image, or a case with one.</source>
         <comment>open.no-angiogram</comment>
-        <translation>das ist kein Angiogramm. Eine XA-Aufnahme oder einen Fall mit einer wählen.</translation>
+        <translation>dies ist kein Angiogramm. Wählen Sie eine XA-Aufnahme, oder einen Fall mit einer.</translation>
     </message>
     <message>
-        <source>none of its %1 series can be opened. %2</source>
+        <source>none of the %1 series can be opened. %2</source>
         <comment>open.no-series</comment>
-        <translation>keine der %1 Serien darin lässt sich öffnen. %2</translation>
+        <translation>keine der %1 Serien lässt sich öffnen. %2</translation>
     </message>
     <message>
         <source>Not for clinical use</source>
@@ -4079,14 +4079,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Patientendaten verborgen</translation>
     </message>
     <message>
-        <source>before: at the start pose</source>
+        <source>before: initial pose</source>
         <comment>picture.before</comment>
         <translation>vorher: in der Startlage</translation>
     </message>
     <message>
-        <source>after: at this pose</source>
+        <source>after: this pose</source>
         <comment>picture.after</comment>
-        <translation>nachher: in dieser Lage</translation>
+        <translation>nachher: diese Lage</translation>
     </message>
     <message>
         <source>%1 · median %2</source>
@@ -4094,24 +4094,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 · Median %2</translation>
     </message>
     <message>
-        <source>%1 · median %2 · not trustworthy</source>
+        <source>%1 · median %2 · unreliable</source>
         <comment>picture.pose-not-trustworthy</comment>
-        <translation>%1 · Median %2 · nicht vertrauenswürdig</translation>
+        <translation>%1 · Median %2 · unzuverlässig</translation>
     </message>
     <message>
-        <source>moved, mm</source>
+        <source>displacement, mm</source>
         <comment>picture.motion-scale</comment>
-        <translation>bewegt, mm</translation>
+        <translation>Verschiebung, mm</translation>
     </message>
     <message>
-        <source>bent on frame %1, another one</source>
+        <source>deformation from frame %1, not this one</source>
         <comment>picture.bent-on-frame</comment>
-        <translation>auf Bild %1 gebogen, einem anderen</translation>
+        <translation>Verformung aus Bild %1, nicht diesem</translation>
     </message>
     <message>
-        <source>bend along the ray: not told</source>
+        <source>deformation along the ray: unknown</source>
         <comment>picture.bent-depth-untold</comment>
-        <translation>Biegung längs des Strahls: unbekannt</translation>
+        <translation>Verformung entlang des Strahls: unbekannt</translation>
     </message>
     <message>
         <source>rigid: %1</source>
@@ -4119,19 +4119,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>starr: %1</translation>
     </message>
     <message>
-        <source>vessels rigid; bent ones are known</source>
+        <source>vessels rigid; deformation available</source>
         <comment>picture.vessels-rigid</comment>
-        <translation>Gefäße starr; gebogene sind bekannt</translation>
+        <translation>Gefäße starr; Verformung verfügbar</translation>
     </message>
     <message>
-        <source>vessels bent by up to %1, not sure</source>
+        <source>vessels deformed by up to %1, uncertain</source>
         <comment>picture.vessels-bent-unsure</comment>
-        <translation>Gefäße um bis zu %1 gebogen, nicht sicher</translation>
+        <translation>Gefäße um bis zu %1 verformt, unsicher</translation>
     </message>
     <message>
-        <source>vessels bent by up to %1</source>
+        <source>vessels deformed by up to %1</source>
         <comment>picture.vessels-bent</comment>
-        <translation>Gefäße um bis zu %1 gebogen</translation>
+        <translation>Gefäße um bis zu %1 verformt</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -4214,19 +4214,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 der Simulation muss zwischen %2 und %3 liegen, nicht %4.</translation>
     </message>
     <message>
-        <source>Method &apos;%1&apos; has no option with the choice &apos;%2&apos;. Write it as option=value.</source>
+        <source>Method &apos;%1&apos; has no option with the choice &apos;%2&apos;. Use option=value.</source>
         <comment>contest.no-such-choice</comment>
-        <translation>Das Verfahren „%1“ hat keine Option mit der Wahl „%2“. Als option=wert schreiben.</translation>
+        <translation>Das Verfahren „%1“ hat keine Option mit der Wahl „%2“. Verwenden Sie option=wert.</translation>
     </message>
     <message>
-        <source>Method &apos;%1&apos; has more than one option with the choice &apos;%2&apos;. Write it as option=value.</source>
+        <source>Method &apos;%1&apos; has several options with the choice &apos;%2&apos;. Use option=value.</source>
         <comment>contest.choice-of-several</comment>
-        <translation>Das Verfahren „%1“ hat mehr als eine Option mit der Wahl „%2“. Als option=wert schreiben.</translation>
+        <translation>Das Verfahren „%1“ hat mehrere Optionen mit der Wahl „%2“. Verwenden Sie option=wert.</translation>
     </message>
     <message>
-        <source>No method is named. See the methods in: angiopose-cli evaluate --help</source>
+        <source>No method is specified. See the methods in: angiopose-cli evaluate --help</source>
         <comment>contest.no-method-named</comment>
-        <translation>Kein Verfahren ist genannt. Die Verfahren stehen in: angiopose-cli evaluate --help</translation>
+        <translation>Es ist kein Verfahren angegeben. Die Verfahren stehen in: angiopose-cli evaluate --help</translation>
     </message>
     <message>
         <source>The experiment &apos;%1&apos; has no condition &apos;%2&apos;. See the conditions in: angiopose-cli evaluate --help</source>
@@ -4234,24 +4234,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Experiment „%1“ hat keine Bedingung „%2“. Die Bedingungen stehen in: angiopose-cli evaluate --help</translation>
     </message>
     <message>
-        <source>The condition &apos;%1&apos; is not one of &apos;%2&apos;. Merge runs of this program&apos;s version.</source>
+        <source>The condition &apos;%1&apos; does not belong to &apos;%2&apos;. Merge results of this program version.</source>
         <comment>merge.foreign-condition</comment>
-        <translation>Die Bedingung „%1“ ist keine von „%2“. Läufe dieser Programmversion vereinen.</translation>
+        <translation>Die Bedingung „%1“ gehört nicht zu „%2“. Führen Sie Ergebnisse dieser Programmversion zusammen.</translation>
     </message>
     <message>
-        <source>Two parts disagree about %1 in trial %2 of %3. Merge runs of the same program and settings.</source>
+        <source>Two parts differ in %1 of trial %2 of %3. Merge results of the same program version and settings.</source>
         <comment>merge.parts-disagree</comment>
-        <translation>Zwei Teile widersprechen sich zu %1 im Versuch %2 von %3. Läufe desselben Programms und derselben Einstellungen vereinen.</translation>
+        <translation>Zwei Teile unterscheiden sich bei %1 im Versuch %2 von %3. Führen Sie Ergebnisse derselben Programmversion und Einstellungen zusammen.</translation>
     </message>
     <message>
-        <source>There are no runs to merge.</source>
+        <source>There are no results to merge.</source>
         <comment>merge.nothing</comment>
-        <translation>Es gibt keine Läufe zu vereinen.</translation>
+        <translation>Es gibt keine Ergebnisse zusammenzuführen.</translation>
     </message>
     <message>
-        <source>Runs of &apos;%1&apos;, seed %2, and of &apos;%3&apos;, seed %4, do not belong together. Merge parts of one experiment.</source>
+        <source>Results of &apos;%1&apos;, seed %2, and of &apos;%3&apos;, seed %4, do not belong together. Merge parts of one experiment.</source>
         <comment>merge.runs-of-others</comment>
-        <translation>Läufe von „%1“, Startwert %2, und von „%3“, Startwert %4, gehören nicht zusammen. Teile eines Experiments vereinen.</translation>
+        <translation>Ergebnisse von „%1“, Startwert %2, und von „%3“, Startwert %4, gehören nicht zusammen. Führen Sie Teile eines Experiments zusammen.</translation>
     </message>
     <message>
         <source>The focal lengths fx and fy must be finite and not zero.</source>
@@ -4269,29 +4269,29 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Kamera braucht die Bildgröße: Breite und Höhe müssen positiv sein.</translation>
     </message>
     <message>
-        <source>The camera is for images of %1 x %2 pixels, the angiogram has %3 x %4. Use the camera that belongs to the angiogram.</source>
+        <source>The camera is for images of %1 x %2 pixels, but the angiogram has %3 x %4. Use the camera that belongs to the angiogram.</source>
         <comment>camera.other-image</comment>
-        <translation>Die Kamera gilt für Bilder mit %1 x %2 Pixeln, das Angiogramm hat %3 x %4. Die zum Angiogramm gehörende Kamera verwenden.</translation>
+        <translation>Die Kamera gilt für Bilder mit %1 x %2 Pixeln, das Angiogramm hat aber %3 x %4. Verwenden Sie die zum Angiogramm gehörende Kamera.</translation>
     </message>
     <message>
-        <source>The picture must be 1 to %1 px wide and high; choose another size.</source>
+        <source>The image must be 1 to %1 px wide and high; choose another size.</source>
         <comment>picture.size</comment>
         <translation>Das Bild muss 1 bis %1 px breit und hoch sein; eine andere Größe wählen.</translation>
     </message>
     <message>
-        <source>%1 is missing or not positive. Add it to the geometry of the C-arm (the image header does not tell).</source>
+        <source>%1 is missing or not positive. Enter it in the C-arm geometry (the image header does not contain it).</source>
         <comment>geometry.value-missing</comment>
-        <translation>%1 fehlt oder ist nicht positiv. In der Geometrie des C-Bogens ergänzen (der Bildheader nennt ihn nicht).</translation>
+        <translation>%1 fehlt oder ist nicht positiv. Tragen Sie den Wert in der C-Bogen-Geometrie ein (der Bildheader enthält ihn nicht).</translation>
     </message>
     <message>
-        <source>The distance source to detector (SID)</source>
+        <source>The source-to-detector distance (SID)</source>
         <comment>geometry.the-sid</comment>
         <translation>Der Abstand Fokus–Detektor (SID)</translation>
     </message>
     <message>
-        <source>The distance source to patient (SOD)</source>
+        <source>The source-to-isocenter distance (SOD)</source>
         <comment>geometry.the-sod</comment>
-        <translation>Der Abstand Fokus–Patient (SOD)</translation>
+        <translation>Der Abstand Fokus–Isozentrum (SOD)</translation>
     </message>
     <message>
         <source>The detector pixel spacing</source>
@@ -4299,154 +4299,154 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Pixelgröße des Detektors</translation>
     </message>
     <message>
-        <source>The positioner angles (LAO/RAO, CRA/CAU) are missing or not finite. Add them to the geometry of the C-arm.</source>
+        <source>The gantry angles (LAO/RAO, CRA/CAU) are missing or not finite. Enter them in the C-arm geometry.</source>
         <comment>geometry.angles-missing</comment>
-        <translation>Die Durchleuchtungswinkel (LAO/RAO, CRA/CAU) fehlen oder sind nicht endlich. In der Geometrie des C-Bogens ergänzen.</translation>
+        <translation>Die Angulationswinkel (LAO/RAO, CRA/CAU) fehlen oder sind nicht endlich. Tragen Sie sie in der C-Bogen-Geometrie ein.</translation>
     </message>
     <message>
-        <source>The isocentre has a coordinate that is not a number (NaN or infinite). Give its place in the patient in mm.</source>
+        <source>The isocenter has a coordinate that is not a number (NaN or infinite). Enter its position in the patient in mm.</source>
         <comment>geometry.isocentre-not-finite</comment>
-        <translation>Das Isozentrum hat eine Koordinate, die keine Zahl ist (NaN oder unendlich). Seinen Ort im Patienten in mm angeben.</translation>
+        <translation>Das Isozentrum hat eine Koordinate, die keine Zahl ist (NaN oder unendlich). Geben Sie seine Position im Patienten in mm ein.</translation>
     </message>
     <message>
-        <source>Source to detector distance (SID): type it, usually 900 to 1200 mm.</source>
+        <source>Source-to-detector distance (SID): enter it, typically 900 to 1200 mm.</source>
         <comment>geometry.ask-sid</comment>
-        <translation>Abstand Fokus–Detektor (SID): eintragen, meist 900 bis 1200 mm.</translation>
+        <translation>Abstand Fokus–Detektor (SID): eintragen, typisch 900 bis 1200 mm.</translation>
     </message>
     <message>
-        <source>Source to isocentre distance (SOD): type it, usually 700 to 800 mm.</source>
+        <source>Source-to-isocenter distance (SOD): enter it, typically 700 to 800 mm.</source>
         <comment>geometry.ask-sod</comment>
-        <translation>Abstand Fokus–Isozentrum (SOD): eintragen, meist 700 bis 800 mm.</translation>
+        <translation>Abstand Fokus–Isozentrum (SOD): eintragen, typisch 700 bis 800 mm.</translation>
     </message>
     <message>
-        <source>Detector pixel spacing: type it, or the width of the field of view on the detector divided by the columns.</source>
+        <source>Detector pixel spacing: enter it, or the width of the field of view on the detector divided by the number of columns.</source>
         <comment>geometry.ask-spacing</comment>
-        <translation>Pixelgröße des Detektors: eintragen, oder die Breite des Bildfelds auf dem Detektor geteilt durch die Spalten.</translation>
+        <translation>Pixelgröße des Detektors: eintragen, oder die Breite des Bildfelds auf dem Detektor geteilt durch die Spaltenzahl.</translation>
     </message>
     <message>
-        <source>LAO/RAO angle: type it, or place the vessels by landmarks.</source>
+        <source>LAO/RAO angle: enter it, or register from landmarks.</source>
         <comment>geometry.ask-primary-angle</comment>
-        <translation>Winkel LAO/RAO: eintragen, oder die Gefäße nach Landmarken legen.</translation>
+        <translation>Winkel LAO/RAO: eintragen, oder nach Landmarken registrieren.</translation>
     </message>
     <message>
-        <source>CRA/CAU angle: type it, or place the vessels by landmarks.</source>
+        <source>CRA/CAU angle: enter it, or register from landmarks.</source>
         <comment>geometry.ask-secondary-angle</comment>
-        <translation>Winkel CRA/CAU: eintragen, oder die Gefäße nach Landmarken legen.</translation>
+        <translation>Winkel CRA/CAU: eintragen, oder nach Landmarken registrieren.</translation>
     </message>
     <message>
-        <source>A source to detector distance (SID) of %1 is unlike a C-arm (500 to 2000 mm): check its unit.</source>
+        <source>A source-to-detector distance (SID) of %1 is implausible for a C-arm (500 to 2000 mm): check the unit.</source>
         <comment>geometry.sid-unusual</comment>
-        <translation>Ein Abstand Fokus–Detektor (SID) von %1 passt zu keinem C-Bogen (500 bis 2000 mm): die Einheit prüfen.</translation>
+        <translation>Ein Abstand Fokus–Detektor (SID) von %1 ist für einen C-Bogen unplausibel (500 bis 2000 mm): Einheit prüfen.</translation>
     </message>
     <message>
-        <source>SOD (%1) is not smaller than SID (%2): the patient would lie behind the detector. Correct one of them.</source>
+        <source>SOD (%1) is not smaller than SID (%2): the isocenter would lie behind the detector. Correct one of them.</source>
         <comment>geometry.sod-beyond-sid</comment>
-        <translation>SOD (%1) ist nicht kleiner als SID (%2): der Patient läge hinter dem Detektor. Eines berichtigen.</translation>
+        <translation>SOD (%1) ist nicht kleiner als SID (%2): Das Isozentrum läge hinter dem Detektor. Berichtigen Sie einen der Werte.</translation>
     </message>
     <message>
-        <source>SID is %1 times SOD; angiograms are magnified 1.0 to 2.5 times. Check both distances.</source>
+        <source>SID is %1 times SOD; typical angiographic magnification is 1.0 to 2.5. Check both distances.</source>
         <comment>geometry.magnification-unusual</comment>
-        <translation>SID ist das %1-fache von SOD; Angiogramme sind 1,0- bis 2,5-fach vergrößert. Beide Abstände prüfen.</translation>
+        <translation>SID ist das %1-fache von SOD; Angiogramme sind typischerweise 1,0- bis 2,5-fach vergrößert. Prüfen Sie beide Abstände.</translation>
     </message>
     <message>
-        <source>The header&apos;s magnification of %1 (0018,1114) is not SID/SOD = %2: one of the three is stale. Check SID and SOD.</source>
+        <source>The header&apos;s magnification of %1 (0018,1114) does not equal SID/SOD = %2: one of the three values is outdated. Check SID and SOD.</source>
         <comment>geometry.magnification-stale</comment>
-        <translation>Die Vergrößerung des Headers von %1 (0018,1114) ist nicht SID/SOD = %2: eine der drei Angaben ist veraltet. SID und SOD prüfen.</translation>
+        <translation>Die Vergrößerung im Header von %1 (0018,1114) entspricht nicht SID/SOD = %2: Einer der drei Werte ist veraltet. Prüfen Sie SID und SOD.</translation>
     </message>
     <message>
-        <source>A detector pixel spacing of %1 lies outside 0.05 to 2 mm: check its unit.</source>
+        <source>A detector pixel spacing of %1 is outside 0.05 to 2 mm: check its unit.</source>
         <comment>geometry.spacing-unusual</comment>
         <translation>Eine Pixelgröße von %1 liegt außerhalb 0,05 bis 2 mm: die Einheit prüfen.</translation>
     </message>
     <message>
-        <source>Pixels are %1 times as high as wide by their spacing, %2 times by the pixel aspect: check the pixel spacing.</source>
+        <source>The pixel height-to-width ratio is %1 by the pixel spacing but %2 by the pixel aspect ratio: check the pixel spacing.</source>
         <comment>geometry.aspect-differs</comment>
-        <translation>Nach ihrem Abstand sind Pixel %1-mal so hoch wie breit, nach dem Seitenverhältnis %2-mal: die Pixelgröße prüfen.</translation>
+        <translation>Das Verhältnis von Pixelhöhe zu -breite ist nach der Pixelgröße %1, nach dem Pixelseitenverhältnis %2: Pixelgröße prüfen.</translation>
     </message>
     <message>
-        <source>The image covers %1 x %2 of the detector by its pixel spacing</source>
+        <source>By its pixel spacing, the image covers %1 x %2 of the detector</source>
         <comment>geometry.image-covers</comment>
         <translation>Nach der Pixelgröße bedeckt das Bild %1 x %2 des Detektors</translation>
     </message>
     <message>
-        <source>%1: no detector of a C-arm is like that. Check the pixel spacing.</source>
+        <source>%1: no C-arm detector has this size. Check the pixel spacing.</source>
         <comment>geometry.extent-unlike-detector</comment>
-        <translation>%1: so ist kein Detektor eines C-Bogens. Die Pixelgröße prüfen.</translation>
+        <translation>%1: Kein C-Bogen-Detektor hat diese Größe. Prüfen Sie die Pixelgröße.</translation>
     </message>
     <message>
-        <source>%1, the field of view is %2 x %3: the image may be zoomed, cropped or resampled. Check the pixel spacing.</source>
+        <source>%1, but the field of view is %2 x %3: the image may be zoomed, cropped or resampled. Check the pixel spacing.</source>
         <comment>geometry.extent-unlike-field</comment>
-        <translation>%1, das Bildfeld ist %2 x %3: das Bild ist vielleicht gezoomt, beschnitten oder umgerechnet. Die Pixelgröße prüfen.</translation>
+        <translation>%1, das Bildfeld ist aber %2 x %3: Das Bild ist vielleicht gezoomt, beschnitten oder neu abgetastet. Prüfen Sie die Pixelgröße.</translation>
     </message>
     <message>
-        <source>%1, more than the intensifier of %2. Check the pixel spacing.</source>
+        <source>%1, more than the image intensifier of %2. Check the pixel spacing.</source>
         <comment>geometry.extent-beyond-intensifier</comment>
         <translation>%1, mehr als der Bildverstärker von %2. Die Pixelgröße prüfen.</translation>
     </message>
     <message>
-        <source>%1, more than its active %2 x %3. Check the pixel spacing.</source>
+        <source>%1, more than its active area of %2 x %3. Check the pixel spacing.</source>
         <comment>geometry.extent-beyond-detector</comment>
-        <translation>%1, mehr als seine aktiven %2 x %3. Die Pixelgröße prüfen.</translation>
+        <translation>%1, mehr als seine aktive Fläche von %2 x %3. Prüfen Sie die Pixelgröße.</translation>
     </message>
     <message>
-        <source>The calibrated pixel spacing of %1 times SID/SOD is %2, not the detector&apos;s %3: the calibration or a distance is off.</source>
+        <source>The calibrated pixel spacing of %1 times SID/SOD is %2, not the detector&apos;s %3: the calibration or a distance is wrong.</source>
         <comment>geometry.calibration-off</comment>
         <translation>Die kalibrierte Pixelgröße von %1 mal SID/SOD ergibt %2, nicht die %3 des Detektors: Kalibrierung oder Abstand stimmt nicht.</translation>
     </message>
     <message>
-        <source>Pixel Spacing (0028,0030) says %1 without a calibration, the detector&apos;s pixels are %2: check which is meant.</source>
+        <source>Pixel Spacing (0028,0030) is %1 without a calibration, but the detector pixel spacing is %2: check which one applies.</source>
         <comment>geometry.spacings-differ</comment>
-        <translation>Pixel Spacing (0028,0030) nennt ohne Kalibrierung %1, die Detektorpixel messen %2: prüfen, was gemeint ist.</translation>
+        <translation>Pixel Spacing (0028,0030) ist ohne Kalibrierung %1, die Pixelgröße des Detektors aber %2: Prüfen Sie, welche gilt.</translation>
     </message>
     <message>
-        <source>The primary angle (LAO/RAO) lies outside ±180°. Correct it.</source>
+        <source>The primary angle (LAO/RAO) is outside ±180°. Correct it.</source>
         <comment>geometry.primary-angle-outside</comment>
         <translation>Der Primärwinkel (LAO/RAO) liegt außerhalb ±180°. Berichtigen.</translation>
     </message>
     <message>
-        <source>The secondary angle (CRA/CAU) lies outside ±90°. Correct it.</source>
+        <source>The secondary angle (CRA/CAU) is outside ±90°. Correct it.</source>
         <comment>geometry.secondary-angle-outside</comment>
         <translation>Der Sekundärwinkel (CRA/CAU) liegt außerhalb ±90°. Berichtigen.</translation>
     </message>
     <message>
-        <source>The roll lies outside ±180°. Correct it.</source>
+        <source>The roll is outside ±180°. Correct it.</source>
         <comment>geometry.roll-outside</comment>
         <translation>Das Rollen liegt außerhalb ±180°. Berichtigen.</translation>
     </message>
     <message>
-        <source>The principal point (%1, %2) lies outside the image: right for a cropped image only.</source>
+        <source>The principal point (%1, %2) is outside the image, which is correct only for a cropped image.</source>
         <comment>geometry.principal-point-outside</comment>
-        <translation>Der Hauptpunkt (%1, %2) liegt außerhalb des Bildes: nur bei beschnittenem Bild richtig.</translation>
+        <translation>Der Hauptpunkt (%1, %2) liegt außerhalb des Bildes; das ist nur bei einem beschnittenen Bild richtig.</translation>
     </message>
     <message>
-        <source>Two of the angiograms seem to be of different patients (%1 differs). Check that they are the right ones.</source>
+        <source>Two of the angiograms seem to be of different patients (%1 differs). Check that the correct ones are open.</source>
         <comment>patient.of-runs-differs</comment>
-        <translation>Zwei der Angiogramme scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen, ob es die richtigen sind.</translation>
+        <translation>Zwei der Angiogramme scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen Sie, ob die richtigen geöffnet sind.</translation>
     </message>
     <message>
-        <source>Two of the angiograms seem to be of different patients (%1 differ). Check that they are the right ones.</source>
+        <source>Two of the angiograms seem to be of different patients (%1 differ). Check that the correct ones are open.</source>
         <comment>patient.of-runs-differs-in-several</comment>
-        <translation>Zwei der Angiogramme scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen, ob es die richtigen sind.</translation>
+        <translation>Zwei der Angiogramme scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen Sie, ob die richtigen geöffnet sind.</translation>
     </message>
     <message>
-        <source>Two of the angiograms are of opposite sides of the patient. Check that they are the right ones.</source>
+        <source>Two of the angiograms show opposite sides of the patient. Check that the correct ones are open.</source>
         <comment>patient.side-of-runs-differs</comment>
-        <translation>Zwei der Angiogramme zeigen entgegengesetzte Seiten des Patienten. Prüfen, ob es die richtigen sind.</translation>
+        <translation>Zwei der Angiogramme zeigen entgegengesetzte Seiten des Patienten. Prüfen Sie, ob die richtigen geöffnet sind.</translation>
     </message>
     <message>
-        <source>The run that found this pose did not trust it.</source>
+        <source>The registration rated this pose as unreliable.</source>
         <comment>pose.run-distrusted</comment>
-        <translation>Der Lauf, der diese Lage fand, traute ihr nicht.</translation>
+        <translation>Die Registrierung stufte diese Lage als unzuverlässig ein.</translation>
     </message>
     <message>
-        <source>Not the same patient in all images?</source>
+        <source>Different patients in these images?</source>
         <comment>picture.not-same-patient</comment>
-        <translation>Nicht in allen Bildern derselbe Patient?</translation>
+        <translation>Verschiedene Patienten in diesen Bildern?</translation>
     </message>
     <message>
-        <source>Two of the angiograms are of different examinations (accession number differs): the vessels may have moved between them.</source>
+        <source>Two of the angiograms are from different examinations (accession number differs): the vessels may have moved in between.</source>
         <comment>patient.examination-of-runs-differs</comment>
-        <translation>Zwei der Angiogramme stammen aus verschiedenen Untersuchungen (Anforderungsnummer weicht ab): Die Gefäße können sich dazwischen bewegt haben.</translation>
+        <translation>Zwei der Angiogramme stammen aus verschiedenen Untersuchungen (Anforderungsnummer verschieden): Die Gefäße können sich dazwischen bewegt haben.</translation>
     </message>
     <message>
         <source>Do these images belong together?</source>
@@ -4454,19 +4454,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gehören diese Bilder zusammen?</translation>
     </message>
     <message>
-        <source>Scan and angiogram seem to be of different patients (%1 differs). Check that both are the right ones.</source>
+        <source>Scan and angiogram seem to be of different patients (%1 differs). Check that both are correct.</source>
         <comment>patient.differs</comment>
-        <translation>CT und Angiogramm scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen, ob beide stimmen.</translation>
+        <translation>CT und Angiogramm scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen Sie, ob beide richtig sind.</translation>
     </message>
     <message>
-        <source>Scan and angiogram seem to be of different patients (%1 differ). Check that both are the right ones.</source>
+        <source>Scan and angiogram seem to be of different patients (%1 differ). Check that both are correct.</source>
         <comment>patient.differs-in-several</comment>
-        <translation>CT und Angiogramm scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen, ob beide stimmen.</translation>
+        <translation>CT und Angiogramm scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen Sie, ob beide richtig sind.</translation>
     </message>
     <message>
-        <source>number</source>
+        <source>patient ID</source>
         <comment>patient.number</comment>
-        <translation>Nummer</translation>
+        <translation>Patienten-ID</translation>
     </message>
     <message>
         <source>name</source>
@@ -4484,9 +4484,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Geschlecht</translation>
     </message>
     <message>
-        <source>The scan is of the patient&apos;s %1 side, the angiogram of the other. Check that both are the right ones.</source>
+        <source>The scan shows the patient&apos;s %1 side, the angiogram the other side. Check that both are correct.</source>
         <comment>patient.side-differs</comment>
-        <translation>Das CT zeigt die Seite %1 des Patienten, das Angiogramm die andere. Prüfen, ob beide stimmen.</translation>
+        <translation>Das CT zeigt die Seite %1 des Patienten, das Angiogramm die andere. Prüfen Sie, ob beide richtig sind.</translation>
     </message>
     <message>
         <source>left</source>
@@ -4499,24 +4499,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>rechts</translation>
     </message>
     <message>
-        <source>There is no angiogram yet. Give an image first.</source>
+        <source>There is no angiogram yet. Open an image first.</source>
         <comment>case.no-angiogram</comment>
-        <translation>Noch kein Angiogramm. Zuerst ein Bild angeben.</translation>
+        <translation>Noch kein Angiogramm. Öffnen Sie zuerst ein Bild.</translation>
     </message>
     <message>
-        <source>There is no vessel tree yet. Give a centreline first.</source>
+        <source>There is no vessel tree yet. Open a centerline first.</source>
         <comment>case.no-vessel-tree</comment>
-        <translation>Noch kein Gefäßbaum. Zuerst eine Mittellinie angeben.</translation>
+        <translation>Noch kein Gefäßbaum. Öffnen Sie zuerst eine Mittellinie.</translation>
     </message>
     <message>
-        <source>All six degrees of freedom are locked: nothing is left to find. Unlock at least one.</source>
+        <source>All six degrees of freedom are locked: there is nothing to optimize. Unlock at least one.</source>
         <comment>options.all-locked</comment>
-        <translation>Alle sechs Freiheitsgrade sind gesperrt: nichts bleibt zu finden. Mindestens einen entsperren.</translation>
+        <translation>Alle sechs Freiheitsgrade sind gesperrt: Es gibt nichts zu optimieren. Entsperren Sie mindestens einen.</translation>
     </message>
     <message>
-        <source>%1 solves for all six degrees of freedom at once and cannot keep one. Unlock them, or choose another method.</source>
+        <source>%1 solves for all six degrees of freedom at once and cannot lock any. Unlock them, or choose another method.</source>
         <comment>options.method-cannot-lock</comment>
-        <translation>%1 löst alle sechs Freiheitsgrade zugleich und kann keinen festhalten. Entsperren oder andere Methode wählen.</translation>
+        <translation>%1 löst alle sechs Freiheitsgrade zugleich und kann keinen sperren. Entsperren Sie sie, oder wählen Sie eine andere Methode.</translation>
     </message>
     <message>
         <source>There is no method &apos;%1&apos;. Choose one of: %2.</source>
@@ -4524,9 +4524,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Es gibt keine Methode „%1“. Wählbar: %2.</translation>
     </message>
     <message>
-        <source>The option %1 is out of range. Give a number from %2 to %3.</source>
+        <source>Option %1 is out of range. Enter a number from %2 to %3.</source>
         <comment>options.out-of-range</comment>
-        <translation>Die Option %1 liegt außerhalb des Bereichs. Eine Zahl von %2 bis %3 angeben.</translation>
+        <translation>Die Option %1 liegt außerhalb des Bereichs. Geben Sie eine Zahl von %2 bis %3 ein.</translation>
     </message>
     <message>
         <source>Option &apos;%1&apos; needs a value, not &apos;%2&apos;.</source>
@@ -4539,7 +4539,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Option „%1“ muss eines von %2 sein, nicht „%3“.</translation>
     </message>
     <message>
-        <source>Option &apos;%1&apos; must be a whole number, not %2.</source>
+        <source>Option &apos;%1&apos; must be an integer, not %2.</source>
         <comment>options.needs-whole-number</comment>
         <translation>Die Option „%1“ muss eine ganze Zahl sein, nicht %2.</translation>
     </message>
@@ -4554,9 +4554,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Option „%1“ ist unbekannt. Die Optionen stehen in: angiopose-cli register --help</translation>
     </message>
     <message>
-        <source>Branch %1 is chosen as %2 but the vessel tree has no such branch. Choose among its branches.</source>
+        <source>Branch %1 is selected as %2, but the vessel tree has no such branch. Select from its branches.</source>
         <comment>input.chosen-branch-missing</comment>
-        <translation>Ast %1 ist als %2 gewählt, aber der Gefäßbaum hat ihn nicht. Unter seinen Ästen wählen.</translation>
+        <translation>Ast %1 ist als %2 ausgewählt, der Gefäßbaum hat ihn aber nicht. Wählen Sie unter seinen Ästen.</translation>
     </message>
     <message>
         <source>auxiliary</source>
@@ -4574,69 +4574,69 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Alle Äste des Gefäßbaums sind ausgeschlossen. Mindestens einen einschließen.</translation>
     </message>
     <message>
-        <source>The image is not of the size that the camera takes. Use the camera that belongs to the image.</source>
+        <source>The image size does not match the camera. Use the camera that belongs to the image.</source>
         <comment>input.image-not-of-camera</comment>
-        <translation>Das Bild hat nicht die Größe der Kamera. Die zum Bild gehörende Kamera verwenden.</translation>
+        <translation>Die Bildgröße passt nicht zur Kamera. Verwenden Sie die zum Bild gehörende Kamera.</translation>
     </message>
     <message>
-        <source>%1 points of the traced vessels came in no order: each was joined to its neighbours.</source>
+        <source>%1 points of the traced vessels were unordered: each was connected to its neighbors.</source>
         <comment>input.target-reordered</comment>
-        <translation>%1 Punkte der verfolgten Gefäße kamen ohne Reihenfolge: jeder wurde mit seinen Nachbarn verbunden.</translation>
+        <translation>%1 Punkte der verfolgten Gefäße waren ungeordnet: Jeder wurde mit seinen Nachbarn verbunden.</translation>
     </message>
     <message>
-        <source>The chosen branches lie %1 from the traced vessels at the median; in the fit of all branches it was %2. Choosing them turned the pose by %3 and shifted it by %4.</source>
+        <source>Auxiliary branches: median distance to the traced vessels %1 (%2 when fitting all branches). The pose changed by %3 and %4.</source>
         <comment>result.chosen-branches-fitted</comment>
-        <translation>Die gewählten Äste liegen im Median %1 neben den verfolgten Gefäßen; in der Anpassung aller Äste waren es %2. Die Wahl hat die Lage um %3 gedreht und um %4 verschoben.</translation>
+        <translation>Hilfsäste: medianer Abstand zu den verfolgten Gefäßen %1 (%2 bei Anpassung aller Äste). Die Lage änderte sich um %3 und %4.</translation>
     </message>
     <message>
-        <source>Where they may leave the rigid pose, the vessels move by %1 (rms; %2 at most) towards the matched branches: the median distance becomes %3, with the rigid pose it is %4. The pose is the rigid one.</source>
+        <source>With deformation allowed, the vessels move by %1 (RMS; maximum %2) toward the matched branches: the median distance becomes %3, compared with %4 at the rigid pose. The rigid pose is reported.</source>
         <comment>result.matched-branches-moved</comment>
-        <translation>Wo sie die starre Lage verlassen dürfen, bewegen sich die Gefäße um %1 (rms; höchstens %2) auf die zugeordneten Äste zu: der mittlere Abstand (Median) wird %3, mit der starren Lage ist er %4. Die Lage ist die starre.</translation>
+        <translation>Mit Verformung bewegen sich die Gefäße um %1 (RMS; maximal %2) auf die zugeordneten Äste zu: Der mediane Abstand wird %3 statt %4 in der starren Lage. Angegeben ist die starre Lage.</translation>
     </message>
     <message>
-        <source>The start pose is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite. Correct cameraFromPatient or derive the start pose from the angles.</source>
+        <source>The initial pose is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers must be finite. Correct cameraFromPatient, or derive the initial pose from the angles.</source>
         <comment>input.start-pose-not-rigid</comment>
-        <translation>Die Startlage ist keine starre Bewegung: die Drehung muss orthonormal mit Determinante +1 sein, alle Zahlen endlich. cameraFromPatient berichtigen oder die Startlage aus den Winkeln ableiten.</translation>
+        <translation>Die Startlage ist keine starre Bewegung: Die Drehung muss orthonormal mit Determinante +1 sein, alle Zahlen endlich. Berichtigen Sie cameraFromPatient, oder leiten Sie die Startlage aus den Winkeln ab.</translation>
     </message>
     <message>
-        <source>The start pose puts vessels at or behind the X-ray source, where nothing projects. Check the source-to-patient distance and the direction of the start pose.</source>
+        <source>The initial pose places vessels at or behind the X-ray source, where they cannot be projected. Check the source-to-isocenter distance and the direction of the initial pose.</source>
         <comment>input.start-pose-behind-source</comment>
-        <translation>Die Startlage setzt Gefäße an oder hinter den Röntgenfokus, wo nichts projiziert. Abstand Fokus–Patient und Richtung der Startlage prüfen.</translation>
+        <translation>Die Startlage setzt Gefäße an oder hinter den Röntgenfokus, wo keine Projektion möglich ist. Prüfen Sie den Abstand Fokus–Isozentrum und die Richtung der Startlage.</translation>
     </message>
     <message>
-        <source>The pose to judge is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers finite.</source>
+        <source>The pose to evaluate is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers must be finite.</source>
         <comment>input.judged-pose-not-rigid</comment>
         <translation>Die zu beurteilende Lage ist keine starre Bewegung: die Drehung muss orthonormal mit Determinante +1 sein, alle Zahlen endlich.</translation>
     </message>
     <message>
-        <source>There are no landmarks yet. Click a place on the vessels and the same place in the image.</source>
+        <source>There are no landmarks yet. Click a point on the vessels and the same point in the image.</source>
         <comment>landmarks.missing</comment>
-        <translation>Noch keine Landmarken. Eine Stelle an den Gefäßen und dieselbe im Bild anklicken.</translation>
+        <translation>Noch keine Landmarken. Klicken Sie eine Stelle an den Gefäßen und dieselbe im Bild an.</translation>
     </message>
     <message>
-        <source>Without angles a pose needs four landmarks; there are %1. Add landmarks, or type the angles: then one is enough.</source>
+        <source>Without gantry angles, a pose needs four landmarks; there are %1. Add landmarks, or enter the angles: then one is enough.</source>
         <comment>landmarks.too-few</comment>
-        <translation>Ohne Winkel braucht eine Lage vier Landmarken; es sind %1. Hinzufügen, oder die Winkel eintragen: dann genügt eine.</translation>
+        <translation>Ohne C-Bogen-Winkel braucht eine Lage vier Landmarken; es sind %1. Fügen Sie Landmarken hinzu, oder tragen Sie die Winkel ein: dann genügt eine.</translation>
     </message>
     <message>
-        <source>A landmark is not a finite number. Remove it.</source>
+        <source>A landmark has a coordinate that is not a finite number. Remove it.</source>
         <comment>landmarks.not-finite</comment>
-        <translation>Eine Landmarke ist keine endliche Zahl. Entfernen.</translation>
+        <translation>Eine Landmarke hat eine Koordinate, die keine endliche Zahl ist. Entfernen Sie sie.</translation>
     </message>
     <message>
-        <source>The landmarks all lie in one place. Choose some farther apart.</source>
+        <source>The landmarks all lie at the same position. Choose some farther apart.</source>
         <comment>landmarks.in-one-place</comment>
-        <translation>Die Landmarken liegen alle an einer Stelle. Weiter auseinander liegende wählen.</translation>
+        <translation>Die Landmarken liegen alle an derselben Stelle. Wählen Sie weiter auseinander liegende.</translation>
     </message>
     <message>
-        <source>The landmarks lie on one line, so the turn about it stays open. Add one off that line.</source>
+        <source>The landmarks are collinear, so the rotation about their line is undetermined. Add one off that line.</source>
         <comment>landmarks.on-one-line</comment>
-        <translation>Die Landmarken liegen auf einer Linie, die Drehung um sie bleibt offen. Eine daneben hinzufügen.</translation>
+        <translation>Die Landmarken liegen auf einer Geraden; die Drehung um sie ist daher unbestimmt. Fügen Sie eine daneben hinzu.</translation>
     </message>
     <message>
-        <source>No pose lays these landmarks onto their pixels. Check that each pair shows the same place.</source>
+        <source>No pose projects these landmarks onto their pixels. Check that each pair marks the same point.</source>
         <comment>landmarks.no-pose</comment>
-        <translation>Keine Lage legt diese Landmarken auf ihre Pixel. Prüfen, ob jedes Paar dieselbe Stelle zeigt.</translation>
+        <translation>Keine Lage projiziert diese Landmarken auf ihre Pixel. Prüfen Sie, ob jedes Paar dieselbe Stelle markiert.</translation>
     </message>
     <message>
         <source>View %1: %2</source>
@@ -4649,259 +4649,259 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Eine gemeinsame Registrierung braucht mindestens zwei Ansichten.</translation>
     </message>
     <message>
-        <source>A joint registration cannot keep single degrees of freedom. Unlock them first.</source>
+        <source>A joint registration cannot lock individual degrees of freedom. Unlock them first.</source>
         <comment>views.cannot-lock</comment>
-        <translation>Eine gemeinsame Registrierung kann einzelne Freiheitsgrade nicht festhalten. Zuerst entsperren.</translation>
+        <translation>Eine gemeinsame Registrierung kann einzelne Freiheitsgrade nicht sperren. Entsperren Sie sie zuerst.</translation>
     </message>
     <message>
-        <source>View %1 uses another vessel tree or other branches than view %2. Give all views the same.</source>
+        <source>View %1 uses a different vessel tree or different branches than view %2. Use the same in all views.</source>
         <comment>views.other-tree</comment>
-        <translation>Ansicht %1 verwendet einen anderen Gefäßbaum oder andere Äste als Ansicht %2. Allen dasselbe geben.</translation>
+        <translation>Ansicht %1 verwendet einen anderen Gefäßbaum oder andere Äste als Ansicht %2. Verwenden Sie in allen Ansichten dieselben.</translation>
     </message>
     <message>
-        <source>View %1 does not agree with the joint pose.</source>
+        <source>View %1 is inconsistent with the joint pose.</source>
         <comment>views.disagrees</comment>
-        <translation>Ansicht %1 passt nicht zur gemeinsamen Lage.</translation>
+        <translation>Ansicht %1 ist mit der gemeinsamen Lage nicht vereinbar.</translation>
     </message>
     <message>
-        <source>The geometry of view %1 is far from its header: check angles and distances.</source>
+        <source>The geometry of view %1 differs strongly from its header: check angles and distances.</source>
         <comment>views.far-from-header</comment>
-        <translation>Die Geometrie der Ansicht %1 weicht weit von ihrem Header ab: Winkel und Abstände prüfen.</translation>
+        <translation>Die Geometrie der Ansicht %1 weicht stark von ihrem Header ab: Winkel und Abstände prüfen.</translation>
     </message>
     <message>
-        <source>There is only one frame: nothing to follow. Open a run of several frames.</source>
+        <source>There is only one frame: nothing to track. Open a run with several frames.</source>
         <comment>follow.one-frame</comment>
-        <translation>Nur ein Bild: nichts zu verfolgen. Eine Serie mit mehreren Bildern öffnen.</translation>
+        <translation>Nur ein Bild: nichts zu verfolgen. Öffnen Sie eine Serie mit mehreren Bildern.</translation>
     </message>
     <message>
-        <source>The vessels of this frame are given by a file, those of the others are not. Take the given centreline out of the case to trace every frame.</source>
+        <source>The centerline of this frame comes from a file; other frames have none. Remove that centerline from the case to trace every frame.</source>
         <comment>follow.given-target</comment>
-        <translation>Die Gefäße dieses Bildes stammen aus einer Datei, die der anderen nicht. Die gegebene Mittellinie aus dem Fall nehmen, um jedes Bild zu erfassen.</translation>
+        <translation>Die Mittellinie dieses Bildes stammt aus einer Datei; andere Bilder haben keine. Entfernen Sie diese Mittellinie aus dem Fall, um jedes Bild zu erfassen.</translation>
     </message>
     <message>
-        <source>The gantry turns during this run: frames show other views, not only motion. Register the frames one by one, or as views together.</source>
+        <source>The gantry rotates during this run: frames differ in view angle, not only in motion. Register the frames individually, or jointly as views.</source>
         <comment>follow.gantry-turns</comment>
-        <translation>Der C-Bogen dreht sich während der Serie: die Bilder zeigen andere Ansichten, nicht nur Bewegung. Bilder einzeln oder gemeinsam als Ansichten registrieren.</translation>
+        <translation>Der C-Bogen dreht sich während der Serie: Die Bilder unterscheiden sich im Blickwinkel, nicht nur durch Bewegung. Registrieren Sie die Bilder einzeln, oder gemeinsam als Ansichten.</translation>
     </message>
     <message>
-        <source>Only %1 of the vessel tree lies inside the image.</source>
+        <source>Only %1 of the vessel tree is inside the image.</source>
         <comment>trust.outside-image</comment>
         <translation>Nur %1 des Gefäßbaums liegen im Bild.</translation>
     </message>
     <message>
-        <source>Only %1 of the vessel tree lies on a traced vessel, and it explains %2 of the traced vessels.</source>
+        <source>Only %1 of the vessel tree matches a traced vessel, and it explains %2 of the traced vessels.</source>
         <comment>trust.little-agreement</comment>
-        <translation>Nur %1 des Gefäßbaums liegen auf einem erkannten Gefäß, und er erklärt %2 der erkannten Gefäße.</translation>
+        <translation>Nur %1 des Gefäßbaums passen zu einem erkannten Gefäß, und er erklärt %2 der erkannten Gefäße.</translation>
     </message>
     <message>
-        <source>The vessel tree explains only %1 of the traced vessels. Check that it belongs to the image and that its lengths are mm.</source>
+        <source>The vessel tree explains only %1 of the traced vessels. Check that it belongs to the image and that its unit is mm.</source>
         <comment>trust.little-explained</comment>
-        <translation>Der Gefäßbaum erklärt nur %1 der erkannten Gefäße. Prüfen, ob er zum Bild gehört und seine Längen mm sind.</translation>
+        <translation>Der Gefäßbaum erklärt nur %1 der erkannten Gefäße. Prüfen Sie, ob er zum Bild gehört und seine Einheit mm ist.</translation>
     </message>
     <message>
-        <source>The vessels fit better %1 aside.</source>
+        <source>A better fit lies %1 away.</source>
         <comment>trust.better-aside</comment>
-        <translation>Die Gefäße passen %1 daneben besser.</translation>
+        <translation>Eine bessere Übereinstimmung liegt %1 entfernt.</translation>
     </message>
     <message>
-        <source>The image hardly tells how the vessels are tilted out of the image plane.</source>
+        <source>The out-of-plane tilt of the vessels is poorly determined by the image.</source>
         <comment>trust.out-of-plane-uncertain</comment>
-        <translation>Das Bild verrät kaum, wie die Gefäße aus der Bildebene gekippt sind.</translation>
+        <translation>Die Kippung der Gefäße aus der Bildebene ist durch das Bild kaum bestimmt.</translation>
     </message>
     <message>
-        <source>The image hardly tells how the vessels are turned in the image plane.</source>
+        <source>The in-plane rotation of the vessels is poorly determined by the image.</source>
         <comment>trust.in-plane-turn-uncertain</comment>
-        <translation>Das Bild verrät kaum, wie die Gefäße in der Bildebene gedreht sind.</translation>
+        <translation>Die Drehung der Gefäße in der Bildebene ist durch das Bild kaum bestimmt.</translation>
     </message>
     <message>
-        <source>The image hardly tells where along the vessels the tree lies.</source>
+        <source>The position of the tree along the vessels is poorly determined by the image.</source>
         <comment>trust.shift-uncertain</comment>
-        <translation>Das Bild verrät kaum, wo längs der Gefäße der Gefäßbaum liegt.</translation>
+        <translation>Die Position des Gefäßbaums entlang der Gefäße ist durch das Bild kaum bestimmt.</translation>
     </message>
     <message>
-        <source>The image leaves the pose uncertain by about %1.</source>
+        <source>The pose is uncertain by about %1.</source>
         <comment>trust.pose-uncertain</comment>
-        <translation>Das Bild lässt die Lage um etwa %1 unsicher.</translation>
+        <translation>Die Lage ist um etwa %1 unsicher.</translation>
     </message>
     <message>
-        <source>Another pose explains the image nearly as well: compare the alternatives.</source>
+        <source>Another pose explains the image almost as well: compare the alternatives.</source>
         <comment>trust.rival</comment>
         <translation>Eine andere Lage erklärt das Bild fast ebenso gut: die Alternativen vergleichen.</translation>
     </message>
     <message>
-        <source>Fits that look like this one lie within 2 mm of the vessels in %1 of cases only.</source>
+        <source>Similar fits are within 2 mm of the vessels in only %1 of cases.</source>
         <comment>trust.often-fails</comment>
-        <translation>Anpassungen, die so aussehen, liegen nur in %1 der Fälle höchstens 2 mm neben den Gefäßen.</translation>
+        <translation>Vergleichbare Anpassungen liegen nur in %1 der Fälle höchstens 2 mm neben den Gefäßen.</translation>
     </message>
     <message>
-        <source>The registration was stopped before its end.</source>
+        <source>The registration was stopped before it finished.</source>
         <comment>trust.stopped</comment>
-        <translation>Die Registrierung wurde vor ihrem Ende angehalten.</translation>
+        <translation>Die Registrierung wurde vorzeitig angehalten.</translation>
     </message>
     <message>
-        <source>The image shows %1 of the vessel tree. These branches seem not to be filled: %2. The pose rests on the others.</source>
+        <source>The image shows %1 of the vessel tree. These branches appear unopacified: %2. The pose is based on the others.</source>
         <comment>trust.part-filled</comment>
-        <translation>Das Bild zeigt %1 des Gefäßbaums. Diese Äste scheinen nicht gefüllt zu sein: %2. Die Lage beruht auf den übrigen.</translation>
+        <translation>Das Bild zeigt %1 des Gefäßbaums. Diese Äste erscheinen nicht kontrastiert: %2. Die Lage beruht auf den übrigen.</translation>
     </message>
     <message>
-        <source>The image shows %1 of the vessel tree: %2 of %3 branches seem not to be filled. The pose rests on the others.</source>
+        <source>The image shows %1 of the vessel tree: %2 of %3 branches appear unopacified. The pose is based on the others.</source>
         <comment>trust.few-filled</comment>
-        <translation>Das Bild zeigt %1 des Gefäßbaums: %2 von %3 Ästen scheinen nicht gefüllt zu sein. Die Lage beruht auf den übrigen.</translation>
+        <translation>Das Bild zeigt %1 des Gefäßbaums: %2 von %3 Ästen erscheinen nicht kontrastiert. Die Lage beruht auf den übrigen.</translation>
     </message>
     <message>
-        <source>The image shows %1 of the vessel tree, and of no branch the greater part. The pose rests on the pieces that it shows.</source>
+        <source>The image shows %1 of the vessel tree, and less than half of every branch. The pose is based on the visible segments.</source>
         <comment>trust.pieces-filled</comment>
-        <translation>Das Bild zeigt %1 des Gefäßbaums und von keinem Ast den größeren Teil. Die Lage beruht auf den Stücken, die es zeigt.</translation>
+        <translation>Das Bild zeigt %1 des Gefäßbaums und von jedem Ast weniger als die Hälfte. Die Lage beruht auf den sichtbaren Abschnitten.</translation>
     </message>
     <message>
-        <source>Only a part of the vessel tree seems to be filled, and it explains the image too little to be sure of it.</source>
+        <source>Only part of the vessel tree appears opacified, and it explains too little of the image to be certain.</source>
         <comment>trust.filled-doubtful</comment>
-        <translation>Nur ein Teil des Gefäßbaums scheint gefüllt zu sein, und er erklärt das Bild zu wenig, um sicher zu sein.</translation>
+        <translation>Nur ein Teil des Gefäßbaums erscheint kontrastiert, und er erklärt zu wenig vom Bild für ein sicheres Ergebnis.</translation>
     </message>
     <message>
-        <source>Only one path of the vessels is seen. It fits in many places, and a wire or catheter lies beside its axis: the method for wires ranks its ways.</source>
+        <source>Only one vessel path is visible. It fits at many positions, and a guidewire or catheter lies off the vessel axis: the guidewire method ranks the possible paths.</source>
         <comment>trust.single-path</comment>
-        <translation>Nur ein Weg der Gefäße ist zu sehen. Er passt an viele Stellen, und ein Draht oder Katheter liegt neben seiner Achse: Das Verfahren für Drähte ordnet dessen Wege.</translation>
+        <translation>Nur ein Gefäßweg ist sichtbar. Er passt an vielen Stellen, und ein Führungsdraht oder Katheter liegt neben der Gefäßachse: Das Verfahren für Drähte stuft die möglichen Wege ein.</translation>
     </message>
     <message>
-        <source>One view does not tell the depth here: the distance from the source stays close to the start pose.</source>
+        <source>Depth cannot be determined from this single view: the distance from the source stays close to the initial pose.</source>
         <comment>trust.depth-unknown</comment>
-        <translation>Eine Ansicht allein verrät die Tiefe hier nicht: der Abstand vom Fokus bleibt nahe der Startlage.</translation>
+        <translation>Die Tiefe lässt sich aus dieser einen Ansicht nicht bestimmen: Der Abstand vom Fokus bleibt nahe der Startlage.</translation>
     </message>
     <message>
-        <source>One view does not tell the depth here: the distance from the source is %1 off the start pose and may be wrong. Lock the depth, or add a view.</source>
+        <source>Depth cannot be determined from this single view: the distance from the source differs by %1 from the initial pose and may be wrong. Lock the depth, or add a view.</source>
         <comment>trust.depth-moved</comment>
-        <translation>Eine Ansicht allein verrät die Tiefe hier nicht: der Abstand vom Fokus weicht um %1 von der Startlage ab und kann falsch sein. Sperren Sie die Tiefe, oder nehmen Sie eine Ansicht hinzu.</translation>
+        <translation>Die Tiefe lässt sich aus dieser einen Ansicht nicht bestimmen: Der Abstand vom Fokus weicht um %1 von der Startlage ab und kann falsch sein. Sperren Sie die Tiefe, oder fügen Sie eine Ansicht hinzu.</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with a focal length %1 longer. Check the distance from source to detector (perhaps larger) and the pixel spacing (perhaps smaller). The option “Estimate the geometry” takes over what the images show.</source>
+        <source>The vessels fit clearly better with a focal length %1 longer. Check the source-to-detector distance (may be larger) and the pixel spacing (may be smaller). The option “Estimate the geometry” uses the values that fit the images.</source>
         <comment>camera.focal-longer</comment>
-        <translation>Die Gefäße passen deutlich besser mit einer um %1 längeren Brennweite. Prüfen Sie den Abstand Fokus–Detektor (vielleicht größer) und den Pixelabstand (vielleicht kleiner). Die Option „Geometrie schätzen“ übernimmt, was die Bilder zeigen.</translation>
+        <translation>Die Gefäße passen deutlich besser mit einer um %1 längeren Brennweite. Prüfen Sie den Abstand Fokus–Detektor (vielleicht größer) und die Pixelgröße (vielleicht kleiner). Die Option „Geometrie schätzen“ verwendet die Werte, die zu den Bildern passen.</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with a focal length %1 shorter. Check the distance from source to detector (perhaps smaller) and the pixel spacing (perhaps larger). The option “Estimate the geometry” takes over what the images show.</source>
+        <source>The vessels fit clearly better with a focal length %1 shorter. Check the source-to-detector distance (may be smaller) and the pixel spacing (may be larger). The option “Estimate the geometry” uses the values that fit the images.</source>
         <comment>camera.focal-shorter</comment>
-        <translation>Die Gefäße passen deutlich besser mit einer um %1 kürzeren Brennweite. Prüfen Sie den Abstand Fokus–Detektor (vielleicht kleiner) und den Pixelabstand (vielleicht größer). Die Option „Geometrie schätzen“ übernimmt, was die Bilder zeigen.</translation>
+        <translation>Die Gefäße passen deutlich besser mit einer um %1 kürzeren Brennweite. Prüfen Sie den Abstand Fokus–Detektor (vielleicht kleiner) und die Pixelgröße (vielleicht größer). Die Option „Geometrie schätzen“ verwendet die Werte, die zu den Bildern passen.</translation>
     </message>
     <message>
-        <source>The images contradicted the geometry and it was estimated from them: the focal length is %1 of the given one, the principal point lies (%2, %3) px beside it.</source>
+        <source>The images contradicted the geometry, which was estimated from them: the focal length is %1 of the given one, the principal point is shifted by (%2, %3) px.</source>
         <comment>camera.estimated</comment>
-        <translation>Die Bilder widersprachen der Geometrie, und sie wurde aus ihnen geschätzt: Die Brennweite ist %1 der gegebenen, der Hauptpunkt liegt (%2, %3) px daneben.</translation>
+        <translation>Die Bilder widersprachen der Geometrie, die daher aus ihnen geschätzt wurde: Die Brennweite ist %1 der angegebenen, der Hauptpunkt ist um (%2, %3) px verschoben.</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with the principal point %1 aside, at (%2, %3). Check it, and whether the image was cropped or shifted.</source>
+        <source>The vessels fit clearly better with the principal point shifted by %1, to (%2, %3). Check it, and whether the image was cropped or shifted.</source>
         <comment>camera.principal-point-off</comment>
-        <translation>Die Gefäße passen deutlich besser, wenn der Hauptpunkt um %1 daneben liegt, bei (%2, %3). Prüfen Sie ihn, und ob das Bild beschnitten oder verschoben wurde.</translation>
+        <translation>Die Gefäße passen deutlich besser, wenn der Hauptpunkt um %1 nach (%2, %3) verschoben ist. Prüfen Sie ihn, und ob das Bild beschnitten oder verschoben wurde.</translation>
     </message>
     <message>
-        <source>The image looks turned clockwise by 90°: turned back, %1 of vessels and image agree, as it is %2. Check how it was exported, or the roll.</source>
+        <source>The image appears rotated 90° clockwise: rotated back, vessels and image agree by %1 instead of %2. Check the image export, or the roll.</source>
         <comment>frame.turned-clockwise</comment>
-        <translation>Das Bild scheint um 90° im Uhrzeigersinn gedreht: zurückgedreht stimmen %1 von Gefäßen und Bild überein, so wie es ist %2. Prüfen Sie, wie es exportiert wurde, oder die Bilddrehung.</translation>
+        <translation>Das Bild scheint um 90° im Uhrzeigersinn gedreht: Zurückgedreht stimmen Gefäße und Bild zu %1 statt %2 überein. Prüfen Sie den Bildexport, oder die Bilddrehung.</translation>
     </message>
     <message>
-        <source>The image looks turned anticlockwise by 90°: turned back, %1 of vessels and image agree, as it is %2. Check how it was exported, or the roll.</source>
+        <source>The image appears rotated 90° counterclockwise: rotated back, vessels and image agree by %1 instead of %2. Check the image export, or the roll.</source>
         <comment>frame.turned-anticlockwise</comment>
-        <translation>Das Bild scheint um 90° gegen den Uhrzeigersinn gedreht: zurückgedreht stimmen %1 von Gefäßen und Bild überein, so wie es ist %2. Prüfen Sie, wie es exportiert wurde, oder die Bilddrehung.</translation>
+        <translation>Das Bild scheint um 90° gegen den Uhrzeigersinn gedreht: Zurückgedreht stimmen Gefäße und Bild zu %1 statt %2 überein. Prüfen Sie den Bildexport, oder die Bilddrehung.</translation>
     </message>
     <message>
-        <source>The image looks turned by 180°: turned back, %1 of vessels and image agree, as it is %2. Check how it was exported, the roll, and the patient&apos;s position.</source>
+        <source>The image appears rotated 180°: rotated back, vessels and image agree by %1 instead of %2. Check the image export, the roll, and the patient position.</source>
         <comment>frame.upside-down</comment>
-        <translation>Das Bild scheint um 180° gedreht: zurückgedreht stimmen %1 von Gefäßen und Bild überein, so wie es ist %2. Prüfen Sie, wie es exportiert wurde, die Bilddrehung und die Lagerung des Patienten.</translation>
+        <translation>Das Bild scheint um 180° gedreht: Zurückgedreht stimmen Gefäße und Bild zu %1 statt %2 überein. Prüfen Sie den Bildexport, die Bilddrehung und die Patientenlagerung.</translation>
     </message>
     <message>
-        <source>The image looks mirrored left to right: mirrored back, %1 of vessels and image agree, as it is %2. Check in the geometry from which side it is shown.</source>
+        <source>The image appears mirrored left to right: mirrored back, vessels and image agree by %1 instead of %2. Check the viewing side in the geometry.</source>
         <comment>frame.mirrored-left-right</comment>
-        <translation>Das Bild scheint links und rechts vertauscht: zurückgespiegelt stimmen %1 von Gefäßen und Bild überein, so wie es ist %2. Prüfen Sie in der Geometrie, von welcher Seite es gezeigt wird.</translation>
+        <translation>Das Bild scheint links-rechts gespiegelt: Zurückgespiegelt stimmen Gefäße und Bild zu %1 statt %2 überein. Prüfen Sie die Betrachtungsseite in der Geometrie.</translation>
     </message>
     <message>
-        <source>The image looks mirrored up to down: mirrored back, %1 of vessels and image agree, as it is %2. Check how it was exported.</source>
+        <source>The image appears mirrored top to bottom: mirrored back, vessels and image agree by %1 instead of %2. Check the image export.</source>
         <comment>frame.mirrored-up-down</comment>
-        <translation>Das Bild scheint oben und unten vertauscht: zurückgespiegelt stimmen %1 von Gefäßen und Bild überein, so wie es ist %2. Prüfen Sie, wie es exportiert wurde.</translation>
+        <translation>Das Bild scheint oben-unten gespiegelt: Zurückgespiegelt stimmen Gefäße und Bild zu %1 statt %2 überein. Prüfen Sie den Bildexport.</translation>
     </message>
     <message>
-        <source>The image looks mirrored and turned by 90°: put right, %1 of vessels and image agree, as it is %2. Check how it was exported.</source>
+        <source>The image appears mirrored and rotated 90°: corrected, vessels and image agree by %1 instead of %2. Check the image export.</source>
         <comment>frame.mirrored-and-turned</comment>
-        <translation>Das Bild scheint gespiegelt und um 90° gedreht: zurechtgerückt stimmen %1 von Gefäßen und Bild überein, so wie es ist %2. Prüfen Sie, wie es exportiert wurde.</translation>
+        <translation>Das Bild scheint gespiegelt und um 90° gedreht: Korrigiert stimmen Gefäße und Bild zu %1 statt %2 überein. Prüfen Sie den Bildexport.</translation>
     </message>
     <message>
-        <source>The patient lay %1, and the device seems to count its angles from the table: read so, %2 of vessels and image agree, as it is %3. Type these in the geometry: LAO/RAO %4, CRA/CAU %5, roll %6.</source>
+        <source>The patient position was %1, and the device seems to count its angles from the table: read this way, vessels and image agree by %2 instead of %3. Enter in the geometry: LAO/RAO %4, CRA/CAU %5, roll %6.</source>
         <comment>frame.counted-from-table</comment>
-        <translation>Der Patient lag %1, und das Gerät scheint seine Winkel vom Tisch aus zu zählen: so gelesen stimmen %2 von Gefäßen und Bild überein, so wie es ist %3. Geben Sie in der Geometrie ein: LAO/RAO %4, CRA/CAU %5, Bilddrehung %6.</translation>
+        <translation>Die Patientenlagerung war %1, und das Gerät scheint seine Winkel vom Tisch aus zu zählen: So gelesen stimmen Gefäße und Bild zu %2 statt %3 überein. Geben Sie in der Geometrie ein: LAO/RAO %4, CRA/CAU %5, Bilddrehung %6.</translation>
     </message>
     <message>
-        <source>Mirrored, the image fits the vessels about as well (%1 of both agree, as it is %2): make sure from which side it is shown.</source>
+        <source>The mirrored image fits the vessels about as well (agreement %1, currently %2): check the viewing side of the image.</source>
         <comment>frame.mirror-rival</comment>
-        <translation>Gespiegelt passt das Bild etwa ebenso gut zu den Gefäßen (%1 von beiden stimmen überein, so wie es ist %2): vergewissern Sie sich, von welcher Seite es gezeigt wird.</translation>
+        <translation>Das gespiegelte Bild passt etwa ebenso gut zu den Gefäßen (Übereinstimmung %1, derzeit %2): Prüfen Sie die Betrachtungsseite des Bildes.</translation>
     </message>
     <message>
-        <source>The patient lay %1 (0018,5100), not head first and supine. The angles are read as the standard has them: from the patient, head up in the image. If this device counts them from the table, the start pose is turned: a registration that fails tries that, and says which angles to type.</source>
+        <source>The patient position is %1 (0018,5100), not head first supine. The angles are interpreted as the DICOM standard defines them: relative to the patient, head up in the image. If this device counts them from the table, the initial pose is rotated; a registration that fails tries this and reports the angles to enter.</source>
         <comment>dicom.patient-lies</comment>
-        <translation>Der Patient lag %1 (0018,5100), nicht Kopf voran auf dem Rücken. Die Winkel gelten wie im Standard: vom Patienten aus, im Bild ist der Kopf oben. Zählt dieses Gerät sie vom Tisch aus, so ist die Startlage gedreht: eine Registrierung, die misslingt, versucht das und sagt, welche Winkel einzugeben sind.</translation>
+        <translation>Die Patientenlagerung ist %1 (0018,5100), nicht Kopf voran in Rückenlage. Die Winkel werden nach dem DICOM-Standard gelesen: relativ zum Patienten, Kopf im Bild oben. Zählt dieses Gerät sie vom Tisch aus, ist die Startlage gedreht; eine misslungene Registrierung prüft dies und nennt die einzugebenden Winkel.</translation>
     </message>
     <message>
-        <source>The table moved during this run (%1). That is not used: a pose holds for its own frame only, and frames are not views of one place.</source>
+        <source>The table moved during this run (%1). The motion is ignored: a pose is valid only for its own frame, and the frames are not views of the same position.</source>
         <comment>dicom.table-moved</comment>
-        <translation>Der Tisch bewegte sich während dieser Serie (%1). Das wird nicht verwendet: eine Lage gilt nur für ihr eigenes Bild, und die Bilder sind keine Ansichten desselben Ortes.</translation>
+        <translation>Der Tisch bewegte sich während dieser Serie (%1). Die Bewegung bleibt unberücksichtigt: Eine Lage gilt nur für ihr eigenes Bild, und die Bilder sind keine Ansichten derselben Position.</translation>
     </message>
     <message>
-        <source>the header does not say how far</source>
+        <source>distance not given in the header</source>
         <comment>dicom.table-moved-unknown</comment>
-        <translation>der Header sagt nicht, wie weit</translation>
+        <translation>Strecke im Header nicht angegeben</translation>
     </message>
     <message>
-        <source>Bent vessels need at least one registered view.</source>
+        <source>Deformable registration needs at least one registered view.</source>
         <comment>bend.no-view</comment>
-        <translation>Verbogene Gefäße brauchen mindestens eine registrierte Ansicht.</translation>
+        <translation>Deformierbare Registrierung braucht mindestens eine registrierte Ansicht.</translation>
     </message>
     <message>
-        <source>The traced vessels are single points. Order them to curves before the tree is bent onto them.</source>
+        <source>The traced vessels are isolated points. Connect them to curves before deforming the tree.</source>
         <comment>bend.needs-curves</comment>
-        <translation>Die nachgezeichneten Gefäße sind einzelne Punkte. Vor dem Verbiegen zu Kurven ordnen.</translation>
+        <translation>Die verfolgten Gefäße sind einzelne Punkte. Verbinden Sie sie zu Kurven, bevor der Baum verformt wird.</translation>
     </message>
     <message>
-        <source>The priors of the pose and the spacing of the knots must be positive numbers.</source>
+        <source>The pose priors and the knot spacing must be positive numbers.</source>
         <comment>bend.options-unusable</comment>
-        <translation>Die Vorannahmen der Lage und der Abstand der Stützstellen müssen positive Zahlen sein.</translation>
+        <translation>Die A-priori-Werte der Lage und der Knotenabstand müssen positive Zahlen sein.</translation>
     </message>
     <message>
-        <source>The vessels are bent against the tree: the rigid overlay lies %1 off in the mean, most at branch %3 (%2).</source>
+        <source>The vessels are deformed relative to the tree: the rigid overlay is off by %1 on average, most at branch %3 (%2).</source>
         <comment>bend.rigid-off</comment>
-        <translation>Die Gefäße sind gegen den Baum verbogen: Die starre Überlagerung liegt im Mittel %1 daneben, am meisten an Ast %3 (%2).</translation>
+        <translation>Die Gefäße sind gegenüber dem Baum verformt: Die starre Überlagerung weicht im Mittel um %1 ab, am meisten an Ast %3 (%2).</translation>
     </message>
     <message>
-        <source>The vessels may be bent against the tree, the image does not show it surely: the rigid overlay would lie %1 off in the mean, most at branch %3 (%2).</source>
+        <source>The vessels may be deformed relative to the tree, but the image is inconclusive: the rigid overlay would be off by %1 on average, most at branch %3 (%2).</source>
         <comment>bend.may-be-off</comment>
-        <translation>Die Gefäße sind vielleicht gegen den Baum verbogen, sicher zeigt es das Bild nicht: Die starre Überlagerung läge im Mittel %1 daneben, am meisten an Ast %3 (%2).</translation>
+        <translation>Die Gefäße sind möglicherweise gegenüber dem Baum verformt, das Bild ist aber nicht eindeutig: Die starre Überlagerung wiche im Mittel um %1 ab, am meisten an Ast %3 (%2).</translation>
     </message>
     <message>
-        <source>Bending was stopped before its end: the rigid pose stays.</source>
+        <source>Deformable registration was stopped before it finished: the rigid pose is kept.</source>
         <comment>bend.stopped</comment>
-        <translation>Das Verbiegen wurde vor dem Ende angehalten: Die starre Lage bleibt.</translation>
+        <translation>Die deformierbare Registrierung wurde vorzeitig angehalten: Die starre Lage bleibt erhalten.</translation>
     </message>
     <message>
-        <source>Runs from different starts differ by %1: some branches may lie on other vessels.</source>
+        <source>Deformable registrations from different starting points differ by %1: some branches may be matched to other vessels.</source>
         <comment>bend.runs-differ</comment>
-        <translation>Läufe von verschiedenen Anfängen unterscheiden sich um %1: Einige Äste liegen vielleicht auf anderen Gefäßen.</translation>
+        <translation>Deformierbare Registrierungen von verschiedenen Startwerten unterscheiden sich um %1: Einige Äste sind vielleicht anderen Gefäßen zugeordnet.</translation>
     </message>
     <message>
-        <source>Only %1 of the vessel tree found its vessels in the image.</source>
+        <source>Only %1 of the vessel tree was matched to vessels in the image.</source>
         <comment>bend.little-seen</comment>
-        <translation>Nur %1 des Gefäßbaums fand seine Gefäße im Bild.</translation>
+        <translation>Nur %1 des Gefäßbaums ließen sich Gefäßen im Bild zuordnen.</translation>
     </message>
     <message>
-        <source>The traced vessels still lie about %1 beside the bent tree: they moved in finer ways than it follows.</source>
+        <source>The traced vessels still lie about %1 off the deformed tree: their motion is more local than the model can follow.</source>
         <comment>bend.not-followed</comment>
-        <translation>Die nachgezeichneten Gefäße liegen noch etwa %1 neben dem verbogenen Baum: Sie bewegten sich feiner, als er folgt.</translation>
+        <translation>Die verfolgten Gefäße liegen noch etwa %1 neben dem verformten Baum: Ihre Bewegung ist kleinräumiger, als das Modell folgen kann.</translation>
     </message>
     <message>
-        <source>The part of the vessels towards the %1 (%2 of their length) lies %3 off against the rest, towards the %4.</source>
+        <source>The vessels toward the %1 (%2 of their length) are displaced by %3 from the rest, toward the %4.</source>
         <comment>bend.part-moved</comment>
-        <translation>Der Teil der Gefäße in Richtung %1 (%2 ihrer Länge) liegt %3 neben dem Rest, in Richtung %4.</translation>
+        <translation>Die Gefäße in Richtung %1 (%2 ihrer Länge) sind gegenüber dem Rest um %3 verschoben, in Richtung %4.</translation>
     </message>
     <message>
-        <source>One view does not tell how the vessels moved along the ray.</source>
+        <source>Motion of the vessels along the ray cannot be determined from one view.</source>
         <comment>bend.depth-unknown</comment>
-        <translation>Eine Ansicht sagt nicht, wie sich die Gefäße entlang des Strahls bewegten.</translation>
+        <translation>Die Bewegung der Gefäße entlang des Strahls lässt sich aus einer Ansicht nicht bestimmen.</translation>
     </message>
     <message>
         <source>front</source>
@@ -4926,57 +4926,57 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>The angiogram frame is empty. Choose another frame or file.</source>
         <comment>frame.empty</comment>
-        <translation>Das Angiogrammbild ist leer. Anderes Bild oder andere Datei wählen.</translation>
+        <translation>Das Angiogrammbild ist leer. Wählen Sie ein anderes Bild oder eine andere Datei.</translation>
     </message>
     <message>
         <source>The angiogram frame has pixels that are not a number (NaN or infinite). Choose another frame, or export the image again.</source>
         <comment>frame.not-finite</comment>
-        <translation>Das Angiogrammbild hat Pixel, die keine Zahl sind (NaN oder unendlich). Anderes Bild wählen oder neu exportieren.</translation>
+        <translation>Das Angiogrammbild hat Pixel, die keine Zahl sind (NaN oder unendlich). Wählen Sie ein anderes Bild, oder exportieren Sie es neu.</translation>
     </message>
     <message>
-        <source>The angiogram frame is of one colour: there is nothing to trace. Choose another frame or file.</source>
+        <source>The angiogram frame has a single gray value: there is nothing to trace. Choose another frame or file.</source>
         <comment>frame.one-colour</comment>
-        <translation>Das Angiogrammbild ist einfarbig: es gibt nichts zu erkennen. Anderes Bild oder andere Datei wählen.</translation>
+        <translation>Das Angiogrammbild hat nur einen Grauwert: Es gibt nichts zu erkennen. Wählen Sie ein anderes Bild oder eine andere Datei.</translation>
     </message>
     <message>
-        <source>This is a page of text, as dose reports are, and no angiogram. Choose the run it belongs to, or another frame.</source>
+        <source>This is a text page, such as a dose report, not an angiogram. Choose the run it belongs to, or another frame.</source>
         <comment>frame.report-page</comment>
-        <translation>Das ist eine Textseite, wie Dosisberichte es sind, und kein Angiogramm. Wählen Sie die Serie, zu der sie gehört, oder ein anderes Bild.</translation>
+        <translation>Dies ist eine Textseite, etwa ein Dosisbericht, kein Angiogramm. Wählen Sie die Serie, zu der sie gehört, oder ein anderes Bild.</translation>
     </message>
     <message>
-        <source>What was traced here is in the first frame of the run already: no contrast medium comes between them. If the run holds none, these are catheters, wires and edges of bones, and no vessels.</source>
+        <source>The structures traced here are already visible in the first frame of the run: no contrast agent arrives in between. If the run contains none, they are catheters, guidewires and bone edges, not vessels.</source>
         <comment>frame.nothing-new</comment>
-        <translation>Was hier erkannt wurde, zeigt schon das erste Bild der Serie: dazwischen kommt kein Kontrastmittel. Enthält die Serie keines, so sind es Katheter, Drähte und Knochenkanten und keine Gefäße.</translation>
+        <translation>Die hier erkannten Strukturen sind schon im ersten Bild der Serie sichtbar: Dazwischen kommt kein Kontrastmittel an. Enthält die Serie keines, sind es Katheter, Führungsdrähte und Knochenkanten, keine Gefäße.</translation>
     </message>
     <message>
-        <source>Little here looks like vessels filled with contrast medium: what was traced is short or faint, or may be catheters, wires and edges of bones. Choose a fuller frame; if there is none, Edit traced vessels shows what counts.</source>
+        <source>Little in this frame looks like opacified vessels: the traced curves are short or faint, or may be catheters, guidewires and bone edges. Choose a frame with more contrast agent; if there is none, check the curves with Edit traced vessels.</source>
         <comment>frame.little-contrast</comment>
-        <translation>Wenig sieht hier nach kontrastgefüllten Gefäßen aus: was erkannt wurde, ist kurz oder schwach oder gehört vielleicht zu Kathetern, Drähten und Knochenkanten. Ein volleres Bild wählen; gibt es keines, zeigt Erkannte Gefäße bearbeiten, was zählt.</translation>
+        <translation>Wenig in diesem Bild sieht nach kontrastierten Gefäßen aus: Die erkannten Kurven sind kurz oder schwach, oder es sind vielleicht Katheter, Führungsdrähte und Knochenkanten. Wählen Sie ein Bild mit mehr Kontrastmittel; gibt es keines, prüfen Sie die Kurven mit Erkannte Gefäße bearbeiten.</translation>
     </message>
     <message>
-        <source>Nothing like a vessel was found in the angiogram frame. Choose a frame with more contrast, raise the sensitivity, or check whether vessels are dark or bright.</source>
+        <source>No vessel was found in the angiogram frame. Choose a frame with more contrast agent, raise the sensitivity, or check whether vessels are dark or bright.</source>
         <comment>frame.no-vessels</comment>
-        <translation>Im Angiogrammbild wurde nichts Gefäßartiges gefunden. Ein Bild mit mehr Kontrast wählen, die Empfindlichkeit erhöhen, oder prüfen, ob Gefäße dunkel oder hell sind.</translation>
+        <translation>Im Angiogrammbild wurde kein Gefäß gefunden. Wählen Sie ein Bild mit mehr Kontrastmittel, erhöhen Sie die Empfindlichkeit, oder prüfen Sie, ob Gefäße dunkel oder hell sind.</translation>
     </message>
     <message>
-        <source>The thinnest vessel looked for (radius %1) must be positive and no wider than the widest (radius %2).</source>
+        <source>The minimum vessel radius (%1) must be positive and at most the maximum vessel radius (%2).</source>
         <comment>trace.radii-unusable</comment>
-        <translation>Das dünnste gesuchte Gefäß (Radius %1) muss positiv und darf nicht weiter sein als das weiteste (Radius %2).</translation>
+        <translation>Der minimale Gefäßradius (%1) muss positiv und darf höchstens so groß wie der maximale (%2) sein.</translation>
     </message>
     <message>
-        <source>The sensitivity of tracing must be above 0, not %1.</source>
+        <source>The tracing sensitivity must be above 0, not %1.</source>
         <comment>trace.sensitivity-unusable</comment>
         <translation>Die Empfindlichkeit der Erkennung muss über 0 liegen, nicht %1.</translation>
     </message>
     <message>
-        <source>The vessel mask has no vessel of at least %1 in it. Draw longer vessels, or lower the shortest length.</source>
+        <source>The vessel mask contains no vessel of at least %1. Draw longer vessels, or lower the minimum length.</source>
         <comment>frame.mask-without-vessels</comment>
-        <translation>Die Gefäßmaske enthält kein Gefäß von mindestens %1. Längere Gefäße zeichnen oder die kürzeste Länge senken.</translation>
+        <translation>Die Gefäßmaske enthält kein Gefäß von mindestens %1. Zeichnen Sie längere Gefäße, oder senken Sie die Mindestlänge.</translation>
     </message>
     <message>
-        <source>The run has one frame: there is nothing to subtract. Choose a run with frames before the contrast.</source>
+        <source>The run has one frame: there is nothing to subtract. Choose a run with frames before contrast arrival.</source>
         <comment>subtraction.one-frame</comment>
-        <translation>Die Serie hat nur ein Bild: nichts zu subtrahieren. Eine Serie mit Bildern vor dem Kontrastmittel wählen.</translation>
+        <translation>Die Serie hat nur ein Bild: Es gibt nichts zu subtrahieren. Wählen Sie eine Serie mit Bildern vor Kontrastmittelankunft.</translation>
     </message>
     <message>
         <source>The frames of the run differ in size and cannot be subtracted.</source>
@@ -4984,9 +4984,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Bilder der Serie sind verschieden groß und lassen sich nicht subtrahieren.</translation>
     </message>
     <message>
-        <source>The run shows contrast medium from its first frame on, so no frame serves as mask. Name the mask frames, or trace without subtraction.</source>
+        <source>The run shows contrast agent from its first frame on, so no frame can serve as mask. Specify the mask frames, or trace without subtraction.</source>
         <comment>subtraction.no-mask</comment>
-        <translation>Die Serie zeigt vom ersten Bild an Kontrastmittel, kein Bild taugt als Maske. Maskenbilder nennen oder ohne Subtraktion erkennen.</translation>
+        <translation>Die Serie zeigt vom ersten Bild an Kontrastmittel; kein Bild eignet sich als Maske. Geben Sie die Maskenbilder an, oder erkennen Sie ohne Subtraktion.</translation>
     </message>
     <message>
         <source>The subtraction was stopped.</source>
@@ -5004,44 +5004,44 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Volumen hat mehr als 4 Milliarden Voxel. Zuerst zuschneiden oder umrechnen.</translation>
     </message>
     <message>
-        <source>The volume has no valid voxel spacing. Give the spacing in mm, or export the volume again.</source>
+        <source>The volume has no valid voxel spacing. Enter the spacing in mm, or export the volume again.</source>
         <comment>volume.no-spacing</comment>
-        <translation>Das Volumen hat keinen gültigen Voxelabstand. Abstand in mm angeben oder neu exportieren.</translation>
+        <translation>Das Volumen hat keinen gültigen Voxelabstand. Geben Sie den Abstand in mm ein, oder exportieren Sie es neu.</translation>
     </message>
     <message>
-        <source>The volume is of one value: there is nothing to trace. Choose another series or file.</source>
+        <source>The volume has a single value: there is nothing to trace. Choose another series or file.</source>
         <comment>volume.one-value</comment>
-        <translation>Das Volumen hat nur einen Wert: nichts zu erkennen. Andere Serie oder Datei wählen.</translation>
+        <translation>Das Volumen hat nur einen Wert: Es gibt nichts zu erkennen. Wählen Sie eine andere Serie oder Datei.</translation>
     </message>
     <message>
-        <source>Tracing was stopped; nothing was kept.</source>
+        <source>Tracing was stopped; no result was kept.</source>
         <comment>tracing.stopped</comment>
-        <translation>Die Erkennung wurde angehalten; nichts wurde behalten.</translation>
+        <translation>Die Erkennung wurde angehalten; es wurde kein Ergebnis behalten.</translation>
     </message>
     <message>
-        <source>There is no vessel in the volume: nothing is set. Lower the threshold, or load another file.</source>
+        <source>The volume contains no vessel: no voxel is set. Lower the threshold, or load another file.</source>
         <comment>tracing.nothing-set</comment>
-        <translation>Im Volumen ist kein Gefäß: nichts ist gesetzt. Schwelle senken oder andere Datei laden.</translation>
+        <translation>Das Volumen enthält kein Gefäß: Kein Voxel ist gesetzt. Senken Sie die Schwelle, oder laden Sie eine andere Datei.</translation>
     </message>
     <message>
-        <source>Nothing in the volume is like a vessel: no branch is long enough. Lower the threshold or the shortest branch length.</source>
+        <source>The volume contains no vessel-like structure: no branch is long enough. Lower the threshold or the minimum branch length.</source>
         <comment>tracing.no-long-branch</comment>
-        <translation>Nichts im Volumen gleicht einem Gefäß: kein Ast ist lang genug. Schwelle oder kürzeste Astlänge senken.</translation>
+        <translation>Das Volumen enthält keine gefäßartige Struktur: Kein Ast ist lang genug. Senken Sie die Schwelle oder die Mindestlänge der Äste.</translation>
     </message>
     <message>
-        <source>No contrast-filled vessels were found: soft tissue has %1, and nothing even is as much brighter as contrast medium makes blood. Is this the arterial phase? Choose the CT angiogram, or give the threshold at which the vessels begin.</source>
+        <source>No opacified vessels were found: soft tissue has %1, and no uniform region shows vascular enhancement. Is this the arterial phase? Choose the CT angiogram, or set the threshold at which vessels begin.</source>
         <comment>tracing.no-contrast</comment>
-        <translation>Es wurden keine kontrastierten Gefäße gefunden: Weichgewebe hat %1, und nichts Gleichmäßiges ist so viel heller, wie Kontrastmittel das Blut macht. Ist dies die arterielle Phase? Die CT-Angiographie wählen oder die Schwelle angeben, ab der die Gefäße beginnen.</translation>
+        <translation>Es wurden keine kontrastierten Gefäße gefunden: Weichgewebe hat %1, und kein homogener Bereich zeigt eine Gefäßkontrastierung. Ist dies die arterielle Phase? Wählen Sie die CT-Angiographie, oder geben Sie die Schwelle an, ab der die Gefäße beginnen.</translation>
     </message>
     <message>
-        <source>No contrast-filled vessels were found: besides bone the brightest has %1, soft tissue %2, and it is not like a vessel. Is this the arterial phase? Choose the CT angiogram, or give the threshold at which the vessels begin.</source>
+        <source>No opacified vessels were found: apart from bone, the brightest region has %1 (soft tissue %2) and is not vessel-like. Is this the arterial phase? Choose the CT angiogram, or set the threshold at which vessels begin.</source>
         <comment>tracing.brightest-is-no-vessel</comment>
-        <translation>Es wurden keine kontrastierten Gefäße gefunden: Das Hellste außer Knochen hat %1, Weichgewebe %2, und es gleicht keinem Gefäß. Ist dies die arterielle Phase? Die CT-Angiographie wählen oder die Schwelle angeben, ab der die Gefäße beginnen.</translation>
+        <translation>Es wurden keine kontrastierten Gefäße gefunden: Außer Knochen hat der hellste Bereich %1 (Weichgewebe %2) und ist nicht gefäßartig. Ist dies die arterielle Phase? Wählen Sie die CT-Angiographie, oder geben Sie die Schwelle an, ab der die Gefäße beginnen.</translation>
     </message>
     <message>
-        <source>There are places to avoid, but no seed. Place at least one seed in the vessels.</source>
+        <source>There are points to avoid, but no seed. Place at least one seed in the vessels.</source>
         <comment>tracing.avoid-without-seed</comment>
-        <translation>Es gibt zu meidende Stellen, aber keinen Startpunkt. Mindestens einen in die Gefäße setzen.</translation>
+        <translation>Es gibt zu meidende Punkte, aber keinen Startpunkt. Setzen Sie mindestens einen in die Gefäße.</translation>
     </message>
     <message>
         <source>(%1, %2, %3)</source>
@@ -5049,94 +5049,94 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>(%1, %2, %3)</translation>
     </message>
     <message>
-        <source>The seed %1 mm (LPS) lies in no vessel. Place it inside one, or lower the threshold.</source>
+        <source>The seed %1 mm (LPS) is not inside a vessel. Place it inside one, or lower the threshold.</source>
         <comment>tracing.seed-in-no-vessel</comment>
-        <translation>Der Startpunkt %1 mm (LPS) liegt in keinem Gefäß. In eines setzen oder die Schwelle senken.</translation>
+        <translation>Der Startpunkt %1 mm (LPS) liegt in keinem Gefäß. Setzen Sie ihn in eines, oder senken Sie die Schwelle.</translation>
     </message>
     <message>
-        <source>The seed %1 mm (LPS) lies in nothing filled: the vessel %2 away was taken.</source>
+        <source>The seed %1 mm (LPS) is not inside an enhanced vessel: the vessel %2 away was used.</source>
         <comment>tracing.seed-moved</comment>
-        <translation>Der Startpunkt %1 mm (LPS) liegt in nichts Gefülltem: Das Gefäß im Abstand von %2 wurde genommen.</translation>
+        <translation>Der Startpunkt %1 mm (LPS) liegt in keinem kontrastierten Gefäß: Das Gefäß in %2 Abstand wurde verwendet.</translation>
     </message>
     <message>
-        <source>No seed was placed: the great vessel at %1 mm (LPS) was found and traced. Place a seed in another vessel if it is the wrong one.</source>
+        <source>No seed was placed: the aorta (or main artery) was found automatically at %1 mm (LPS) and traced. If it is the wrong vessel, place a seed in another one.</source>
         <comment>tracing.no-seed-found-vessel</comment>
-        <translation>Kein Startpunkt gesetzt: Das große Gefäß bei %1 mm (LPS) wurde gefunden und erfasst. Einen Startpunkt in ein anderes Gefäß setzen, wenn es das falsche ist.</translation>
+        <translation>Kein Startpunkt gesetzt: Die Aorta (oder Hauptarterie) wurde automatisch bei %1 mm (LPS) gefunden und erfasst. Ist es das falsche Gefäß, setzen Sie einen Startpunkt in ein anderes.</translation>
     </message>
     <message>
-        <source>No seed was placed, and nothing is like a great vessel: the largest piece was traced. Place a seed in the vessels if it is not them.</source>
+        <source>No seed was placed, and no aorta or main artery was found: the largest component was traced. If it is not the vessels, place a seed in them.</source>
         <comment>tracing.no-seed-largest-piece</comment>
-        <translation>Kein Startpunkt gesetzt, und nichts gleicht einem großen Gefäß: Das größte Stück wurde erfasst. Einen Startpunkt in die Gefäße setzen, wenn es nicht diese sind.</translation>
+        <translation>Kein Startpunkt gesetzt, und keine Aorta oder Hauptarterie gefunden: Die größte Komponente wurde erfasst. Sind es nicht die Gefäße, setzen Sie einen Startpunkt in diese.</translation>
     </message>
     <message>
-        <source>This is a head, and which of its vessels are arteries is not clear: sinuses and veins may be filled, too. Place a seed in the artery that is to be traced, for example in a carotid artery in the neck or at the base of the skull.</source>
+        <source>This is a head scan, and arteries cannot be identified reliably: venous sinuses and veins may be enhanced too. Place a seed in the artery to trace, for example in a carotid artery in the neck or at the skull base.</source>
         <comment>tracing.head-needs-seed</comment>
-        <translation>Dies ist ein Kopf, und welche seiner Gefäße Arterien sind, ist nicht klar: auch Sinus und Venen können gefüllt sein. Einen Startpunkt in die Arterie setzen, die erfasst werden soll, etwa in eine Halsschlagader am Hals oder an der Schädelbasis.</translation>
+        <translation>Dies ist ein Kopfscan, und die Arterien sind nicht sicher zu erkennen: Auch venöse Sinus und Venen können kontrastiert sein. Setzen Sie einen Startpunkt in die zu erfassende Arterie, etwa in eine Halsschlagader am Hals oder an der Schädelbasis.</translation>
     </message>
     <message>
-        <source>The values of this scan are no Hounsfield units, and nothing in it is a great vessel for sure. Place a seed in the artery that is to be traced, where it is wide.</source>
+        <source>The values of this scan are not Hounsfield units, and no large vessel can be identified reliably. Place a seed in a wide part of the artery to trace.</source>
         <comment>tracing.scan-needs-seed</comment>
-        <translation>Die Werte dieses Scans sind keine Hounsfield-Einheiten, und nichts darin ist mit Sicherheit ein großes Gefäß. Einen Startpunkt in die Arterie setzen, die erfasst werden soll, dort wo sie weit ist.</translation>
+        <translation>Die Werte dieses Scans sind keine Hounsfield-Einheiten, und kein großes Gefäß ist sicher zu erkennen. Setzen Sie einen Startpunkt an einer weiten Stelle in die zu erfassende Arterie.</translation>
     </message>
     <message>
-        <source>Arteries and sinuses of this head hang together and are filled alike: what was found without a seed runs along the skull. Place a seed in the artery that is to be traced, and mark the sinuses to be avoided.</source>
+        <source>Arteries and venous sinuses of this head are connected and equally enhanced: the vessel found without a seed runs along the skull. Place a seed in the artery to trace, and mark the sinuses as points to avoid.</source>
         <comment>tracing.veins-with-arteries</comment>
-        <translation>Arterien und Sinus dieses Kopfes hängen zusammen und sind gleich gefüllt: was ohne Startpunkt gefunden wurde, läuft am Schädel entlang. Einen Startpunkt in die Arterie setzen, die erfasst werden soll, und die Sinus als zu meiden markieren.</translation>
+        <translation>Arterien und venöse Sinus dieses Kopfes sind verbunden und gleich kontrastiert: Das ohne Startpunkt gefundene Gefäß verläuft am Schädel entlang. Setzen Sie einen Startpunkt in die zu erfassende Arterie, und markieren Sie die Sinus als zu meiden.</translation>
     </message>
     <message>
-        <source>The coil received up to %1 times weaker in parts of the body, which was evened out: the threshold holds where it received best.</source>
+        <source>Coil inhomogeneity (up to %1×) was corrected: the threshold applies where the coil sensitivity is highest.</source>
         <comment>tracing.coil-evened-out</comment>
-        <translation>Die Spule empfing in Teilen des Körpers bis zu %1-mal schwächer; das wurde ausgeglichen: die Schwelle gilt, wo sie am besten empfing.</translation>
+        <translation>Die Spuleninhomogenität (bis %1×) wurde korrigiert: Die Schwelle gilt, wo die Spulenempfindlichkeit am höchsten ist.</translation>
     </message>
     <message>
-        <source>The curves follow %1 of the mask&apos;s own skeleton within two voxels; most of the rest is at %2 mm (LPS). Where the lumen is wide or its wall rough, they run along its middle instead. Look there for a vessel that is missing.</source>
+        <source>The centerlines follow %1 of the mask&apos;s skeleton within two voxels; most of the rest is at %2 mm (LPS). Where the lumen is wide or its wall rough, they follow the center of the lumen instead. Check there for a missing vessel.</source>
         <comment>tracing.skeleton-not-followed</comment>
-        <translation>Die Kurven folgen %1 des Skeletts der Maske bis auf zwei Voxel; das meiste vom Rest liegt bei %2 mm (LPS). Wo das Lumen weit oder seine Wand rau ist, laufen sie stattdessen in seiner Mitte. Dort nach einem fehlenden Gefäß sehen.</translation>
+        <translation>Die Mittellinien folgen %1 des Maskenskeletts bis auf zwei Voxel; das meiste vom Rest liegt bei %2 mm (LPS). Wo das Lumen weit oder seine Wand rau ist, folgen sie stattdessen der Lumenmitte. Prüfen Sie dort, ob ein Gefäß fehlt.</translation>
     </message>
     <message>
-        <source>The place %1 mm (LPS) lies outside the scan. Choose one inside.</source>
+        <source>The point %1 mm (LPS) is outside the scan. Choose one inside.</source>
         <comment>tracing.path-end-outside-scan</comment>
-        <translation>Die Stelle %1 mm (LPS) liegt außerhalb des Scans. Wählen Sie eine innerhalb.</translation>
+        <translation>Der Punkt %1 mm (LPS) liegt außerhalb des Scans. Wählen Sie einen innerhalb.</translation>
     </message>
     <message>
-        <source>The place %1 mm (LPS) lies in nothing brighter than its surroundings. Place it inside the vessel.</source>
+        <source>The point %1 mm (LPS) is not inside a structure brighter than its surroundings. Place it inside the vessel.</source>
         <comment>tracing.path-end-in-nothing</comment>
-        <translation>Die Stelle %1 mm (LPS) liegt in nichts, was heller ist als seine Umgebung. Setzen Sie sie in das Gefäß.</translation>
+        <translation>Der Punkt %1 mm (LPS) liegt in keiner Struktur, die heller als ihre Umgebung ist. Setzen Sie ihn in das Gefäß.</translation>
     </message>
     <message>
-        <source>Both places lie at the same spot of the vessel. Place them farther apart.</source>
+        <source>Both points lie at the same position of the vessel. Place them farther apart.</source>
         <comment>tracing.path-ends-too-near</comment>
-        <translation>Beide Stellen liegen am selben Punkt des Gefäßes. Setzen Sie sie weiter auseinander.</translation>
+        <translation>Beide Punkte liegen an derselben Stelle des Gefäßes. Setzen Sie sie weiter auseinander.</translation>
     </message>
     <message>
-        <source>No way was found between the two places. Place them nearer to each other.</source>
+        <source>No path was found between the two points. Place them closer together.</source>
         <comment>tracing.path-not-found</comment>
-        <translation>Zwischen den beiden Stellen wurde kein Weg gefunden. Setzen Sie sie näher zusammen.</translation>
+        <translation>Zwischen den beiden Punkten wurde kein Weg gefunden. Setzen Sie sie näher zusammen.</translation>
     </message>
     <message>
-        <source>For %1 the path runs through nothing like a vessel. Look at it, or place a point in between.</source>
+        <source>For %1, the path does not run through a vessel-like structure. Check it, or place a point in between.</source>
         <comment>tracing.path-outside</comment>
-        <translation>Auf %1 führt der Weg durch nichts Gefäßartiges. Sehen Sie ihn an, oder setzen Sie eine Stelle dazwischen.</translation>
+        <translation>Auf %1 verläuft der Weg durch keine gefäßartige Struktur. Prüfen Sie ihn, oder setzen Sie einen Punkt dazwischen.</translation>
     </message>
     <message>
-        <source>Thin vessels are traced from seeds, and none is placed. Place one in each vessel, near where it begins.</source>
+        <source>Tracing thin vessels requires seeds, and none is placed. Place one in each vessel, near its origin.</source>
         <comment>tracing.tubes-need-seed</comment>
-        <translation>Dünne Gefäße werden von Startpunkten aus erfasst, und keiner ist gesetzt. Setzen Sie in jedes Gefäß einen, nahe seinem Anfang.</translation>
+        <translation>Das Erfassen dünner Gefäße braucht Startpunkte, und keiner ist gesetzt. Setzen Sie in jedes Gefäß einen, nahe dem Abgang.</translation>
     </message>
     <message>
-        <source>No thin vessel of any length leads from the seeds. Place them in the middle of the vessels, or trace without the restriction to thin ones.</source>
+        <source>No thin vessel of sufficient length was found from the seeds. Place them at the center of the vessels, or turn off the restriction to thin vessels.</source>
         <comment>tracing.no-tube-at-seed</comment>
-        <translation>Von den Startpunkten führt kein dünnes Gefäß weiter. Setzen Sie sie in die Mitte der Gefäße, oder erfassen Sie ohne die Beschränkung auf dünne.</translation>
+        <translation>Von den Startpunkten aus wurde kein ausreichend langes dünnes Gefäß gefunden. Setzen Sie sie in die Mitte der Gefäße, oder heben Sie die Beschränkung auf dünne Gefäße auf.</translation>
     </message>
     <message>
-        <source>More was reached than is searched: the vessels are cut short. Look for a leak into lung, liver or bone.</source>
+        <source>The search limit was reached: the vessels are cut off. Check for leakage into lung, liver or bone.</source>
         <comment>tracing.tubes-cut-short</comment>
-        <translation>Es wurde mehr erreicht, als durchsucht wird: die Gefäße sind abgeschnitten. Suchen Sie nach einem Übertritt in Lunge, Leber oder Knochen.</translation>
+        <translation>Die Suchgrenze wurde erreicht: Die Gefäße sind abgeschnitten. Prüfen Sie, ob die Segmentierung in Lunge, Leber oder Knochen ausläuft.</translation>
     </message>
     <message>
-        <source>The vessels are %1 pieces that do not connect, each with a root of its own: %2. Join those that belong together, or ask for some by a seed in each.</source>
+        <source>The vessels consist of %1 unconnected components, each with its own root: %2. Connect those that belong together, or select some by placing a seed in each.</source>
         <comment>tracing.vessels-in-pieces</comment>
-        <translation>Die Gefäße sind %1 Stücke ohne Verbindung, jedes mit eigener Wurzel: %2. Verbinden, was zusammengehört, oder durch je einen Startpunkt einzelne wählen.</translation>
+        <translation>Die Gefäße bestehen aus %1 unverbundenen Komponenten, jede mit eigener Wurzel: %2. Verbinden Sie, was zusammengehört, oder wählen Sie einzelne durch je einen Startpunkt aus.</translation>
     </message>
     <message>
         <source>%1 (%2 of the voxels) at %3</source>
@@ -5154,74 +5154,74 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 weitere mit %2</translation>
     </message>
     <message>
-        <source>A piece that does not connect to the traced vessels was left out: %1 mm (LPS). Place a seed in it if it belongs to the tree.</source>
+        <source>A component not connected to the traced vessels was left out: %1 mm (LPS). Place a seed in it if it belongs to the tree.</source>
         <comment>tracing.one-piece-left-out</comment>
-        <translation>Ein Stück ohne Verbindung zu den erkannten Gefäßen wurde ausgelassen: %1 mm (LPS). Einen Startpunkt hineinsetzen, wenn es zum Baum gehört.</translation>
+        <translation>Eine nicht mit den erkannten Gefäßen verbundene Komponente wurde ausgelassen: %1 mm (LPS). Setzen Sie einen Startpunkt hinein, wenn sie zum Baum gehört.</translation>
     </message>
     <message>
-        <source>%1 pieces with %2 of the voxels that do not connect to the traced vessels were left out: %3. Place a seed in each that belongs to the tree.</source>
+        <source>%1 components with %2 of the voxels are not connected to the traced vessels and were left out: %3. Place a seed in each that belongs to the tree.</source>
         <comment>tracing.pieces-left-out</comment>
-        <translation>%1 Stücke mit %2 der Voxel ohne Verbindung zu den erkannten Gefäßen wurden ausgelassen: %3. In jedes, das zum Baum gehört, einen Startpunkt setzen.</translation>
+        <translation>%1 Komponenten mit %2 der Voxel sind nicht mit den erkannten Gefäßen verbunden und wurden ausgelassen: %3. Setzen Sie in jede, die zum Baum gehört, einen Startpunkt.</translation>
     </message>
     <message>
-        <source>A piece holds no branch of the shortest length and was left out: %1 mm (LPS). Lower the shortest branch length if it is a vessel.</source>
+        <source>A component contains no branch of the minimum length and was left out: %1 mm (LPS). Lower the minimum branch length if it is a vessel.</source>
         <comment>tracing.one-piece-too-short</comment>
-        <translation>Ein Stück enthält keinen Ast der kürzesten Länge und wurde ausgelassen: %1 mm (LPS). Den kürzesten Ast verkleinern, wenn es ein Gefäß ist.</translation>
+        <translation>Eine Komponente enthält keinen Ast der Mindestlänge und wurde ausgelassen: %1 mm (LPS). Senken Sie die Mindestlänge der Äste, wenn es ein Gefäß ist.</translation>
     </message>
     <message>
-        <source>%1 pieces with %2 of the voxels hold no branch of the shortest length and were left out: %3. Lower the shortest branch length if they are vessels.</source>
+        <source>%1 components with %2 of the voxels contain no branch of the minimum length and were left out: %3. Lower the minimum branch length if they are vessels.</source>
         <comment>tracing.pieces-too-short</comment>
-        <translation>%1 Stücke mit %2 der Voxel enthalten keinen Ast der kürzesten Länge und wurden ausgelassen: %3. Den kürzesten Ast verkleinern, wenn es Gefäße sind.</translation>
+        <translation>%1 Komponenten mit %2 der Voxel enthalten keinen Ast der Mindestlänge und wurden ausgelassen: %3. Senken Sie die Mindestlänge der Äste, wenn es Gefäße sind.</translation>
     </message>
     <message>
-        <source>Gaps between pieces over which a vessel clearly goes on were closed: %1, of up to %2. Look there for vessels that do not belong together.</source>
+        <source>Gaps where a vessel clearly continues were closed: %1, of up to %2. Check there for vessels that do not belong together.</source>
         <comment>tracing.gaps-closed</comment>
-        <translation>Lücken zwischen Stücken, über die ein Gefäß deutlich weiterläuft, wurden geschlossen: %1, bis %2. Dort nach Gefäßen sehen, die nicht zusammengehören.</translation>
+        <translation>Lücken, über die ein Gefäß deutlich weiterläuft, wurden geschlossen: %1, bis %2. Prüfen Sie dort, ob die Gefäße zusammengehören.</translation>
     </message>
     <message>
-        <source>1 loop was opened at the thinnest place: look there for vessels that only touch.</source>
+        <source>1 loop was cut at its narrowest point; check for touching vessels.</source>
         <comment>tracing.one-loop-opened</comment>
-        <translation>1 Schleife wurde an der dünnsten Stelle geöffnet: dort nach Gefäßen sehen, die sich nur berühren.</translation>
+        <translation>1 Schleife wurde an der engsten Stelle getrennt; prüfen Sie, ob sich dort Gefäße nur berühren.</translation>
     </message>
     <message>
-        <source>%1 loops were opened at their thinnest places: look there for vessels that only touch.</source>
+        <source>%1 loops were cut at their narrowest points; check for touching vessels.</source>
         <comment>tracing.loops-opened</comment>
-        <translation>%1 Schleifen wurden an den dünnsten Stellen geöffnet: dort nach Gefäßen sehen, die sich nur berühren.</translation>
+        <translation>%1 Schleifen wurden an den engsten Stellen getrennt; prüfen Sie, ob sich dort Gefäße nur berühren.</translation>
     </message>
     <message>
-        <source>Loops that were kept, as asked: %1. A branch ends on another where one closes.</source>
+        <source>Loops kept as requested: %1. Where a loop closes, one branch ends on another.</source>
         <comment>tracing.loops-kept</comment>
-        <translation>Schleifen, die wie gewünscht erhalten blieben: %1. Wo eine sich schließt, endet ein Ast auf einem anderen.</translation>
+        <translation>Wie gewünscht erhaltene Schleifen: %1. Wo sich eine schließt, endet ein Ast auf einem anderen.</translation>
     </message>
     <message>
-        <source>A part less bright than the vessels was left out, as veins and organs are. Place a seed in it if it belongs to the tree.</source>
+        <source>A part darker than the vessels was left out; it may be a vein or an organ. Place a seed in it if it belongs to the tree.</source>
         <comment>tracing.one-dim-part-left-out</comment>
-        <translation>Ein Teil, der weniger hell ist als die Gefäße, wurde weggelassen: so sehen Venen und Organe aus. Einen Startpunkt hineinsetzen, wenn er zum Baum gehört.</translation>
+        <translation>Ein Teil, der dunkler als die Gefäße ist, wurde ausgelassen; es könnte eine Vene oder ein Organ sein. Setzen Sie einen Startpunkt hinein, wenn er zum Baum gehört.</translation>
     </message>
     <message>
-        <source>%1 parts less bright than the vessels were left out, as veins and organs are. Place seeds in those that belong to the tree.</source>
+        <source>%1 parts darker than the vessels were left out; they may be veins or organs. Place seeds in those that belong to the tree.</source>
         <comment>tracing.dim-parts-left-out</comment>
-        <translation>%1 Teile, die weniger hell sind als die Gefäße, wurden weggelassen: so sehen Venen und Organe aus. In die, die zum Baum gehören, einen Startpunkt setzen.</translation>
+        <translation>%1 Teile, die dunkler als die Gefäße sind, wurden ausgelassen; es könnten Venen oder Organe sein. Setzen Sie in die, die zum Baum gehören, einen Startpunkt.</translation>
     </message>
     <message>
-        <source>Nothing in the scan is as dark as air in Hounsfield units: if its values are others, bone cannot be told from blood for sure. Look for bone among the vessels, or export the scan in Hounsfield units.</source>
+        <source>No voxel of the scan is as dark as air in Hounsfield units: if its values are not HU, bone cannot be separated reliably from vessels. Check the vessels for bone, or export the scan in Hounsfield units.</source>
         <comment>tracing.perhaps-no-hounsfield</comment>
-        <translation>Nichts im Scan ist so dunkel wie Luft in Hounsfield-Einheiten: Hat er andere Werte, lässt sich Knochen nicht sicher von Blut unterscheiden. Unter den Gefäßen nach Knochen suchen oder den Scan in Hounsfield-Einheiten exportieren.</translation>
+        <translation>Kein Voxel des Scans ist so dunkel wie Luft in Hounsfield-Einheiten: Sind die Werte keine HE, lässt sich Knochen nicht sicher von Gefäßen trennen. Prüfen Sie die Gefäße auf Knochen, oder exportieren Sie den Scan in Hounsfield-Einheiten.</translation>
     </message>
     <message>
-        <source>The vessel tree has no branches. Give a centreline with at least one branch.</source>
+        <source>The vessel tree has no branches. Provide a centerline with at least one branch.</source>
         <comment>tree.no-branches</comment>
-        <translation>Der Gefäßbaum hat keine Äste. Eine Mittellinie mit mindestens einem Ast angeben.</translation>
+        <translation>Der Gefäßbaum hat keine Äste. Geben Sie eine Mittellinie mit mindestens einem Ast an.</translation>
     </message>
     <message>
-        <source>Branch %1 occurs twice in the vessel tree. Branch ids must be unique.</source>
+        <source>Branch %1 occurs twice in the vessel tree. Branch IDs must be unique.</source>
         <comment>tree.branch-twice</comment>
-        <translation>Ast %1 kommt im Gefäßbaum doppelt vor. Ast-Nummern müssen einmalig sein.</translation>
+        <translation>Ast %1 kommt im Gefäßbaum doppelt vor. Ast-IDs müssen eindeutig sein.</translation>
     </message>
     <message>
-        <source>Branch %1 of the vessel tree has fewer than two points. Remove it or add points.</source>
+        <source>Branch %1 of the vessel tree has fewer than two points. Remove it, or add points.</source>
         <comment>tree.branch-too-few-points</comment>
-        <translation>Ast %1 des Gefäßbaums hat weniger als zwei Punkte. Entfernen oder Punkte ergänzen.</translation>
+        <translation>Ast %1 des Gefäßbaums hat weniger als zwei Punkte. Entfernen Sie ihn, oder ergänzen Sie Punkte.</translation>
     </message>
     <message>
         <source>Branch %1 of the vessel tree has a coordinate that is not a number (NaN or infinite).</source>
@@ -5239,9 +5239,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ast %1 des Gefäßbaums hat nicht je Punkt einen Radius.</translation>
     </message>
     <message>
-        <source>Branch %1 of the vessel tree has a radius that is negative or not a number. Correct it, or give no radii along this branch.</source>
+        <source>Branch %1 of the vessel tree has a radius that is negative or not a number. Correct it, or omit the radii of this branch.</source>
         <comment>tree.branch-radius-unusable</comment>
-        <translation>Ast %1 des Gefäßbaums hat einen Radius, der negativ oder keine Zahl ist. Ihn berichtigen oder diesem Ast keine Radien geben.</translation>
+        <translation>Ast %1 des Gefäßbaums hat einen Radius, der negativ oder keine Zahl ist. Berichtigen Sie ihn, oder lassen Sie die Radien dieses Astes weg.</translation>
     </message>
     <message>
         <source>The vessel tree has no branch %1.</source>
@@ -5249,19 +5249,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Gefäßbaum hat keinen Ast %1.</translation>
     </message>
     <message>
-        <source>The range of %1 must be two angles, the lower one first, within ±%2°.</source>
+        <source>The range of %1 must be two angles within ±%2°, the lower one first.</source>
         <comment>angles.range-odd</comment>
-        <translation>Der Bereich von %1 braucht zwei Winkel, den kleineren zuerst, innerhalb von ±%2°.</translation>
+        <translation>Der Bereich von %1 braucht zwei Winkel innerhalb von ±%2°, den kleineren zuerst.</translation>
     </message>
     <message>
-        <source>Looking for angles was stopped.</source>
+        <source>The angle search was stopped.</source>
         <comment>angles.stopped</comment>
-        <translation>Die Suche nach Winkeln wurde angehalten.</translation>
+        <translation>Die Winkelsuche wurde angehalten.</translation>
     </message>
     <message>
-        <source>The step between angles must be at least %1.</source>
+        <source>The angle step must be at least %1.</source>
         <comment>angles.step-too-fine</comment>
-        <translation>Der Schritt zwischen den Winkeln muss mindestens %1 sein.</translation>
+        <translation>Die Winkelschrittweite muss mindestens %1 sein.</translation>
     </message>
     <message>
         <source>Select one branch in the image, in the 3-D view or in the list.</source>
@@ -5269,47 +5269,47 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Einen Ast im Bild, in der 3-D-Ansicht oder in der Liste auswählen.</translation>
     </message>
     <message>
-        <source>The vessels come without radii: 1 mm is assumed, so what covers the branch is a guess.</source>
+        <source>The vessels have no radii: 1 mm is assumed, so the overlap of the branch is an estimate.</source>
         <comment>tree.radii-assumed</comment>
-        <translation>Die Gefäße haben keine Radien: 1 mm wird angenommen; was den Ast verdeckt, ist geschätzt.</translation>
+        <translation>Die Gefäße haben keine Radien: 1 mm wird angenommen; die Überdeckung des Astes ist daher geschätzt.</translation>
     </message>
     <message>
-        <source>Branch %1 meets no other branch: it has no take-off. Ask for the branch itself.</source>
+        <source>Branch %1 is not connected to another branch, so it has no takeoff. Use the branch itself.</source>
         <comment>tree.no-take-off</comment>
-        <translation>Ast %1 trifft auf keinen anderen: er hat keinen Abgang. Nach dem Ast selbst fragen.</translation>
+        <translation>Ast %1 ist mit keinem anderen Ast verbunden und hat daher keinen Abgang. Verwenden Sie den Ast selbst.</translation>
     </message>
     <message>
-        <source>Every branch hangs on branch %1: nothing would be left.</source>
+        <source>All branches descend from branch %1: nothing would be left.</source>
         <comment>edit.all-hang-on-branch</comment>
-        <translation>Alle Äste hängen an Ast %1: nichts bliebe übrig.</translation>
+        <translation>Alle Äste gehen von Ast %1 aus: Nichts bliebe übrig.</translation>
     </message>
     <message>
-        <source>Every branch is shorter or thinner than asked: nothing would be left. Lower the limits.</source>
+        <source>All branches are shorter or thinner than the limits: nothing would be left. Lower the limits.</source>
         <comment>edit.all-pruned</comment>
-        <translation>Jeder Ast ist kürzer oder dünner als verlangt: nichts bliebe übrig. Grenzen senken.</translation>
+        <translation>Alle Äste sind kürzer oder dünner als die Grenzen: Nichts bliebe übrig. Senken Sie die Grenzen.</translation>
     </message>
     <message>
-        <source>Branch %1 cannot be cut so near to its end. Delete it instead, or cut farther in.</source>
+        <source>Branch %1 cannot be cut this close to its end. Delete it, or cut farther from the end.</source>
         <comment>edit.cut-too-near-end</comment>
-        <translation>Ast %1 lässt sich so nah am Ende nicht trennen. Stattdessen löschen oder weiter innen trennen.</translation>
+        <translation>Ast %1 lässt sich so nah am Ende nicht trennen. Löschen Sie ihn, oder trennen Sie weiter vom Ende entfernt.</translation>
     </message>
     <message>
-        <source>The whole way runs inside vessels that are traced already: there is nothing to add.</source>
+        <source>The whole path runs inside vessels that are already traced: there is nothing to add.</source>
         <comment>edit.branch-runs-inside</comment>
-        <translation>Der ganze Weg verläuft in Gefäßen, die schon erfasst sind: es gibt nichts hinzuzufügen.</translation>
+        <translation>Der ganze Weg verläuft in bereits erfassten Gefäßen: Es gibt nichts hinzuzufügen.</translation>
     </message>
     <message>
-        <source>A branch cannot be joined to itself. Choose two branches.</source>
+        <source>A branch cannot be connected to itself. Choose two branches.</source>
         <comment>edit.joined-to-itself</comment>
-        <translation>Ein Ast lässt sich nicht mit sich selbst verbinden. Zwei Äste wählen.</translation>
+        <translation>Ein Ast lässt sich nicht mit sich selbst verbinden. Wählen Sie zwei Äste.</translation>
     </message>
     <message>
-        <source>The 2-D centreline is empty: no vessel was found in the image. Choose another frame or a higher sensitivity, or give a centreline file.</source>
+        <source>The 2-D centerline is empty: no vessel was found in the image. Choose another frame or a higher sensitivity, or provide a centerline file.</source>
         <comment>centreline.empty</comment>
-        <translation>Die 2-D-Mittellinie ist leer: im Bild wurde kein Gefäß gefunden. Anderes Bild oder höhere Empfindlichkeit wählen, oder eine Mittelliniendatei angeben.</translation>
+        <translation>Die 2-D-Mittellinie ist leer: Im Bild wurde kein Gefäß gefunden. Wählen Sie ein anderes Bild oder eine höhere Empfindlichkeit, oder geben Sie eine Mittelliniendatei an.</translation>
     </message>
     <message>
-        <source>Curve %1 of the 2-D centreline has a coordinate that is not a number (NaN or infinite).</source>
+        <source>Curve %1 of the 2-D centerline has a coordinate that is not a number (NaN or infinite).</source>
         <comment>centreline.curve-not-finite</comment>
         <translation>Kurve %1 der 2-D-Mittellinie hat eine Koordinate, die keine Zahl ist (NaN oder unendlich).</translation>
     </message>
@@ -5319,24 +5319,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Oberfläche hat keine Dreiecke, oder die Voxelgröße ist nicht positiv. Andere Oberfläche wählen.</translation>
     </message>
     <message>
-        <source>The surface is flat: it bounds no inside. Choose the wall of a vessel.</source>
+        <source>The surface is flat and encloses no volume. Choose the wall of a vessel.</source>
         <comment>surface.flat</comment>
-        <translation>Die Oberfläche ist flach: sie umschließt nichts. Eine Gefäßwand wählen.</translation>
+        <translation>Die Oberfläche ist flach und umschließt kein Volumen. Wählen Sie eine Gefäßwand.</translation>
     </message>
     <message>
-        <source>The voxel size is too fine for a surface of this extent. Choose a larger one.</source>
+        <source>The voxel size is too small for a surface of this extent. Choose a larger one.</source>
         <comment>surface.voxel-too-fine</comment>
-        <translation>Die Voxelgröße ist für eine so große Oberfläche zu fein. Größere wählen.</translation>
+        <translation>Die Voxelgröße ist für eine so große Oberfläche zu klein. Wählen Sie eine größere.</translation>
     </message>
     <message>
-        <source>Nothing lies inside the surface: it is too open, or thinner than a voxel. Close its holes, or choose a smaller voxel size.</source>
+        <source>The surface encloses nothing: it is too open, or thinner than a voxel. Close its holes, or choose a smaller voxel size.</source>
         <comment>surface.nothing-inside</comment>
-        <translation>In der Oberfläche liegt nichts: sie ist zu offen oder dünner als ein Voxel. Löcher schließen oder kleinere Voxel wählen.</translation>
+        <translation>Die Oberfläche umschließt nichts: Sie ist zu offen oder dünner als ein Voxel. Schließen Sie die Löcher, oder wählen Sie kleinere Voxel.</translation>
     </message>
     <message>
-        <source>it is too large for a case file. Choose an .angiopose file.</source>
+        <source>the file is too large for a case. Choose an .angiopose file.</source>
         <comment>case.too-large</comment>
-        <translation>ist zu groß für eine Falldatei. Eine .angiopose-Datei wählen.</translation>
+        <translation>die Datei ist zu groß für einen Fall. Wählen Sie eine .angiopose-Datei.</translation>
     </message>
     <message>
         <source>this is %1, not a case. Choose an .angiopose file.</source>
@@ -5349,9 +5349,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dieses JSON ist kein AngioPose-Fall (sein format ist nicht &quot;angiopose-case&quot;). Eine .angiopose-Datei wählen.</translation>
     </message>
     <message>
-        <source>a value in it has the wrong kind. Compare it with the published schema.</source>
+        <source>a value has the wrong type. Compare the file with the published schema.</source>
         <comment>case.wrong-kind</comment>
-        <translation>ein Wert darin ist von falscher Art. Mit dem veröffentlichten Schema vergleichen.</translation>
+        <translation>ein Wert hat den falschen Typ. Vergleichen Sie die Datei mit dem veröffentlichten Schema.</translation>
     </message>
     <message>
         <source>the case was saved by a newer AngioPose. Update the program.</source>
@@ -5361,17 +5361,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>the key %1 is missing. Add it.</source>
         <comment>case.key-missing</comment>
-        <translation>der Schlüssel %1 fehlt. Ergänzen.</translation>
+        <translation>der Schlüssel %1 fehlt. Ergänzen Sie ihn.</translation>
     </message>
     <message>
-        <source>the value is not one of those allowed. See the published schema.</source>
+        <source>this value is not allowed. See the published schema.</source>
         <comment>case.value-not-allowed</comment>
         <translation>der Wert ist nicht erlaubt. Siehe das veröffentlichte Schema.</translation>
     </message>
     <message>
-        <source>the value is of the wrong kind. See the published schema.</source>
+        <source>the value has the wrong type. See the published schema.</source>
         <comment>case.value-of-wrong-kind</comment>
-        <translation>der Wert ist von falscher Art. Siehe das veröffentlichte Schema.</translation>
+        <translation>der Wert hat den falschen Typ. Siehe das veröffentlichte Schema.</translation>
     </message>
     <message>
         <source>%1 Correct it.</source>
@@ -5379,29 +5379,29 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 Berichtigen.</translation>
     </message>
     <message>
-        <source>it does not follow the published schema. Compare it with a case that loads.</source>
+        <source>the file does not conform to the published schema. Compare it with a valid case.</source>
         <comment>case.against-schema</comment>
-        <translation>folgt nicht dem veröffentlichten Schema. Mit einem ladbaren Fall vergleichen.</translation>
+        <translation>die Datei entspricht nicht dem veröffentlichten Schema. Vergleichen Sie sie mit einem gültigen Fall.</translation>
     </message>
     <message>
         <source>this is an input of the case and will not be overwritten. Choose another name.</source>
         <comment>case.is-input</comment>
-        <translation>das ist eine Eingabe des Falls und wird nicht überschrieben. Anderen Namen wählen.</translation>
+        <translation>dies ist eine Eingabe des Falls und wird nicht überschrieben. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>a file name or a text in the case is not UTF-8. Rename the file.</source>
         <comment>case.not-utf8</comment>
-        <translation>ein Dateiname oder Text im Fall ist nicht UTF-8. Die Datei umbenennen.</translation>
+        <translation>ein Dateiname oder Text im Fall ist nicht UTF-8. Benennen Sie die Datei um.</translation>
     </message>
     <message>
-        <source>a scan alone is no case yet: the case file needs traced vessels and an angiogram. Trace the vessels and open an angiogram before saving; the scan itself stays as it is.</source>
+        <source>a scan alone is not a case: the case file needs traced vessels and an angiogram. Trace the vessels and open an angiogram before saving; the scan file itself is not changed.</source>
         <comment>case.scan-alone</comment>
-        <translation>ein CT allein ist noch kein Fall: die Falldatei braucht erfasste Gefäße und ein Angiogramm. Vor dem Speichern die Gefäße erfassen und ein Angiogramm öffnen; das CT selbst bleibt, wie es ist.</translation>
+        <translation>ein CT allein ist noch kein Fall: Die Falldatei braucht erfasste Gefäße und ein Angiogramm. Erfassen Sie vor dem Speichern die Gefäße, und öffnen Sie ein Angiogramm; die CT-Datei selbst wird nicht verändert.</translation>
     </message>
     <message>
         <source>a case needs a vessel tree and an angiogram. Open both before saving.</source>
         <comment>case.incomplete</comment>
-        <translation>ein Fall braucht Gefäßbaum und Angiogramm. Vor dem Speichern beide öffnen.</translation>
+        <translation>ein Fall braucht Gefäßbaum und Angiogramm. Öffnen Sie vor dem Speichern beide.</translation>
     </message>
     <message>
         <source>the pose is not a rigid motion of finite numbers. Reset the pose before saving.</source>
@@ -5409,29 +5409,29 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Lage ist keine starre Bewegung endlicher Zahlen. Vor dem Speichern zurücksetzen.</translation>
     </message>
     <message>
-        <source>it is for an image of %1 x %2 pixels, but the angiogram has %3 x %4. Give the camera of this image.</source>
+        <source>the camera belongs to an image of %1 x %2 pixels, but the angiogram has %3 x %4. Provide the camera of this image.</source>
         <comment>case.camera-of-other-image</comment>
-        <translation>gilt für ein Bild mit %1 x %2 Pixeln, das Angiogramm hat aber %3 x %4. Die Kamera dieses Bildes angeben.</translation>
+        <translation>die Kamera gehört zu einem Bild mit %1 x %2 Pixeln, das Angiogramm hat aber %3 x %4. Geben Sie die Kamera dieses Bildes an.</translation>
     </message>
     <message>
-        <source>maxVesselRadiusPx is below minVesselRadiusPx. Exchange them.</source>
+        <source>maxVesselRadiusPx is less than minVesselRadiusPx. Swap them.</source>
         <comment>case.radii-swapped</comment>
-        <translation>maxVesselRadiusPx liegt unter minVesselRadiusPx. Beide vertauschen.</translation>
+        <translation>maxVesselRadiusPx ist kleiner als minVesselRadiusPx. Vertauschen Sie beide.</translation>
     </message>
     <message>
-        <source>it names no input. Give the file of the vessels as centerline, segmentation, surface or volume.</source>
+        <source>the case names no vessel input. Specify the vessel file as centerline, segmentation, surface or volume.</source>
         <comment>case.no-input</comment>
-        <translation>nennt keine Eingabe. Die Datei der Gefäße als centerline, segmentation, surface oder volume angeben.</translation>
+        <translation>der Fall nennt keine Eingabe für die Gefäße. Geben Sie die Gefäßdatei als centerline, segmentation, surface oder volume an.</translation>
     </message>
     <message>
-        <source>%1 Remove the key to go back to the vessels as they were before the edits.</source>
+        <source>%1 Remove the key to restore the unedited vessels.</source>
         <comment>case.edited-tree</comment>
-        <translation>%1 Den Schlüssel entfernen, um zu den unbearbeiteten Gefäßen zurückzukehren.</translation>
+        <translation>%1 Entfernen Sie den Schlüssel, um die unbearbeiteten Gefäße wiederherzustellen.</translation>
     </message>
     <message>
-        <source>branch %1 is there twice.</source>
+        <source>branch %1 occurs twice.</source>
         <comment>case.branch-twice</comment>
-        <translation>Ast %1 ist doppelt vorhanden.</translation>
+        <translation>Ast %1 kommt doppelt vor.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is unknown. Use one of %2.</source>
@@ -5439,64 +5439,64 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>&quot;%1&quot; ist unbekannt. Möglich: %2.</translation>
     </message>
     <message>
-        <source>give a number from %1 to %2.</source>
+        <source>enter a number from %1 to %2.</source>
         <comment>case.option-number</comment>
-        <translation>eine Zahl von %1 bis %2 angeben.</translation>
+        <translation>eine Zahl von %1 bis %2 eingeben.</translation>
     </message>
     <message>
-        <source>give one of %1.</source>
+        <source>choose one of %1.</source>
         <comment>case.option-choice</comment>
-        <translation>eines von %1 angeben.</translation>
+        <translation>eines von %1 wählen.</translation>
     </message>
     <message>
-        <source>it is missing, and the angles do not give a start pose. %1</source>
+        <source>the initial pose is missing and cannot be computed from the angles. %1</source>
         <comment>case.no-start-pose</comment>
-        <translation>fehlt, und die Winkel ergeben keine Startlage. %1</translation>
+        <translation>die Startlage fehlt und lässt sich nicht aus den Winkeln berechnen. %1</translation>
     </message>
     <message>
-        <source>the file has changed since the case was saved. Check that it is the right one.</source>
+        <source>the file has changed since the case was saved. Check that it is the correct one.</source>
         <comment>case.file-changed</comment>
-        <translation>die Datei hat sich seit dem Speichern des Falls geändert. Prüfen, ob es die richtige ist.</translation>
+        <translation>die Datei hat sich seit dem Speichern des Falls geändert. Prüfen Sie, ob es die richtige ist.</translation>
     </message>
     <message>
-        <source>what was found in it is left out, because the vessels, the image or the traced curves have changed since. Register again.</source>
+        <source>its stored result was dropped because the vessels, the image or the traced curves have changed since. Register again.</source>
         <comment>case.result-stale</comment>
-        <translation>was darin gefunden wurde, ist weggelassen, weil sich Gefäße, Bild oder gezeichnete Kurven seither geändert haben. Neu registrieren.</translation>
+        <translation>ihr gespeichertes Ergebnis wurde verworfen, weil sich Gefäße, Bild oder erkannte Kurven seither geändert haben. Registrieren Sie erneut.</translation>
     </message>
     <message>
-        <source>what was found in it is left out, because the case file was changed since: %1. Register again.</source>
+        <source>its stored result was dropped because the case file has changed since: %1. Register again.</source>
         <comment>case.result-beside</comment>
-        <translation>was darin gefunden wurde, ist weggelassen, weil die Falldatei seither geändert wurde: %1. Neu registrieren.</translation>
+        <translation>ihr gespeichertes Ergebnis wurde verworfen, weil die Falldatei seither geändert wurde: %1. Registrieren Sie erneut.</translation>
     </message>
     <message>
-        <source>where the vessels were followed to is left out, because it does not fit the run or the pose of the case. Follow them again.</source>
+        <source>the tracked poses were dropped because they do not match the run or the pose of the case. Track the vessels again.</source>
         <comment>case.followed-misfit</comment>
-        <translation>wohin die Gefäße verfolgt wurden, ist weggelassen, weil es nicht zur Serie oder zur Lage des Falls passt. Neu verfolgen.</translation>
+        <translation>die verfolgten Lagen wurden verworfen, weil sie nicht zur Serie oder zur Lage des Falls passen. Verfolgen Sie die Gefäße erneut.</translation>
     </message>
     <message>
-        <source>The vessels of a followed run are shown at their poses, but not bent: %1 Follow them again.</source>
+        <source>The vessels of a tracked run are shown at their poses, but without deformation: %1 Track them again.</source>
         <comment>case.bends-left-out</comment>
-        <translation>Die Gefäße einer verfolgten Serie werden in ihren Lagen gezeigt, aber nicht verbogen: %1 Neu verfolgen.</translation>
+        <translation>Die Gefäße einer verfolgten Serie werden in ihren Lagen gezeigt, aber ohne Verformung: %1 Verfolgen Sie sie erneut.</translation>
     </message>
     <message>
-        <source>the case names no file of their bends.</source>
+        <source>the case names no file with their deformations.</source>
         <comment>case.bends-unnamed</comment>
-        <translation>der Fall nennt keine Datei ihrer Verbiegungen.</translation>
+        <translation>der Fall nennt keine Datei mit ihren Verformungen.</translation>
     </message>
     <message>
-        <source>this is no file of bends.</source>
+        <source>this is not a deformation file.</source>
         <comment>case.bends-none</comment>
-        <translation>das ist keine Datei von Verbiegungen.</translation>
+        <translation>dies ist keine Verformungsdatei.</translation>
     </message>
     <message>
-        <source>the bends are of other vessels or frames.</source>
+        <source>the deformations belong to other vessels or frames.</source>
         <comment>case.bends-of-others</comment>
-        <translation>die Verbiegungen sind von anderen Gefäßen oder Bildern.</translation>
+        <translation>die Verformungen gehören zu anderen Gefäßen oder Bildern.</translation>
     </message>
     <message>
-        <source>the bends are damaged or cut short.</source>
+        <source>the deformations are damaged or truncated.</source>
         <comment>case.bends-cut</comment>
-        <translation>die Verbiegungen sind beschädigt oder abgeschnitten.</translation>
+        <translation>die Verformungen sind beschädigt oder unvollständig.</translation>
     </message>
     <message>
         <source>the file has changed since the case was saved.</source>
@@ -5536,7 +5536,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>the traced curves</source>
         <comment>part.curves</comment>
-        <translation>die gezeichneten Kurven</translation>
+        <translation>die erkannten Kurven</translation>
     </message>
     <message>
         <source>the geometry</source>
@@ -5544,7 +5544,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Geometrie</translation>
     </message>
     <message>
-        <source>the start pose</source>
+        <source>the initial pose</source>
         <comment>part.start-pose</comment>
         <translation>die Startlage</translation>
     </message>
@@ -5561,57 +5561,57 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>the options</source>
         <comment>part.options</comment>
-        <translation>die Einstellungen</translation>
+        <translation>die Optionen</translation>
     </message>
     <message>
-        <source>this is another DICOM image than the one the case was made for.</source>
+        <source>this DICOM image is not the one the case was created with.</source>
         <comment>case.other-image</comment>
-        <translation>das ist ein anderes DICOM-Bild als das des Falls.</translation>
+        <translation>dies ist nicht das DICOM-Bild, mit dem der Fall erstellt wurde.</translation>
     </message>
     <message>
-        <source>%1 The edited vessels are in the case; it opens without the file.</source>
+        <source>%1 The case contains the edited vessels and opens without the file.</source>
         <comment>case.opens-without</comment>
-        <translation>%1 Die bearbeiteten Gefäße sind im Fall; er öffnet ohne die Datei.</translation>
+        <translation>%1 Der Fall enthält die bearbeiteten Gefäße und lässt sich ohne die Datei öffnen.</translation>
     </message>
     <message>
-        <source>the tree has no branch %1; it is left out.</source>
+        <source>the tree has no branch %1; the entry is ignored.</source>
         <comment>case.branch-left-out</comment>
-        <translation>der Baum hat keinen Ast %1; er wird ausgelassen.</translation>
+        <translation>der Baum hat keinen Ast %1; der Eintrag wird ignoriert.</translation>
     </message>
     <message>
-        <source>Another view is left out: %1</source>
+        <source>Another view was left out: %1</source>
         <comment>case.view-left-out</comment>
-        <translation>Eine weitere Ansicht wird ausgelassen: %1</translation>
+        <translation>Eine weitere Ansicht wurde ausgelassen: %1</translation>
     </message>
     <message>
-        <source>line %1: the name &apos;%2&apos; is no folder name. Use one without &apos;/&apos;.</source>
+        <source>line %1: &apos;%2&apos; is not a valid folder name. Use one without &apos;/&apos;.</source>
         <comment>batch.no-folder-name</comment>
-        <translation>Zeile %1: „%2“ ist kein Ordnername. Einen ohne „/“ wählen.</translation>
+        <translation>Zeile %1: „%2“ ist kein gültiger Ordnername. Verwenden Sie einen ohne „/“.</translation>
     </message>
     <message>
-        <source>line %1: the frame &apos;%2&apos; is no whole number.</source>
+        <source>line %1: the frame &apos;%2&apos; is not an integer.</source>
         <comment>batch.frame-no-number</comment>
         <translation>Zeile %1: das Bild „%2“ ist keine ganze Zahl.</translation>
     </message>
     <message>
-        <source>line %1: the name &apos;%2&apos; is taken. Give each case its own.</source>
+        <source>line %1: the name &apos;%2&apos; is already used. Use a unique name for each case.</source>
         <comment>batch.name-twice</comment>
-        <translation>Zeile %1: der Name „%2“ ist vergeben. Jedem Fall einen eigenen geben.</translation>
+        <translation>Zeile %1: Der Name „%2“ ist schon vergeben. Verwenden Sie für jeden Fall einen eigenen Namen.</translation>
     </message>
     <message>
-        <source>the column %1 is missing. Give a folder that `angiopose-cli evaluate` wrote.</source>
+        <source>the column %1 is missing. Choose a folder written by `angiopose-cli evaluate`.</source>
         <comment>runs.column-missing</comment>
-        <translation>die Spalte %1 fehlt. Einen Ordner angeben, den `angiopose-cli evaluate` geschrieben hat.</translation>
+        <translation>die Spalte %1 fehlt. Wählen Sie einen Ordner, den `angiopose-cli evaluate` geschrieben hat.</translation>
     </message>
     <message>
-        <source>line %1, column %2 holds no number. Give a folder that `angiopose-cli evaluate` wrote.</source>
+        <source>line %1, column %2 is not a number. Choose a folder written by `angiopose-cli evaluate`.</source>
         <comment>runs.no-number</comment>
-        <translation>Zeile %1, Spalte %2 enthält keine Zahl. Einen Ordner angeben, den `angiopose-cli evaluate` geschrieben hat.</translation>
+        <translation>Zeile %1, Spalte %2 ist keine Zahl. Wählen Sie einen Ordner, den `angiopose-cli evaluate` geschrieben hat.</translation>
     </message>
     <message>
-        <source>it mixes experiments or seeds. Give each its own folder.</source>
+        <source>the folder mixes experiments or seeds. Use a separate folder for each.</source>
         <comment>runs.mixed</comment>
-        <translation>mischt Experimente oder Startwerte. Jedem einen eigenen Ordner geben.</translation>
+        <translation>der Ordner mischt Experimente oder Startwerte. Verwenden Sie für jedes einen eigenen Ordner.</translation>
     </message>
     <message>
         <source>reading was stopped.</source>
@@ -5619,29 +5619,29 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das Lesen wurde angehalten.</translation>
     </message>
     <message>
-        <source>there is no such file. Check the path.</source>
+        <source>the file does not exist. Check the path.</source>
         <comment>file.missing</comment>
-        <translation>die Datei gibt es nicht. Pfad prüfen.</translation>
+        <translation>die Datei existiert nicht. Prüfen Sie den Pfad.</translation>
     </message>
     <message>
-        <source>it cannot be reached (%1). Check the path.</source>
+        <source>the file cannot be accessed (%1). Check the path.</source>
         <comment>file.unreachable</comment>
-        <translation>ist nicht erreichbar (%1). Pfad prüfen.</translation>
+        <translation>auf die Datei kann nicht zugegriffen werden (%1). Prüfen Sie den Pfad.</translation>
     </message>
     <message>
-        <source>it cannot be opened (%1). Check that you may read it.</source>
+        <source>the file cannot be opened (%1). Check your read permission.</source>
         <comment>file.not-opened</comment>
-        <translation>lässt sich nicht öffnen (%1). Leserechte prüfen.</translation>
+        <translation>die Datei lässt sich nicht öffnen (%1). Prüfen Sie die Leserechte.</translation>
     </message>
     <message>
-        <source>it cannot be read (%1). Copy it to a local disk.</source>
+        <source>the file cannot be read (%1). Copy it to a local disk.</source>
         <comment>file.not-read</comment>
-        <translation>lässt sich nicht lesen (%1). Auf eine lokale Platte kopieren.</translation>
+        <translation>die Datei lässt sich nicht lesen (%1). Kopieren Sie sie auf eine lokale Festplatte.</translation>
     </message>
     <message>
-        <source>it cannot be written (%1). Choose another folder or make room.</source>
+        <source>the file cannot be written (%1). Choose another folder, or free disk space.</source>
         <comment>file.not-written</comment>
-        <translation>lässt sich nicht schreiben (%1). Anderen Ordner wählen oder Platz schaffen.</translation>
+        <translation>die Datei lässt sich nicht schreiben (%1). Wählen Sie einen anderen Ordner, oder schaffen Sie Speicherplatz.</translation>
     </message>
     <message>
         <source>this is a folder. Choose a file in it.</source>
@@ -5651,7 +5651,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>this is not a regular file. Choose a file on disk.</source>
         <comment>file.not-regular</comment>
-        <translation>das ist keine gewöhnliche Datei. Eine Datei auf der Platte wählen.</translation>
+        <translation>dies ist keine reguläre Datei. Wählen Sie eine Datei auf der Festplatte.</translation>
     </message>
     <message>
         <source>the file is empty. Export or copy it again.</source>
@@ -5659,14 +5659,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Datei ist leer. Neu exportieren oder kopieren.</translation>
     </message>
     <message>
-        <source>this is a Git LFS pointer, not the file itself. Run `git lfs pull` where it came from.</source>
+        <source>this is a Git LFS pointer, not the file itself. Run `git lfs pull` in its repository.</source>
         <comment>file.lfs-pointer</comment>
-        <translation>das ist ein Git-LFS-Verweis, nicht die Datei selbst. Am Ursprungsort `git lfs pull` ausführen.</translation>
+        <translation>dies ist ein Git-LFS-Verweis, nicht die Datei selbst. Führen Sie `git lfs pull` in ihrem Repository aus.</translation>
     </message>
     <message>
-        <source>this is not a place for a file. Give a file name in an existing folder.</source>
+        <source>a file cannot be saved here. Enter a file name in an existing folder.</source>
         <comment>file.no-place</comment>
-        <translation>hier kann keine Datei liegen. Einen Namen in einem vorhandenen Ordner angeben.</translation>
+        <translation>hier lässt sich keine Datei speichern. Geben Sie einen Dateinamen in einem vorhandenen Ordner ein.</translation>
     </message>
     <message>
         <source>the unit must be a positive length in mm.</source>
@@ -5674,29 +5674,29 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Einheit muss eine positive Länge in mm sein.</translation>
     </message>
     <message>
-        <source>it declares more data than memory holds. The file is damaged; export it again.</source>
+        <source>the file declares more data than fits into memory. It is damaged; export it again.</source>
         <comment>file.larger-than-memory</comment>
-        <translation>nennt mehr Daten, als in den Speicher passen. Die Datei ist beschädigt; neu exportieren.</translation>
+        <translation>die Datei nennt mehr Daten, als in den Speicher passen. Sie ist beschädigt; exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>it is decoded by the program %1, which is not there or does not start. Install AngioPose again.</source>
+        <source>the decoder %1 is missing or does not start. Reinstall AngioPose.</source>
         <comment>file.decoder-missing</comment>
-        <translation>wird von dem Programm %1 dekodiert, das fehlt oder nicht startet. AngioPose neu installieren.</translation>
+        <translation>der Dekodierer %1 fehlt oder startet nicht. Installieren Sie AngioPose neu.</translation>
     </message>
     <message>
-        <source>its content makes the decoder fail. The file is damaged; export it again, or in another format.</source>
+        <source>the decoder fails on its content. The file is damaged; export it again, or in another format.</source>
         <comment>file.decoder-died</comment>
-        <translation>ihr Inhalt lässt den Dekodierer scheitern. Die Datei ist beschädigt; neu oder in einem anderen Format exportieren.</translation>
+        <translation>der Dekodierer scheitert an ihrem Inhalt. Die Datei ist beschädigt; exportieren Sie sie neu oder in einem anderen Format.</translation>
     </message>
     <message>
-        <source>decoding it takes far longer than a file of its size may. The file is damaged; export it again.</source>
+        <source>decoding takes far longer than expected for its file size. The file is damaged; export it again.</source>
         <comment>file.decoder-too-long</comment>
-        <translation>das Dekodieren dauert viel länger, als eine Datei dieser Größe brauchen darf. Die Datei ist beschädigt; neu exportieren.</translation>
+        <translation>das Dekodieren dauert viel länger, als für die Dateigröße zu erwarten ist. Die Datei ist beschädigt; exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>decoding it takes far more memory than a file of its size may. The file is damaged; export it again.</source>
+        <source>decoding takes far more memory than expected for its file size. The file is damaged; export it again.</source>
         <comment>file.decoder-too-large</comment>
-        <translation>das Dekodieren braucht viel mehr Speicher, als eine Datei dieser Größe brauchen darf. Die Datei ist beschädigt; neu exportieren.</translation>
+        <translation>das Dekodieren braucht viel mehr Speicher, als für die Dateigröße zu erwarten ist. Die Datei ist beschädigt; exportieren Sie sie neu.</translation>
     </message>
     <message>
         <source>SHA-256 cannot be computed. Check the OpenSSL installation.</source>
@@ -5709,29 +5709,29 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Ordner lässt sich nicht lesen (%1). Pfad prüfen.</translation>
     </message>
     <message>
-        <source>the folder cannot be read to its end. Copy it to a local disk.</source>
+        <source>the folder cannot be read completely. Copy it to a local disk.</source>
         <comment>folder.not-read-to-end</comment>
-        <translation>der Ordner lässt sich nicht zu Ende lesen. Auf eine lokale Platte kopieren.</translation>
+        <translation>der Ordner lässt sich nicht vollständig lesen. Kopieren Sie ihn auf eine lokale Festplatte.</translation>
     </message>
     <message>
-        <source>it holds more than 50000 files. Choose the folder of one study.</source>
+        <source>the folder contains more than 50000 files. Choose the folder of one study.</source>
         <comment>folder.too-full</comment>
-        <translation>enthält über 50000 Dateien. Den Ordner einer einzelnen Untersuchung wählen.</translation>
+        <translation>der Ordner enthält über 50000 Dateien. Wählen Sie den Ordner einer einzelnen Studie.</translation>
     </message>
     <message>
-        <source>its JSON is nested more than %1 levels deep. This is no file of this program.</source>
+        <source>its JSON is nested more than %1 levels deep. AngioPose does not write such files.</source>
         <comment>json.too-deep</comment>
-        <translation>das JSON ist mehr als %1 Ebenen tief. Das ist keine Datei dieses Programms.</translation>
+        <translation>das JSON ist mehr als %1 Ebenen tief verschachtelt. AngioPose schreibt keine solchen Dateien.</translation>
     </message>
     <message>
-        <source>it is not valid JSON at line %1. Correct it there.</source>
+        <source>the JSON is invalid at line %1. Correct the file, or restore a backup.</source>
         <comment>json.invalid</comment>
-        <translation>ist in Zeile %1 kein gültiges JSON. Dort berichtigen.</translation>
+        <translation>das JSON ist in Zeile %1 ungültig. Berichtigen Sie die Datei, oder stellen Sie eine Sicherung wieder her.</translation>
     </message>
     <message>
-        <source>a number in it is too large for a double. Correct it.</source>
+        <source>the file contains a number too large for a double. Correct it.</source>
         <comment>json.number-too-large</comment>
-        <translation>eine Zahl darin ist zu groß für double. Berichtigen.</translation>
+        <translation>die Datei enthält eine Zahl, die für double zu groß ist. Berichtigen Sie sie.</translation>
     </message>
     <message>
         <source>this is not a text table. Choose a CSV file with a header row.</source>
@@ -5739,39 +5739,39 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das ist keine Texttabelle. Eine CSV-Datei mit Kopfzeile wählen.</translation>
     </message>
     <message>
-        <source>line %1 has %2 columns, the first line has %3. Separate columns by commas and use . as decimal point.</source>
+        <source>line %1 has %2 columns, but the first line has %3. Separate columns by commas and use . as decimal point.</source>
         <comment>table.columns</comment>
-        <translation>Zeile %1 hat %2 Spalten, die erste hat %3. Spalten durch Kommas trennen, Dezimalpunkt verwenden.</translation>
+        <translation>Zeile %1 hat %2 Spalten, die erste hat %3. Trennen Sie Spalten durch Kommas, und verwenden Sie . als Dezimalzeichen.</translation>
     </message>
     <message>
         <source>line %1, column %2: &quot;%3&quot; is not a finite number. Correct or remove the line.</source>
         <comment>table.no-number</comment>
-        <translation>Zeile %1, Spalte %2: &quot;%3&quot; ist keine endliche Zahl. Berichtigen oder entfernen.</translation>
+        <translation>Zeile %1, Spalte %2: „%3“ ist keine endliche Zahl. Berichtigen oder entfernen Sie die Zeile.</translation>
     </message>
     <message>
-        <source>line %1: the branch must be a whole number. Correct the line.</source>
+        <source>line %1: the branch must be an integer. Correct the line.</source>
         <comment>table.branch-no-number</comment>
-        <translation>Zeile %1: branch muss eine ganze Zahl sein. Berichtigen.</translation>
+        <translation>Zeile %1: branch muss eine ganze Zahl sein. Berichtigen Sie die Zeile.</translation>
     </message>
     <message>
-        <source>it does not hold one ITK transform. Export a single rigid transform.</source>
+        <source>the file must contain exactly one ITK transform. Export a single rigid transform.</source>
         <comment>pose.no-transform</comment>
-        <translation>enthält nicht genau eine ITK-Transformation. Eine einzelne starre Transformation exportieren.</translation>
+        <translation>die Datei muss genau eine ITK-Transformation enthalten. Exportieren Sie eine einzelne starre Transformation.</translation>
     </message>
     <message>
-        <source>its transform &quot;%1&quot; is not rigid, or lacks parameters. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
+        <source>its transform &quot;%1&quot; is not rigid, or parameters are missing. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
         <comment>pose.not-rigid-transform</comment>
-        <translation>die Transformation &quot;%1&quot; ist nicht starr oder hat zu wenig Parameter. Eine starre exportieren (affine, Euler3D oder VersorRigid3D).</translation>
+        <translation>die Transformation „%1“ ist nicht starr, oder es fehlen Parameter. Exportieren Sie eine starre (affine, Euler3D oder VersorRigid3D).</translation>
     </message>
     <message>
-        <source>its centre is not finite. Export the transform again.</source>
+        <source>the center of the transform is not finite. Export the transform again.</source>
         <comment>pose.centre-not-finite</comment>
-        <translation>der Mittelpunkt ist nicht endlich. Die Transformation neu exportieren.</translation>
+        <translation>der Mittelpunkt der Transformation ist nicht endlich. Exportieren Sie die Transformation neu.</translation>
     </message>
     <message>
-        <source>it has no matrix `cameraFromPatient` of four rows of four numbers, at the top or in `pose`. Give one.</source>
+        <source>the file has no 4 x 4 matrix `cameraFromPatient`, at the top level or in `pose`. Add one.</source>
         <comment>pose.no-matrix</comment>
-        <translation>hat keine Matrix `cameraFromPatient` mit vier Zeilen zu vier Zahlen, weder oben noch in `pose`. Eine angeben.</translation>
+        <translation>die Datei hat keine 4 x 4-Matrix `cameraFromPatient`, weder auf oberster Ebene noch in `pose`. Fügen Sie eine hinzu.</translation>
     </message>
     <message>
         <source>cameraFromPatient must have four rows of four numbers.</source>
@@ -5779,34 +5779,34 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>cameraFromPatient muss vier Zeilen zu vier Zahlen haben.</translation>
     </message>
     <message>
-        <source>cameraFromPatient has an entry that is not a finite number.</source>
+        <source>cameraFromPatient contains a value that is not a finite number.</source>
         <comment>pose.not-finite</comment>
-        <translation>cameraFromPatient enthält einen Eintrag, der keine endliche Zahl ist.</translation>
+        <translation>cameraFromPatient enthält einen Wert, der keine endliche Zahl ist.</translation>
     </message>
     <message>
-        <source>the last row of cameraFromPatient must be 0 0 0 1. Is the matrix transposed?</source>
+        <source>the last row of cameraFromPatient must be 0 0 0 1. Check whether the matrix is transposed.</source>
         <comment>pose.last-row</comment>
-        <translation>die letzte Zeile von cameraFromPatient muss 0 0 0 1 sein. Ist die Matrix transponiert?</translation>
+        <translation>die letzte Zeile von cameraFromPatient muss 0 0 0 1 sein. Prüfen Sie, ob die Matrix transponiert ist.</translation>
     </message>
     <message>
-        <source>cameraFromPatient is a reflection (determinant below 0). A mirrored image belongs into the sign of fx, never into the rotation.</source>
+        <source>cameraFromPatient is a reflection (determinant below 0). Represent a mirrored image by the sign of fx, not by the rotation.</source>
         <comment>pose.reflection</comment>
-        <translation>cameraFromPatient ist eine Spiegelung (Determinante unter 0). Ein gespiegeltes Bild gehört ins Vorzeichen von fx, nie in die Drehung.</translation>
+        <translation>cameraFromPatient ist eine Spiegelung (Determinante unter 0). Ein gespiegeltes Bild gehört in das Vorzeichen von fx, nicht in die Drehung.</translation>
     </message>
     <message>
-        <source>the upper left 3 x 3 of cameraFromPatient is not a rotation (scale or shear). Give a rigid pose in mm.</source>
+        <source>the upper left 3 x 3 block of cameraFromPatient is not a rotation (scale or shear). Provide a rigid pose in mm.</source>
         <comment>pose.no-rotation</comment>
-        <translation>die linken oberen 3 x 3 von cameraFromPatient sind keine Drehung (Skalierung oder Scherung). Eine starre Lage in mm angeben.</translation>
+        <translation>der linke obere 3 x 3-Block von cameraFromPatient ist keine Drehung (Skalierung oder Scherung). Geben Sie eine starre Lage in mm an.</translation>
     </message>
     <message>
-        <source>it is too large for a pose. Choose a .json, .tfm, .mat or .h5 file.</source>
+        <source>the file is too large for a pose. Choose a .json, .tfm, .mat or .h5 file.</source>
         <comment>pose.too-large</comment>
-        <translation>ist zu groß für eine Lage. Eine .json-, .tfm-, .mat- oder .h5-Datei wählen.</translation>
+        <translation>die Datei ist zu groß für eine Lage. Wählen Sie eine .json-, .tfm-, .mat- oder .h5-Datei.</translation>
     </message>
     <message>
-        <source>this is no pose. Choose a .json, or an ITK .tfm, .mat or .h5 file.</source>
+        <source>this is not a pose. Choose a .json file, or an ITK .tfm, .mat or .h5 file.</source>
         <comment>pose.unknown</comment>
-        <translation>das ist keine Lage. Eine .json-Datei oder eine von ITK (.tfm, .mat, .h5) wählen.</translation>
+        <translation>dies ist keine Lage. Wählen Sie eine .json-Datei, oder eine ITK-Datei (.tfm, .mat, .h5).</translation>
     </message>
     <message>
         <source>the pose is not a rigid motion of finite numbers. Reset it before saving.</source>
@@ -5814,14 +5814,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Lage ist keine starre Bewegung endlicher Zahlen. Vor dem Speichern zurücksetzen.</translation>
     </message>
     <message>
-        <source>poses are written as .json, .tfm or .h5. Change the extension.</source>
+        <source>poses can be saved as .json, .tfm or .h5. Change the extension.</source>
         <comment>pose.extension</comment>
-        <translation>Lagen werden als .json, .tfm oder .h5 geschrieben. Die Endung ändern.</translation>
+        <translation>Lagen lassen sich als .json, .tfm oder .h5 speichern. Ändern Sie die Endung.</translation>
     </message>
     <message>
         <source>this is not a log of observer trials. Choose another name.</source>
         <comment>observer-log.not-one</comment>
-        <translation>das ist kein Protokoll von Beobachterversuchen. Anderen Namen wählen.</translation>
+        <translation>dies ist kein Protokoll von Beobachterversuchen. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>a gzip archive</source>
@@ -5934,64 +5934,64 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>eine JSON-Datei</translation>
     </message>
     <message>
-        <source>Colour image converted to grey.</source>
+        <source>Color image converted to grayscale.</source>
         <comment>image.colour-to-grey</comment>
         <translation>Farbbild in Graustufen umgewandelt.</translation>
     </message>
     <message>
         <source>The transparency of the image is ignored.</source>
         <comment>image.transparency-ignored</comment>
-        <translation>Die Transparenz des Bildes bleibt unbeachtet.</translation>
+        <translation>Die Transparenz des Bildes wird ignoriert.</translation>
     </message>
     <message>
         <source>A plain image has no C-arm geometry: enter it in the geometry of the case.</source>
         <comment>image.no-geometry</comment>
-        <translation>Ein einfaches Bild hat keine C-Bogen-Geometrie: in der Geometrie des Falls eintragen.</translation>
+        <translation>Ein einfaches Bild hat keine C-Bogen-Geometrie: Tragen Sie sie in der Geometrie des Falls ein.</translation>
     </message>
     <message>
-        <source>The picture is a mask of two levels: its vessels are taken as they are drawn.</source>
+        <source>The image is a two-level mask: its vessels are used as drawn.</source>
         <comment>image.is-mask</comment>
-        <translation>Das Bild ist eine Maske aus zwei Stufen: Die Gefäße werden übernommen, wie sie gezeichnet sind.</translation>
+        <translation>Das Bild ist eine zweistufige Maske: Die Gefäße werden übernommen, wie sie gezeichnet sind.</translation>
     </message>
     <message>
-        <source>this is no image that this program reads. Choose a DICOM XA run, a PNG, TIFF or JPEG image.</source>
+        <source>unsupported image format. Choose a DICOM XA run, or a PNG, TIFF or JPEG image.</source>
         <comment>image.unknown</comment>
-        <translation>das ist kein Bild, das dieses Programm liest. Eine DICOM-XA-Serie, ein PNG-, TIFF- oder JPEG-Bild wählen.</translation>
+        <translation>nicht unterstütztes Bildformat. Wählen Sie eine DICOM-XA-Serie, oder ein PNG-, TIFF- oder JPEG-Bild.</translation>
     </message>
     <message>
-        <source>this is %1, not an angiogram. Choose a DICOM XA run, a PNG, TIFF or JPEG image.</source>
+        <source>this is %1, not an angiogram. Choose a DICOM XA run, or a PNG, TIFF or JPEG image.</source>
         <comment>image.is-other</comment>
-        <translation>das ist %1, kein Angiogramm. Eine DICOM-XA-Serie, ein PNG-, TIFF- oder JPEG-Bild wählen.</translation>
+        <translation>dies ist %1, kein Angiogramm. Wählen Sie eine DICOM-XA-Serie, oder ein PNG-, TIFF- oder JPEG-Bild.</translation>
     </message>
     <message>
-        <source>this is a gzip archive without a readable DICOM file in it. Unpack it and choose the angiogram itself.</source>
+        <source>this gzip archive contains no readable DICOM file. Unpack it and choose the angiogram itself.</source>
         <comment>image.gzip-without-dicom</comment>
-        <translation>das ist ein gzip-Archiv ohne lesbare DICOM-Datei. Auspacken und das Angiogramm selbst wählen.</translation>
+        <translation>dieses gzip-Archiv enthält keine lesbare DICOM-Datei. Entpacken Sie es, und wählen Sie das Angiogramm selbst.</translation>
     </message>
     <message>
-        <source>the image is damaged or cut short. Copy or export it again.</source>
+        <source>the image is damaged or truncated. Copy or export it again.</source>
         <comment>image.damaged</comment>
         <translation>das Bild ist beschädigt oder unvollständig. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
-        <source>the image is damaged or of an unusual kind. Export it in grey or RGB with 8 or 16 bits, without tiles.</source>
+        <source>the image is damaged or in an unsupported format. Export it in gray or RGB with 8 or 16 bits, without tiles.</source>
         <comment>image.unusual</comment>
-        <translation>das Bild ist beschädigt oder ungewöhnlich. In Grau oder RGB mit 8 oder 16 Bit ohne Kacheln exportieren.</translation>
+        <translation>das Bild ist beschädigt oder hat ein nicht unterstütztes Format. Exportieren Sie es in Grau oder RGB mit 8 oder 16 Bit, ohne Kacheln.</translation>
     </message>
     <message>
-        <source>the image has fewer than 8 pixels on a side, or more than this program holds. Export the angiogram at its own size.</source>
+        <source>the image has fewer than 8 pixels on a side, or more than AngioPose supports. Export the angiogram at its original size.</source>
         <comment>image.size</comment>
-        <translation>das Bild hat weniger als 8 Pixel je Seite, oder mehr als dieses Programm fasst. Das Angiogramm in eigener Größe exportieren.</translation>
+        <translation>das Bild hat weniger als 8 Pixel je Seite, oder mehr, als AngioPose unterstützt. Exportieren Sie das Angiogramm in Originalgröße.</translation>
     </message>
     <message>
-        <source>the frames differ in size. All frames of a run must be equally large.</source>
+        <source>the frames differ in size. All frames of a run must have the same size.</source>
         <comment>image.frames-differ</comment>
         <translation>die Bilder sind verschieden groß. Alle Bilder einer Serie müssen gleich groß sein.</translation>
     </message>
     <message>
-        <source>there is no picture to write. Render or trace one first.</source>
+        <source>there is no image to write. Render or trace one first.</source>
         <comment>image.no-picture</comment>
-        <translation>kein Bild zu schreiben. Zuerst eines erzeugen.</translation>
+        <translation>kein Bild zu schreiben. Erzeugen Sie zuerst eines.</translation>
     </message>
     <message>
         <source>a pixel is not a finite number. Correct the image before writing it.</source>
@@ -6004,54 +6004,54 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ein Pixel ist keine endliche Zahl. Das Bild neu exportieren.</translation>
     </message>
     <message>
-        <source>this is %1, not a 2-D centreline. Choose a CSV table or a PNG mask.</source>
+        <source>this is %1, not a 2-D centerline. Choose a CSV table or a PNG mask.</source>
         <comment>centreline.is-other</comment>
-        <translation>das ist %1, keine 2-D-Mittellinie. Eine CSV-Tabelle oder PNG-Maske wählen.</translation>
+        <translation>dies ist %1, keine 2-D-Mittellinie. Wählen Sie eine CSV-Tabelle oder eine PNG-Maske.</translation>
     </message>
     <message>
-        <source>this is not a mask of two levels. Draw the vessels white on black.</source>
+        <source>this is not a two-level mask. Draw the vessels white on black.</source>
         <comment>centreline.no-mask</comment>
-        <translation>das ist keine Maske mit zwei Stufen. Die Gefäße weiß auf schwarz zeichnen.</translation>
+        <translation>dies ist keine zweistufige Maske. Zeichnen Sie die Gefäße weiß auf schwarz.</translation>
     </message>
     <message>
-        <source>the header row has no columns x and y. The first line must name the columns: x,y and, where known, branch,radius (px).</source>
+        <source>the header row has no columns x and y. The first line must name the columns: x,y and, if available, branch,radius (px).</source>
         <comment>centreline.no-columns</comment>
-        <translation>der Kopfzeile fehlen die Spalten x und y. Die erste Zeile muss die Spalten nennen: x,y und, wo bekannt, branch,radius (px).</translation>
+        <translation>in der Kopfzeile fehlen die Spalten x und y. Die erste Zeile muss die Spalten nennen: x,y und, falls vorhanden, branch,radius (px).</translation>
     </message>
     <message>
-        <source>it has a column z: this is a 3-D centreline. Choose the centreline traced in the image.</source>
+        <source>the file has a column z, so it is a 3-D centerline. Choose the centerline traced in the image.</source>
         <comment>centreline.is-3d</comment>
-        <translation>hat eine Spalte z: das ist eine 3-D-Mittellinie. Die im Bild erkannte Mittellinie wählen.</translation>
+        <translation>die Datei hat eine Spalte z, ist also eine 3-D-Mittellinie. Wählen Sie die im Bild erkannte Mittellinie.</translation>
     </message>
     <message>
-        <source>it has more than a million points. Resample the centreline.</source>
+        <source>the file has more than a million points. Resample the centerline.</source>
         <comment>centreline.too-long</comment>
-        <translation>hat über eine Million Punkte. Die Mittellinie ausdünnen.</translation>
+        <translation>die Datei hat über eine Million Punkte. Tasten Sie die Mittellinie neu ab.</translation>
     </message>
     <message>
-        <source>line %1 lies far outside any image. Coordinates are in pixels.</source>
+        <source>line %1 is far outside any image. Coordinates are in pixels.</source>
         <comment>centreline.outside</comment>
         <translation>Zeile %1 liegt weit außerhalb jedes Bildes. Koordinaten sind in Pixeln.</translation>
     </message>
     <message>
         <source>this is not a DICOM file. Choose a scan.</source>
         <comment>dicom.not-one</comment>
-        <translation>das ist keine DICOM-Datei. Einen Scan wählen.</translation>
+        <translation>dies ist keine DICOM-Datei. Wählen Sie einen Scan.</translation>
     </message>
     <message>
-        <source>its deflated content is damaged or cut short. Copy or export it again.</source>
+        <source>its deflate-compressed content is damaged or truncated. Copy or export it again.</source>
         <comment>dicom.deflate-damaged</comment>
-        <translation>der gepackte Inhalt ist beschädigt oder unvollständig. Neu kopieren oder exportieren.</translation>
+        <translation>der Deflate-komprimierte Inhalt ist beschädigt oder unvollständig. Kopieren oder exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>no DICOM element in it can be read. The file is damaged; copy or export it again.</source>
+        <source>it contains no readable DICOM element. The file is damaged; copy or export it again.</source>
         <comment>dicom.no-element</comment>
-        <translation>kein DICOM-Element darin ist lesbar. Die Datei ist beschädigt; neu kopieren oder exportieren.</translation>
+        <translation>sie enthält kein lesbares DICOM-Element. Die Datei ist beschädigt; kopieren oder exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>the element %1 declares %2 bytes, but %3 are left</source>
+        <source>element %1 declares %2 bytes, but only %3 remain</source>
         <comment>dicom.element-too-long</comment>
-        <translation>das Element %1 nennt %2 Bytes, es bleiben aber %3</translation>
+        <translation>das Element %1 nennt %2 Bytes, es bleiben aber nur %3</translation>
     </message>
     <message>
         <source>the sequence %1 has no end</source>
@@ -6059,9 +6059,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Sequenz %1 hat kein Ende</translation>
     </message>
     <message>
-        <source>it ends in the middle of an element</source>
+        <source>it ends within an element</source>
         <comment>dicom.ends-within</comment>
-        <translation>endet mitten in einem Element</translation>
+        <translation>endet innerhalb eines Elements</translation>
     </message>
     <message>
         <source>The end of the file is damaged (%1); the image is complete.</source>
@@ -6074,9 +6074,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 ist vor den Pixeln beschädigt: %2. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
-        <source>%1 holds no image. Choose the X-ray angiography run.</source>
+        <source>%1 contains no image. Choose the X-ray angiography run.</source>
         <comment>dicom.holds-no-image</comment>
-        <translation>%1 enthält kein Bild. Die Röntgenangiographie-Serie wählen.</translation>
+        <translation>%1 enthält kein Bild. Wählen Sie die Röntgenangiographie-Serie.</translation>
     </message>
     <message>
         <source>this DICOM file</source>
@@ -6089,17 +6089,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>diese DICOM-Datei (%1)</translation>
     </message>
     <message>
-        <source>its bits per pixel contradict each other. The header is damaged; export the run again.</source>
+        <source>its header has contradictory values for the bits per pixel. The header is damaged; export the run again.</source>
         <comment>dicom.bits-contradict</comment>
-        <translation>die Angaben der Bits je Pixel widersprechen sich. Der Header ist beschädigt; Serie neu exportieren.</translation>
+        <translation>die Angaben der Bits je Pixel widersprechen sich. Der Header ist beschädigt; exportieren Sie die Serie neu.</translation>
     </message>
     <message>
-        <source>it is stored in palette colours. Export the angiogram in grey.</source>
+        <source>it is stored in palette colors. Export the angiogram in grayscale.</source>
         <comment>dicom.palette-colours</comment>
         <translation>ist in Palettenfarben gespeichert. Das Angiogramm in Graustufen exportieren.</translation>
     </message>
     <message>
-        <source>its pixels (%1, %2 samples) are not grey or colour. Export the angiogram in grey.</source>
+        <source>its pixels (%1, %2 samples) are neither gray nor color. Export the angiogram in grayscale.</source>
         <comment>dicom.not-grey</comment>
         <translation>die Pixel (%1, %2 Werte) sind weder grau noch farbig. Das Angiogramm in Graustufen exportieren.</translation>
     </message>
@@ -6114,59 +6114,59 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Header nennt keine Bildgröße. Die Datei ist beschädigt; Serie neu exportieren.</translation>
     </message>
     <message>
-        <source>it declares %1 frames of %2 x %3 pixels, more than this program holds. Export fewer frames.</source>
+        <source>it declares %1 frames of %2 x %3 pixels, more than AngioPose supports. Export fewer frames.</source>
         <comment>dicom.too-many-frames</comment>
-        <translation>nennt %1 Bilder mit %2 x %3 Pixeln, mehr als dieses Programm fasst. Weniger Bilder exportieren.</translation>
+        <translation>nennt %1 Bilder mit %2 x %3 Pixeln, mehr als AngioPose unterstützt. Exportieren Sie weniger Bilder.</translation>
     </message>
     <message>
-        <source>its pixels are cut short: %1 of %2 bytes are there. Copy or export it again.</source>
+        <source>its pixel data are truncated: %1 of %2 bytes are present. Copy or export it again.</source>
         <comment>dicom.pixels-cut-short</comment>
         <translation>die Pixel sind unvollständig: %1 von %2 Bytes vorhanden. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
-        <source>its compressed pixels are cut short. Copy or export it again.</source>
+        <source>its compressed pixel data are truncated. Copy or export it again.</source>
         <comment>dicom.packed-pixels-cut-short</comment>
         <translation>die komprimierten Pixel sind unvollständig. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
-        <source>only %1 of its %2 frames are there. Copy or export it again.</source>
+        <source>only %1 of its %2 frames are present. Copy or export it again.</source>
         <comment>dicom.frames-missing</comment>
         <translation>nur %1 von %2 Bildern vorhanden. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
-        <source>frame %1 cannot be decoded (transfer syntax %2): damaged, cut short, or a compression this program does not read. Export the run again, uncompressed if possible.</source>
+        <source>frame %1 cannot be decoded (transfer syntax %2): it is damaged, truncated, or uses an unsupported compression. Export the run again, uncompressed if possible.</source>
         <comment>dicom.frame-undecodable</comment>
-        <translation>Bild %1 lässt sich nicht dekodieren (Transfersyntax %2): beschädigt, unvollständig oder unbekannte Kompression. Serie neu exportieren, möglichst unkomprimiert.</translation>
+        <translation>Bild %1 lässt sich nicht dekodieren (Transfersyntax %2): beschädigt, unvollständig oder nicht unterstützte Kompression. Exportieren Sie die Serie neu, möglichst unkomprimiert.</translation>
     </message>
     <message>
-        <source>Frames %1 of %2 cannot be decoded: they are shown empty, the others can be read. Export the run again where they matter.</source>
+        <source>Frames %1 of %2 cannot be decoded and are shown empty; the others can be read. Export the run again if you need them.</source>
         <comment>dicom.frames-lost</comment>
-        <translation>Die Bilder %1 von %2 lassen sich nicht dekodieren: Sie werden leer gezeigt, die anderen sind lesbar. Serie neu exportieren, wo sie gebraucht werden.</translation>
+        <translation>Die Bilder %1 von %2 lassen sich nicht dekodieren und werden leer gezeigt; die anderen sind lesbar. Exportieren Sie die Serie neu, wenn Sie sie brauchen.</translation>
     </message>
     <message>
-        <source>Frames %1 of %2 are damaged in part: what could be decoded is shown. Compare them with another viewer before you use one.</source>
+        <source>Frames %1 of %2 are partly damaged and shown as far as they could be decoded. Compare them with another viewer before you use them.</source>
         <comment>dicom.frames-flawed</comment>
-        <translation>Die Bilder %1 von %2 sind teilweise beschädigt: Gezeigt wird, was sich dekodieren ließ. Vor dem Gebrauch mit einem anderen Betrachter vergleichen.</translation>
+        <translation>Die Bilder %1 von %2 sind teilweise beschädigt und werden gezeigt, soweit sie sich dekodieren ließen. Vergleichen Sie sie vor dem Gebrauch mit einem anderen Betrachter.</translation>
     </message>
     <message>
-        <source>The image is damaged in part: what could be decoded is shown. Compare it with another viewer before you use it.</source>
+        <source>The image is partly damaged and shown as far as it could be decoded. Compare it with another viewer before you use it.</source>
         <comment>image.flawed</comment>
-        <translation>Das Bild ist teilweise beschädigt: Gezeigt wird, was sich dekodieren ließ. Vor dem Gebrauch mit einem anderen Betrachter vergleichen.</translation>
+        <translation>Das Bild ist teilweise beschädigt und wird gezeigt, soweit es sich dekodieren ließ. Vergleichen Sie es vor dem Gebrauch mit einem anderen Betrachter.</translation>
     </message>
     <message>
-        <source>it is only %1 x %2 pixels. Choose the angiogram at its full size.</source>
+        <source>it has only %1 x %2 pixels. Choose the angiogram at full size.</source>
         <comment>dicom.thumbnail</comment>
-        <translation>hat nur %1 x %2 Pixel. Das Angiogramm in voller Größe wählen.</translation>
+        <translation>hat nur %1 x %2 Pixel. Wählen Sie das Angiogramm in voller Größe.</translation>
     </message>
     <message>
         <source>This is %1, not X-ray angiography: it has no C-arm geometry.</source>
         <comment>dicom.not-xray</comment>
-        <translation>Das ist %1, keine Röntgenangiographie: ohne C-Bogen-Geometrie.</translation>
+        <translation>Dies ist %1, keine Röntgenangiographie: Es gibt keine C-Bogen-Geometrie.</translation>
     </message>
     <message>
         <source>the DICOM file could not be written. Choose another format.</source>
         <comment>dicom.not-written</comment>
-        <translation>Die DICOM-Datei ließ sich nicht schreiben. Anderes Format wählen.</translation>
+        <translation>die DICOM-Datei ließ sich nicht schreiben. Wählen Sie ein anderes Format.</translation>
     </message>
     <message>
         <source>there are no frames to write. Load or simulate an angiogram first.</source>
@@ -6194,29 +6194,29 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ein Bild ohne Modalität</translation>
     </message>
     <message>
-        <source>The header gives no imager pixel spacing: %1 is derived from the calibrated pixel spacing. Check it in the geometry.</source>
+        <source>The header contains no imager pixel spacing: %1 was derived from the calibrated pixel spacing. Check it in the geometry.</source>
         <comment>dicom.spacing-from-calibration</comment>
-        <translation>Der Header nennt keine Imager Pixel Spacing: %1 aus der kalibrierten Pixelgröße abgeleitet. In der Geometrie prüfen.</translation>
+        <translation>Der Header enthält kein Imager Pixel Spacing: %1 wurde aus der kalibrierten Pixelgröße abgeleitet. Prüfen Sie es in der Geometrie.</translation>
     </message>
     <message>
-        <source>The header gives no imager pixel spacing (0018,1164): %1 is derived from the field of view. Check it in the geometry.</source>
+        <source>The header contains no imager pixel spacing (0018,1164): %1 was derived from the field of view. Check it in the geometry.</source>
         <comment>dicom.spacing-from-field</comment>
-        <translation>Der Header nennt keine Imager Pixel Spacing (0018,1164): %1 aus dem Bildfeld abgeleitet. In der Geometrie prüfen.</translation>
+        <translation>Der Header enthält kein Imager Pixel Spacing (0018,1164): %1 wurde aus dem Bildfeld abgeleitet. Prüfen Sie es in der Geometrie.</translation>
     </message>
     <message>
-        <source>The header gives no imager pixel spacing (0018,1164): enter it in the geometry.</source>
+        <source>The header contains no imager pixel spacing (0018,1164): enter it in the geometry.</source>
         <comment>dicom.spacing-missing</comment>
-        <translation>Der Header nennt keine Imager Pixel Spacing (0018,1164): in der Geometrie eintragen.</translation>
+        <translation>Der Header enthält kein Imager Pixel Spacing (0018,1164): Tragen Sie es in der Geometrie ein.</translation>
     </message>
     <message>
-        <source>The header gives no imager pixel spacing (0018,1164): enter it in the geometry. The intensifier of %1 suggests at most %2.</source>
+        <source>The header contains no imager pixel spacing (0018,1164): enter it in the geometry. The image intensifier of %1 suggests at most %2.</source>
         <comment>dicom.spacing-missing-intensifier</comment>
-        <translation>Der Header nennt keine Imager Pixel Spacing (0018,1164): in der Geometrie eintragen. Der Bildverstärker mit %1 legt höchstens %2 nahe.</translation>
+        <translation>Der Header enthält kein Imager Pixel Spacing (0018,1164): Tragen Sie es in der Geometrie ein. Der Bildverstärker von %1 legt höchstens %2 nahe.</translation>
     </message>
     <message>
-        <source>The header gives only isocentre angles (0018,9463), whose signs are not certain: enter LAO/RAO and CRA/CAU in the geometry.</source>
+        <source>The header contains only isocenter angles (0018,9463), whose signs are ambiguous: enter LAO/RAO and CRA/CAU in the geometry.</source>
         <comment>dicom.angles-of-isocentre</comment>
-        <translation>Der Header nennt nur Isozentrumswinkel (0018,9463), deren Vorzeichen unsicher sind: LAO/RAO und CRA/CAU in der Geometrie eintragen.</translation>
+        <translation>Der Header enthält nur Isozentrumswinkel (0018,9463), deren Vorzeichen mehrdeutig sind: Tragen Sie LAO/RAO und CRA/CAU in der Geometrie ein.</translation>
     </message>
     <message>
         <source>The detector is tilted by %1 (0018,1530): the principal point is uncertain.</source>
@@ -6224,14 +6224,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Detektor ist um %1 gekippt (0018,1530): der Hauptpunkt ist unsicher.</translation>
     </message>
     <message>
-        <source>The image is taken as mirrored, after %1. Check that left and right are where they belong.</source>
+        <source>The image is assumed to be mirrored, based on %1. Check left and right.</source>
         <comment>dicom.image-mirrored</comment>
-        <translation>Das Bild gilt als gespiegelt, nach %1. Prüfen, ob links und rechts stimmen.</translation>
+        <translation>Das Bild wird als gespiegelt angenommen, auf Grundlage von %1. Prüfen Sie links und rechts.</translation>
     </message>
     <message>
-        <source>The C-arm moved during this run, but the header gives %1 for its %2 frames: the angles are those of the first frame. Check them for the frame you use.</source>
+        <source>The C-arm moved during this run, but the header contains %1 for its %2 frames: the angles of the first frame are used. Check them for the frame you use.</source>
         <comment>dicom.gantry-moved</comment>
-        <translation>Der C-Bogen hat sich bewegt, der Header nennt aber %1 für %2 Bilder: die Winkel sind die des ersten Bildes. Für das benutzte Bild prüfen.</translation>
+        <translation>Der C-Bogen hat sich während der Serie bewegt, der Header enthält aber %1 für %2 Bilder: Es werden die Winkel des ersten Bildes verwendet. Prüfen Sie sie für das benutzte Bild.</translation>
     </message>
     <message>
         <source>no angles</source>
@@ -6244,19 +6244,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1</translation>
     </message>
     <message>
-        <source>What was traced is hardly longer than wide: check that it is a vessel.</source>
+        <source>The traced structure is hardly longer than it is wide: check that it is a vessel.</source>
         <comment>vessels.compact</comment>
-        <translation>Das Erfasste ist kaum länger als breit: prüfen, ob es ein Gefäß ist.</translation>
+        <translation>Die erfasste Struktur ist kaum länger als breit: Prüfen Sie, ob es ein Gefäß ist.</translation>
     </message>
     <message>
-        <source>The vessels are %1 across, or of a width that is unusual: if the unit of the file is not the millimetre, give the unit.</source>
+        <source>The vessels measure %1 across, or have an unusual diameter: if the unit of the file is not millimeters, specify the unit.</source>
         <comment>vessels.unusual-size</comment>
-        <translation>Die Gefäße messen %1 im Ganzen oder sind ungewöhnlich breit oder schmal: ist die Einheit der Datei nicht der Millimeter, die Einheit angeben.</translation>
+        <translation>Die Gefäße messen insgesamt %1 oder haben einen ungewöhnlichen Durchmesser: Ist die Einheit der Datei nicht Millimeter, geben Sie die Einheit an.</translation>
     </message>
     <message>
-        <source>this is no surface that this program reads. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
+        <source>unsupported surface format. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
         <comment>surface.unknown</comment>
-        <translation>das ist keine Oberfläche, die dieses Programm liest. Eine .vtp-, .vtk-, .stl-, .ply- oder .obj-Datei wählen.</translation>
+        <translation>nicht unterstütztes Oberflächenformat. Wählen Sie eine .vtp-, .vtk-, .stl-, .ply- oder .obj-Datei.</translation>
     </message>
     <message>
         <source>this is %1, not a surface. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
@@ -6264,24 +6264,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das ist %1, keine Oberfläche. Eine .vtp-, .vtk-, .stl-, .ply- oder .obj-Datei wählen.</translation>
     </message>
     <message>
-        <source>it holds no triangles. Choose the surface of a vessel.</source>
+        <source>the file contains no triangles. Choose the surface of a vessel.</source>
         <comment>surface.no-triangles</comment>
-        <translation>enthält keine Dreiecke. Die Oberfläche eines Gefäßes wählen.</translation>
+        <translation>die Datei enthält keine Dreiecke. Wählen Sie die Oberfläche eines Gefäßes.</translation>
     </message>
     <message>
-        <source>none of its triangles has an area. Choose the surface of a vessel.</source>
+        <source>all its triangles have zero area. Choose the surface of a vessel.</source>
         <comment>surface.no-area</comment>
-        <translation>keines der Dreiecke hat eine Fläche. Die Oberfläche eines Gefäßes wählen.</translation>
+        <translation>alle Dreiecke haben die Fläche null. Wählen Sie die Oberfläche eines Gefäßes.</translation>
     </message>
     <message>
-        <source>it has more triangles than this program holds. Decimate the surface.</source>
+        <source>it has more triangles than AngioPose supports. Decimate the surface.</source>
         <comment>surface.too-large</comment>
-        <translation>hat mehr Dreiecke, als dieses Programm fasst. Die Oberfläche vereinfachen.</translation>
+        <translation>hat mehr Dreiecke, als AngioPose unterstützt. Vereinfachen Sie die Oberfläche.</translation>
     </message>
     <message>
-        <source>a coordinate is not a number, or beyond a kilometre. Correct or export it again.</source>
+        <source>a coordinate is not a number, or exceeds one kilometer. Correct it, or export the surface again.</source>
         <comment>surface.coordinate</comment>
-        <translation>eine Koordinate ist keine Zahl oder über einen Kilometer groß. Berichtigen oder neu exportieren.</translation>
+        <translation>eine Koordinate ist keine Zahl oder größer als ein Kilometer. Berichtigen Sie sie, oder exportieren Sie die Oberfläche neu.</translation>
     </message>
     <message>
         <source>a triangle refers to a point that does not exist. The file is damaged; export it again.</source>
@@ -6289,99 +6289,99 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ein Dreieck verweist auf einen Punkt, den es nicht gibt. Die Datei ist beschädigt; neu exportieren.</translation>
     </message>
     <message>
-        <source>its triangles are damaged or cut short. Copy or export it again.</source>
+        <source>its triangles are damaged or truncated. Copy or export it again.</source>
         <comment>surface.cut-short</comment>
         <translation>die Dreiecke sind beschädigt oder unvollständig. Neu kopieren oder exportieren.</translation>
     </message>
     <message>
-        <source>surfaces are written as .stl. Change the extension.</source>
+        <source>surfaces can be saved as .stl. Change the extension.</source>
         <comment>surface.extension</comment>
-        <translation>Oberflächen werden als .stl geschrieben. Die Endung ändern.</translation>
+        <translation>Oberflächen lassen sich als .stl speichern. Ändern Sie die Endung.</translation>
     </message>
     <message>
-        <source>The surface is not closed (%1 open and %2 crowded edges): its inside is decided by majority. Check the result, or close the holes.</source>
+        <source>The surface is not closed (%1 open and %2 non-manifold edges): its inside is determined by majority vote. Check the result, or close the holes.</source>
         <comment>surface.open</comment>
-        <translation>Die Oberfläche ist nicht geschlossen (%1 offene und %2 mehrfache Kanten): ihr Inneres entscheidet die Mehrheit. Ergebnis prüfen oder Löcher schließen.</translation>
+        <translation>Die Oberfläche ist nicht geschlossen (%1 offene und %2 mehrfache Kanten): Ihr Inneres wird durch Mehrheitsentscheid bestimmt. Prüfen Sie das Ergebnis, oder schließen Sie die Löcher.</translation>
     </message>
     <message>
-        <source>The triangles do not agree on inside and outside; overlapping parts may cancel out.</source>
+        <source>The triangles are inconsistently oriented; overlapping parts may cancel out.</source>
         <comment>surface.disoriented</comment>
-        <translation>Die Dreiecke sind sich über innen und außen uneins; überlappende Teile können sich aufheben.</translation>
+        <translation>Die Dreiecke sind uneinheitlich orientiert; überlappende Teile können sich aufheben.</translation>
     </message>
     <message>
-        <source>The surface is %1 across, which is unusual: if its unit is not the millimetre, give the unit.</source>
+        <source>The surface measures %1 across, which is unusual: if its unit is not millimeters, specify the unit.</source>
         <comment>surface.unusual-size</comment>
-        <translation>Die Oberfläche misst %1, das ist ungewöhnlich: wenn ihre Einheit nicht Millimeter ist, die Einheit angeben.</translation>
+        <translation>Die Oberfläche misst insgesamt %1, was ungewöhnlich ist: Ist ihre Einheit nicht Millimeter, geben Sie die Einheit an.</translation>
     </message>
     <message>
-        <source>Points astray were left out with their triangles, since they cannot be of one body with the others: %1 (no numbers, or farther than %2 from the middle). Check the surface.</source>
+        <source>Outlier points were removed with their triangles because they cannot belong to the same body: %1 (not numbers, or farther than %2 from the center). Check the surface.</source>
         <comment>surface.stray-points</comment>
-        <translation>Verirrte Punkte wurden mit ihren Dreiecken ausgelassen, da sie nicht zum selben Körper gehören können: %1 (keine Zahlen oder mehr als %2 von der Mitte). Die Oberfläche prüfen.</translation>
+        <translation>Ausreißerpunkte wurden mit ihren Dreiecken entfernt, da sie nicht zum selben Körper gehören können: %1 (keine Zahlen, oder mehr als %2 von der Mitte entfernt). Prüfen Sie die Oberfläche.</translation>
     </message>
     <message>
-        <source>the surface is %1 across, larger than any body. Give the unit of the file, or remove points that lie astray.</source>
+        <source>the surface measures %1 across, larger than any human body. Specify the unit of the file, or remove outlier points.</source>
         <comment>surface.larger-than-body</comment>
-        <translation>die Oberfläche misst %1, mehr als jeder Körper. Die Einheit der Datei angeben oder abseits liegende Punkte entfernen.</translation>
+        <translation>die Oberfläche misst insgesamt %1, mehr als jeder Körper. Geben Sie die Einheit der Datei an, oder entfernen Sie Ausreißerpunkte.</translation>
     </message>
     <message>
-        <source>line %1 does not give a point. The file is damaged; export it again.</source>
+        <source>line %1 is not a valid point. The file is damaged; export it again.</source>
         <comment>surface.obj-bad-point</comment>
-        <translation>Zeile %1 ergibt keinen Punkt. Die Datei ist beschädigt; neu exportieren.</translation>
+        <translation>Zeile %1 ist kein gültiger Punkt. Die Datei ist beschädigt; exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>its PLY header is damaged or cut short. Export it again.</source>
+        <source>its PLY header is damaged or truncated. Export it again.</source>
         <comment>surface.ply-header-damaged</comment>
         <translation>der PLY-Header ist beschädigt oder unvollständig. Neu exportieren.</translation>
     </message>
     <message>
         <source>its PLY header is damaged: the element &quot;%1&quot; has no properties. Export it again.</source>
         <comment>surface.ply-element-empty</comment>
-        <translation>der PLY-Header ist beschädigt: das Element &quot;%1&quot; hat keine Eigenschaften. Neu exportieren.</translation>
+        <translation>der PLY-Header ist beschädigt: Das Element „%1“ hat keine Eigenschaften. Exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>its PLY data are damaged or cut short, or a face has more than 255 corners. Export it again, as triangles.</source>
+        <source>its PLY data are damaged or truncated, or a face has more than 255 vertices. Export it again, as triangles.</source>
         <comment>surface.ply-data-damaged</comment>
-        <translation>ihre PLY-Daten sind beschädigt oder abgeschnitten, oder eine Fläche hat mehr als 255 Ecken. Neu exportieren, als Dreiecke.</translation>
+        <translation>ihre PLY-Daten sind beschädigt oder unvollständig, oder eine Fläche hat mehr als 255 Ecken. Exportieren Sie sie neu, als Dreiecke.</translation>
     </message>
     <message>
-        <source>this is %1, not a centreline. Choose a centreline file: .vtp, .vtk, .vtu, .csv, .swc or .mrk.json.</source>
+        <source>this is %1, not a centerline. Choose a centerline file: .vtp, .vtk, .vtu, .csv, .swc or .mrk.json.</source>
         <comment>tree.is-other</comment>
-        <translation>das ist %1, keine Mittellinie. Eine Mittelliniendatei wählen: .vtp, .vtk, .vtu, .csv, .swc oder .mrk.json.</translation>
+        <translation>dies ist %1, keine Mittellinie. Wählen Sie eine Mittelliniendatei: .vtp, .vtk, .vtu, .csv, .swc oder .mrk.json.</translation>
     </message>
     <message>
-        <source>this is no centreline format AngioPose reads. Choose a centreline file: .vtp, .vtk, .vtu, .csv, .swc or .mrk.json.</source>
+        <source>unsupported centerline format. Choose a centerline file: .vtp, .vtk, .vtu, .csv, .swc or .mrk.json.</source>
         <comment>tree.format-unknown</comment>
-        <translation>dieses Mittellinienformat liest AngioPose nicht. Eine Mittelliniendatei wählen: .vtp, .vtk, .vtu, .csv, .swc oder .mrk.json.</translation>
+        <translation>nicht unterstütztes Mittellinienformat. Wählen Sie eine Mittelliniendatei: .vtp, .vtk, .vtu, .csv, .swc oder .mrk.json.</translation>
     </message>
     <message>
-        <source>it does not begin like a VTK file. Export the centrelines again.</source>
+        <source>it does not start like a VTK file. Export the centerlines again.</source>
         <comment>tree.no-vtk-beginning</comment>
-        <translation>beginnt nicht wie eine VTK-Datei. Die Mittellinien neu exportieren.</translation>
+        <translation>beginnt nicht wie eine VTK-Datei. Exportieren Sie die Mittellinien neu.</translation>
     </message>
     <message>
-        <source>vessel trees are written as .vtp, .csv, .swc or .mrk.json. Change the extension.</source>
+        <source>vessel trees can be saved as .vtp, .csv, .swc or .mrk.json. Change the extension.</source>
         <comment>tree.extension</comment>
-        <translation>Gefäßbäume werden als .vtp, .csv, .swc oder .mrk.json geschrieben. Die Endung ändern.</translation>
+        <translation>Gefäßbäume lassen sich als .vtp, .csv, .swc oder .mrk.json speichern. Ändern Sie die Endung.</translation>
     </message>
     <message>
-        <source>it has %1 points; a centreline tree has at most %2. Resample the centrelines.</source>
+        <source>it has %1 points; a centerline tree has at most %2. Resample the centerlines.</source>
         <comment>tree.too-many-points</comment>
-        <translation>hat %1 Punkte; ein Gefäßbaum hat höchstens %2. Die Mittellinien ausdünnen.</translation>
+        <translation>hat %1 Punkte; ein Gefäßbaum hat höchstens %2. Tasten Sie die Mittellinien neu ab.</translation>
     </message>
     <message>
-        <source>it has %1 separate lines; a centreline tree has at most %2. Keep the vessels of interest.</source>
+        <source>it has %1 separate lines; a centerline tree has at most %2. Keep only the vessels of interest.</source>
         <comment>tree.too-many-lines</comment>
-        <translation>hat %1 getrennte Linien; ein Gefäßbaum hat höchstens %2. Nur die wichtigen Gefäße behalten.</translation>
+        <translation>hat %1 getrennte Linien; ein Gefäßbaum hat höchstens %2. Behalten Sie nur die relevanten Gefäße.</translation>
     </message>
     <message>
-        <source>it holds no lines. Choose a file with vessel centrelines.</source>
+        <source>the file contains no lines. Choose a file with vessel centerlines.</source>
         <comment>tree.no-lines</comment>
-        <translation>enthält keine Linien. Eine Datei mit Gefäß-Mittellinien wählen.</translation>
+        <translation>die Datei enthält keine Linien. Wählen Sie eine Datei mit Gefäßmittellinien.</translation>
     </message>
     <message>
-        <source>it holds a surface, not centrelines. Extract the centrelines first (e.g. with VMTK or Slicer) and open those.</source>
+        <source>the file contains a surface, not centerlines. Extract the centerlines first (e.g. with VMTK or Slicer) and open those.</source>
         <comment>tree.is-surface</comment>
-        <translation>enthält eine Oberfläche, keine Mittellinien. Diese zuerst berechnen (etwa mit VMTK oder Slicer) und öffnen.</translation>
+        <translation>die Datei enthält eine Oberfläche, keine Mittellinien. Extrahieren Sie zuerst die Mittellinien (z. B. mit VMTK oder Slicer), und öffnen Sie diese.</translation>
     </message>
     <message>
         <source>a line refers to a point that does not exist. The file is damaged; export it again.</source>
@@ -6389,14 +6389,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>eine Linie verweist auf einen Punkt, den es nicht gibt. Die Datei ist beschädigt; neu exportieren.</translation>
     </message>
     <message>
-        <source>its lines visit the same points too often. The file is damaged; export it again.</source>
+        <source>its lines pass through the same points too often. The file is damaged; export it again.</source>
         <comment>tree.points-repeated</comment>
-        <translation>die Linien besuchen dieselben Punkte zu oft. Die Datei ist beschädigt; neu exportieren.</translation>
+        <translation>die Linien durchlaufen dieselben Punkte zu oft. Die Datei ist beschädigt; exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>none of its lines has two different points. Choose a file with vessel centrelines.</source>
+        <source>none of its lines has two distinct points. Choose a file with vessel centerlines.</source>
         <comment>tree.no-length</comment>
-        <translation>keine der Linien hat zwei verschiedene Punkte. Eine Datei mit Gefäß-Mittellinien wählen.</translation>
+        <translation>keine der Linien hat zwei verschiedene Punkte. Wählen Sie eine Datei mit Gefäßmittellinien.</translation>
     </message>
     <message>
         <source>the third line of a legacy VTK file must be ASCII or BINARY. Export it again.</source>
@@ -6404,59 +6404,59 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die dritte Zeile einer alten VTK-Datei muss ASCII oder BINARY sein. Neu exportieren.</translation>
     </message>
     <message>
-        <source>it holds no data set, not POLYDATA or UNSTRUCTURED_GRID. Export the centrelines as poly-lines.</source>
+        <source>the file contains no POLYDATA or UNSTRUCTURED_GRID data set. Export the centerlines as polylines.</source>
         <comment>tree.vtk-no-data-set</comment>
-        <translation>enthält keinen Datensatz, kein POLYDATA oder UNSTRUCTURED_GRID. Die Mittellinien als Polylinien exportieren.</translation>
+        <translation>die Datei enthält keinen Datensatz POLYDATA oder UNSTRUCTURED_GRID. Exportieren Sie die Mittellinien als Polylinien.</translation>
     </message>
     <message>
-        <source>it holds %1, not POLYDATA or UNSTRUCTURED_GRID. Export the centrelines as poly-lines.</source>
+        <source>the file contains %1, not POLYDATA or UNSTRUCTURED_GRID. Export the centerlines as polylines.</source>
         <comment>tree.vtk-other-data-set</comment>
-        <translation>enthält %1, nicht POLYDATA oder UNSTRUCTURED_GRID. Die Mittellinien als Polylinien exportieren.</translation>
+        <translation>die Datei enthält %1, nicht POLYDATA oder UNSTRUCTURED_GRID. Exportieren Sie die Mittellinien als Polylinien.</translation>
     </message>
     <message>
-        <source>the section &quot;%1&quot; is damaged or cut short. Export it again.</source>
+        <source>the section &quot;%1&quot; is damaged or truncated. Export it again.</source>
         <comment>tree.vtk-section-damaged</comment>
-        <translation>der Abschnitt &quot;%1&quot; ist beschädigt oder unvollständig. Neu exportieren.</translation>
+        <translation>der Abschnitt „%1“ ist beschädigt oder unvollständig. Exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>the VTK XML data in it is damaged or cut short. Export it again.</source>
+        <source>its VTK XML data are damaged or truncated. Export it again.</source>
         <comment>tree.vtk-xml-damaged</comment>
         <translation>die VTK-XML-Daten sind beschädigt oder unvollständig. Neu exportieren.</translation>
     </message>
     <message>
-        <source>it is not VTK XML PolyData or UnstructuredGrid. Export the centrelines as .vtp.</source>
+        <source>it is neither VTK XML PolyData nor UnstructuredGrid. Export the centerlines as .vtp.</source>
         <comment>tree.vtk-xml-other</comment>
-        <translation>ist weder VTK-XML-PolyData noch UnstructuredGrid. Die Mittellinien als .vtp exportieren.</translation>
+        <translation>ist weder VTK-XML-PolyData noch UnstructuredGrid. Exportieren Sie die Mittellinien als .vtp.</translation>
     </message>
     <message>
-        <source>it declares %1, which cannot be. The file is damaged; export it again.</source>
+        <source>it declares %1, which is impossible. The file is damaged; export it again.</source>
         <comment>tree.vtk-xml-impossible-count</comment>
-        <translation>nennt %1, was nicht sein kann. Die Datei ist beschädigt; neu exportieren.</translation>
+        <translation>nennt %1, was unmöglich ist. Die Datei ist beschädigt; exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>it is not a Slicer markups file with curves. Export the centrelines as .mrk.json curves, .vtp, .vtk, .csv or .swc.</source>
+        <source>this is not a Slicer markups file with curves. Export the centerlines as .mrk.json curves, .vtp, .vtk, .csv or .swc.</source>
         <comment>tree.markups-none</comment>
-        <translation>ist keine Slicer-Markups-Datei mit Kurven. Die Mittellinien als .mrk.json-Kurven, .vtp, .vtk, .csv oder .swc exportieren.</translation>
+        <translation>dies ist keine Slicer-Markups-Datei mit Kurven. Exportieren Sie die Mittellinien als .mrk.json-Kurven, .vtp, .vtk, .csv oder .swc.</translation>
     </message>
     <message>
-        <source>line %1 is not `id type x y z radius parent`. Correct the line or export it again.</source>
+        <source>line %1 does not have the form `id type x y z radius parent`. Correct the line, or export it again.</source>
         <comment>tree.swc-line</comment>
-        <translation>Zeile %1 ist nicht `id type x y z radius parent`. Berichtigen oder neu exportieren.</translation>
+        <translation>Zeile %1 hat nicht die Form `id type x y z radius parent`. Berichtigen Sie sie, oder exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>line %1 repeats an id. Ids must be unique.</source>
+        <source>line %1 repeats an ID. IDs must be unique.</source>
         <comment>tree.swc-id-twice</comment>
-        <translation>Zeile %1 wiederholt eine id. Jede id muss einmalig sein.</translation>
+        <translation>Zeile %1 wiederholt eine ID. Jede ID muss eindeutig sein.</translation>
     </message>
     <message>
-        <source>line %1 names a parent, %2, that is not there. Export the whole tree.</source>
+        <source>line %1 refers to parent %2, which does not exist. Export the whole tree.</source>
         <comment>tree.swc-parent-missing</comment>
-        <translation>Zeile %1 nennt ein Elternteil %2, das fehlt. Den ganzen Baum exportieren.</translation>
+        <translation>Zeile %1 verweist auf den Elternknoten %2, der fehlt. Exportieren Sie den ganzen Baum.</translation>
     </message>
     <message>
-        <source>the first line must name the columns: x,y,z and, where known, radius,branch.</source>
+        <source>the first line must name the columns: x,y,z and, if available, radius,branch.</source>
         <comment>tree.table-no-header</comment>
-        <translation>die erste Zeile muss die Spalten nennen: x,y,z und, wo bekannt, radius,branch.</translation>
+        <translation>die erste Zeile muss die Spalten nennen: x,y,z und, falls vorhanden, radius,branch.</translation>
     </message>
     <message>
         <source>the header row has no columns x, y and z. Name them (mm, patient LPS).</source>
@@ -6464,39 +6464,39 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Kopfzeile fehlen die Spalten x, y und z. Sie benennen (mm, Patient LPS).</translation>
     </message>
     <message>
-        <source>it looks like a list of graph nodes (column id), which has no order along the vessels. Give a branch column, or export the centrelines themselves.</source>
+        <source>it looks like a list of graph nodes (column id) without an order along the vessels. Add a branch column, or export the centerlines themselves.</source>
         <comment>tree.table-is-graph</comment>
-        <translation>sieht nach einer Liste von Graphknoten aus (Spalte id) ohne Reihenfolge längs der Gefäße. Eine Spalte branch angeben oder die Mittellinien selbst exportieren.</translation>
+        <translation>sieht nach einer Liste von Graphknoten (Spalte id) ohne Reihenfolge entlang der Gefäße aus. Fügen Sie eine Spalte branch hinzu, oder exportieren Sie die Mittellinien selbst.</translation>
     </message>
     <message>
-        <source>there is no DICOM image in this folder. Choose the folder of a DICOM scan, or a volume file itself.</source>
+        <source>this folder contains no DICOM image. Choose the folder of a DICOM scan, or a volume file.</source>
         <comment>series.none</comment>
-        <translation>in diesem Ordner ist kein DICOM-Bild. Den Ordner eines DICOM-Scans oder die Volumendatei selbst wählen.</translation>
+        <translation>dieser Ordner enthält kein DICOM-Bild. Wählen Sie den Ordner eines DICOM-Scans, oder eine Volumendatei.</translation>
     </message>
     <message>
-        <source>this DICOM file holds no image. Choose a scan.</source>
+        <source>this DICOM file contains no image. Choose a scan.</source>
         <comment>series.file-without-image</comment>
-        <translation>diese DICOM-Datei enthält kein Bild. Einen Scan wählen.</translation>
+        <translation>diese DICOM-Datei enthält kein Bild. Wählen Sie einen Scan.</translation>
     </message>
     <message>
-        <source>the series %1 is not in this folder. Choose the folder it is in.</source>
+        <source>the series %1 is not in this folder. Choose the folder that contains it.</source>
         <comment>series.not-here</comment>
-        <translation>die Serie %1 ist nicht in diesem Ordner. Den richtigen Ordner wählen.</translation>
+        <translation>die Serie %1 ist nicht in diesem Ordner. Wählen Sie den Ordner, der sie enthält.</translation>
     </message>
     <message>
-        <source>the series of the case is not in this folder. Choose the folder it is in.</source>
+        <source>the series of the case is not in this folder. Choose the folder that contains it.</source>
         <comment>series.of-case-not-here</comment>
-        <translation>die Serie des Falls ist nicht in diesem Ordner. Den richtigen Ordner wählen.</translation>
+        <translation>die Serie des Falls ist nicht in diesem Ordner. Wählen Sie den Ordner, der sie enthält.</translation>
     </message>
     <message>
-        <source>no series in this folder makes a volume. Choose another folder.</source>
+        <source>no series in this folder forms a volume. Choose another folder.</source>
         <comment>series.none-makes-volume</comment>
-        <translation>keine Serie dieses Ordners ergibt ein Volumen. Anderen Ordner wählen.</translation>
+        <translation>keine Serie in diesem Ordner bildet ein Volumen. Wählen Sie einen anderen Ordner.</translation>
     </message>
     <message>
-        <source>it holds %1 volumes (%2). Choose one by its series id; `info` lists them.</source>
+        <source>it contains %1 volumes (%2). Choose one by its series ID; `info` lists them.</source>
         <comment>series.several</comment>
-        <translation>enthält %1 Volumen (%2). Eines über seine Serien-ID wählen; `info` zeigt sie.</translation>
+        <translation>enthält %1 Volumen (%2). Wählen Sie eines über seine Serien-ID; `info` listet sie auf.</translation>
     </message>
     <message>
         <source>this is an X-ray run, not a volume. Open it as the angiogram.</source>
@@ -6504,64 +6504,64 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das ist eine Röntgenserie, kein Volumen. Als Angiogramm öffnen.</translation>
     </message>
     <message>
-        <source>it is a DICOM segmentation. Export it as a NIfTI or NRRD label image.</source>
+        <source>this is a DICOM segmentation. Export it as a NIfTI or NRRD label image.</source>
         <comment>series.is-segmentation</comment>
-        <translation>ist eine DICOM-Segmentierung. Als NIfTI- oder NRRD-Labelbild exportieren.</translation>
+        <translation>dies ist eine DICOM-Segmentierung. Exportieren Sie sie als NIfTI- oder NRRD-Labelbild.</translation>
     </message>
     <message>
-        <source>it is a single slice, not a volume. Copy all slices of the series, or choose another one.</source>
+        <source>this is a single slice, not a volume. Copy all slices of the series, or choose another series.</source>
         <comment>series.single-slice</comment>
-        <translation>ist eine einzelne Schicht, kein Volumen. Alle Schichten der Serie kopieren oder eine andere wählen.</translation>
+        <translation>dies ist eine einzelne Schicht, kein Volumen. Kopieren Sie alle Schichten der Serie, oder wählen Sie eine andere Serie.</translation>
     </message>
     <message>
-        <source>its images do not say how large a pixel is, so they make no volume. Choose another series.</source>
+        <source>its images contain no pixel size, so they do not form a volume. Choose another series.</source>
         <comment>series.no-pixel-size</comment>
-        <translation>die Bilder nennen keine Pixelgröße und ergeben kein Volumen. Andere Serie wählen.</translation>
+        <translation>die Bilder enthalten keine Pixelgröße und bilden daher kein Volumen. Wählen Sie eine andere Serie.</translation>
     </message>
     <message>
-        <source>its images do not say where they lie in the patient, so they make no volume. Choose another series.</source>
+        <source>its images contain no position in the patient, so they do not form a volume. Choose another series.</source>
         <comment>series.no-place</comment>
-        <translation>die Bilder nennen keine Lage im Patienten und ergeben kein Volumen. Andere Serie wählen.</translation>
+        <translation>die Bilder enthalten keine Position im Patienten und bilden daher kein Volumen. Wählen Sie eine andere Serie.</translation>
     </message>
     <message>
-        <source>its slices lie beside each other rather than above. Choose another series.</source>
+        <source>its slices lie side by side instead of stacked. Choose another series.</source>
         <comment>series.beside-each-other</comment>
-        <translation>die Schichten liegen neben- statt übereinander. Andere Serie wählen.</translation>
+        <translation>die Schichten liegen nebeneinander statt übereinander. Wählen Sie eine andere Serie.</translation>
     </message>
     <message>
-        <source>its slices lie too unevenly to make a volume of them (%1 over %2). Copy all slices of the series, or choose another one.</source>
+        <source>its slice spacing is too uneven to form a volume (%1 slices over %2). Copy all slices of the series, or choose another series.</source>
         <comment>series.too-uneven</comment>
-        <translation>die Schichten liegen zu ungleich für ein Volumen (%1 auf %2). Alle Schichten der Serie kopieren oder eine andere wählen.</translation>
+        <translation>der Schichtabstand ist für ein Volumen zu ungleichmäßig (%1 Schichten auf %2). Kopieren Sie alle Schichten der Serie, oder wählen Sie eine andere Serie.</translation>
     </message>
     <message>
-        <source>it is a colour image. Choose the scan itself, in grey values.</source>
+        <source>this is a color image. Choose the grayscale scan itself.</source>
         <comment>series.colour</comment>
-        <translation>ist ein Farbbild. Den Scan selbst in Grauwerten wählen.</translation>
+        <translation>dies ist ein Farbbild. Wählen Sie den Scan selbst in Grauwerten.</translation>
     </message>
     <message>
-        <source>its pixels are not of the size its header gives. Export it again.</source>
+        <source>its image size does not match the header. Export it again.</source>
         <comment>series.slice-size</comment>
-        <translation>die Pixel haben nicht die Größe laut Header. Neu exportieren.</translation>
+        <translation>die Bildgröße entspricht nicht dem Header. Exportieren Sie die Serie neu.</translation>
     </message>
     <message>
         <source>The slices are unevenly spaced (%1 to %2): resampled to %3.</source>
         <comment>series.uneven-slices</comment>
-        <translation>Die Schichten sind ungleich beabstandet (%1 bis %2): auf %3 umgerechnet.</translation>
+        <translation>Die Schichten haben ungleiche Abstände (%1 bis %2): auf %3 neu abgetastet.</translation>
     </message>
     <message>
-        <source>The slices are not stacked upright (%1 off, as with a tilted gantry): shifted within their planes to where they lie.</source>
+        <source>The slices are not stacked perpendicularly (%1 off, as with a tilted gantry): they were shifted in plane to their true position.</source>
         <comment>series.slanted</comment>
-        <translation>Die Schichten sind nicht gerade gestapelt (%1, wie bei geneigter Gantry): in ihren Ebenen an ihren Ort verschoben.</translation>
+        <translation>Die Schichten sind nicht senkrecht gestapelt (%1 Abweichung, wie bei geneigter Gantry): Sie wurden in ihrer Ebene an ihre tatsächliche Position verschoben.</translation>
     </message>
     <message>
-        <source>1 of %1 slices is missing (%2): filled in between their neighbours. Copy the series again if you can.</source>
+        <source>1 of %1 slices is missing (%2): interpolated between its neighbors. Copy the series again if possible.</source>
         <comment>series.slice-missing</comment>
-        <translation>1 von %1 Schichten fehlt (%2): zwischen den Nachbarn ergänzt. Die Serie wenn möglich neu kopieren.</translation>
+        <translation>1 von %1 Schichten fehlt (%2): zwischen den Nachbarn interpoliert. Kopieren Sie die Serie wenn möglich neu.</translation>
     </message>
     <message>
-        <source>%1 of %2 slices are missing (%3): filled in between their neighbours. Copy the series again if you can.</source>
+        <source>%1 of %2 slices are missing (%3): interpolated between their neighbors. Copy the series again if possible.</source>
         <comment>series.slices-missing</comment>
-        <translation>%1 von %2 Schichten fehlen (%3): zwischen den Nachbarn ergänzt. Die Serie wenn möglich neu kopieren.</translation>
+        <translation>%1 von %2 Schichten fehlen (%3): zwischen den Nachbarn interpoliert. Kopieren Sie die Serie wenn möglich neu.</translation>
     </message>
     <message>
         <source>after slice %1</source>
@@ -6574,22 +6574,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>nach Schicht %1 und anderswo</translation>
     </message>
     <message>
-        <source>%1 of %2 slices lie where another one does; the first recorded of each is used.</source>
+        <source>%1 of %2 slices have the same position as another one; the first acquired of each is used.</source>
         <comment>series.overlap</comment>
-        <translation>%1 von %2 Schichten liegen auf einer anderen; die jeweils zuerst aufgenommene gilt.</translation>
+        <translation>%1 von %2 Schichten haben dieselbe Position wie eine andere; verwendet wird die jeweils zuerst aufgenommene.</translation>
     </message>
     <message>
-        <source>%1 files of the series are there twice.</source>
+        <source>%1 files of the series are duplicates.</source>
         <comment>series.files-twice</comment>
-        <translation>%1 Dateien der Serie sind doppelt vorhanden.</translation>
+        <translation>%1 Dateien der Serie sind Duplikate.</translation>
     </message>
     <message>
-        <source>%1 files of the series are damaged at their end.</source>
+        <source>%1 files of the series are damaged at the end.</source>
         <comment>series.files-damaged</comment>
         <translation>%1 Dateien der Serie sind am Ende beschädigt.</translation>
     </message>
     <message>
-        <source>The series mixes images of %1 sizes or orientations; each is listed by itself.</source>
+        <source>The series mixes images of %1 sizes or orientations; each is listed separately.</source>
         <comment>series.mixed</comment>
         <translation>Die Serie mischt Bilder in %1 Größen oder Ausrichtungen; jede ist einzeln aufgeführt.</translation>
     </message>
@@ -6599,14 +6599,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Teil %1 von %2</translation>
     </message>
     <message>
-        <source>Its slices are stored with different scales or as float. %1</source>
+        <source>The slices are stored with different scaling or as floating point. %1</source>
         <comment>series.scales</comment>
-        <translation>Ihre Schichten sind verschieden skaliert oder als Gleitkomma gespeichert. %1</translation>
+        <translation>Die Schichten sind unterschiedlich skaliert oder als Gleitkommazahlen gespeichert. %1</translation>
     </message>
     <message>
-        <source>this is no volume that this program reads. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
+        <source>unsupported volume format. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
         <comment>volume.unknown</comment>
-        <translation>das ist kein Volumen, das dieses Programm liest. Einen DICOM-Ordner, NIfTI, NRRD oder MetaImage (.mha, .mhd) wählen.</translation>
+        <translation>nicht unterstütztes Volumenformat. Wählen Sie einen DICOM-Ordner, NIfTI, NRRD oder MetaImage (.mha, .mhd).</translation>
     </message>
     <message>
         <source>this is %1, not a volume. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
@@ -6614,14 +6614,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das ist %1, kein Volumen. Einen DICOM-Ordner, NIfTI, NRRD oder MetaImage (.mha, .mhd) wählen.</translation>
     </message>
     <message>
-        <source>it holds a %1, not an image. Choose the scan.</source>
+        <source>the file contains a %1, not an image. Choose the scan.</source>
         <comment>volume.holds-other</comment>
-        <translation>enthält ein %1, kein Bild. Den Scan wählen.</translation>
+        <translation>die Datei enthält ein %1, kein Bild. Wählen Sie den Scan.</translation>
     </message>
     <message>
-        <source>it declares %1, more than this program holds. Crop the scan to the vessels.</source>
+        <source>it declares %1, more than AngioPose supports. Crop the scan to the vessels.</source>
         <comment>volume.declares</comment>
-        <translation>nennt %1, mehr als dieses Programm fasst. Den Scan auf die Gefäße zuschneiden.</translation>
+        <translation>nennt %1, mehr als AngioPose unterstützt. Schneiden Sie den Scan auf die Gefäße zu.</translation>
     </message>
     <message>
         <source>the volume is larger than this computer&apos;s memory. Crop the scan to the vessels.</source>
@@ -6629,69 +6629,69 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das Volumen ist größer als der Speicher dieses Rechners. Den Scan auf die Gefäße zuschneiden.</translation>
     </message>
     <message>
-        <source>it has %1: a single slice is no volume. Choose the whole scan.</source>
+        <source>it has %1: a single slice is not a volume. Choose the whole scan.</source>
         <comment>volume.single-slice</comment>
-        <translation>hat %1: eine einzelne Schicht ist kein Volumen. Den ganzen Scan wählen.</translation>
+        <translation>hat %1: Eine einzelne Schicht ist kein Volumen. Wählen Sie den ganzen Scan.</translation>
     </message>
     <message>
         <source>it is %1-dimensional, but a volume has three dimensions. Choose the whole scan.</source>
         <comment>volume.not-three-dimensional</comment>
-        <translation>ist %1-dimensional, ein Volumen hat aber drei Dimensionen. Den ganzen Scan wählen.</translation>
+        <translation>ist %1-dimensional, ein Volumen hat aber drei Dimensionen. Wählen Sie den ganzen Scan.</translation>
     </message>
     <message>
-        <source>it has %1 dimensions (4-D or more). Save the one volume to use and open that.</source>
+        <source>it has %1 dimensions (4-D or more). Save the volume you need as a separate file and open that.</source>
         <comment>volume.dimensions</comment>
-        <translation>hat %1 Dimensionen (4-D oder mehr). Das gewünschte Volumen einzeln speichern und öffnen.</translation>
+        <translation>hat %1 Dimensionen (4-D oder mehr). Speichern Sie das benötigte Volumen als eigene Datei, und öffnen Sie diese.</translation>
     </message>
     <message>
-        <source>it holds %1 volumes or values per voxel (4-D). Extract the one to use and open that.</source>
+        <source>it contains %1 volumes or values per voxel (4-D). Extract the one you need and open that.</source>
         <comment>volume.several-4d</comment>
-        <translation>enthält %1 Volumen oder Werte je Voxel (4-D). Das gewünschte herauslösen und öffnen.</translation>
+        <translation>enthält %1 Volumen oder Werte je Voxel (4-D). Extrahieren Sie das benötigte, und öffnen Sie es.</translation>
     </message>
     <message>
-        <source>it holds %1 volumes, layers or values per voxel (4-D). Save the one to use and open that.</source>
+        <source>it contains %1 volumes, layers or values per voxel (4-D). Save the one you need as a separate file and open that.</source>
         <comment>volume.several-layers</comment>
-        <translation>enthält %1 Volumen, Lagen oder Werte je Voxel (4-D). Das gewünschte einzeln speichern und öffnen.</translation>
+        <translation>enthält %1 Volumen, Ebenen oder Werte je Voxel (4-D). Speichern Sie das benötigte als eigene Datei, und öffnen Sie diese.</translation>
     </message>
     <message>
-        <source>it has %1 values per voxel. Choose the scan itself, in grey values.</source>
+        <source>it has %1 values per voxel. Choose the grayscale scan itself.</source>
         <comment>volume.channels</comment>
-        <translation>hat %1 Werte je Voxel. Den Scan selbst in Grauwerten wählen.</translation>
+        <translation>hat %1 Werte je Voxel. Wählen Sie den Scan selbst in Grauwerten.</translation>
     </message>
     <message>
-        <source>its first axis has %1 entries: this is a colour picture, not a volume. Choose the scan.</source>
+        <source>its first axis has %1 entries, so it is a color image, not a volume. Choose the scan.</source>
         <comment>volume.colour-axis</comment>
-        <translation>die erste Achse hat %1 Einträge: das ist ein Farbbild, kein Volumen. Den Scan wählen.</translation>
+        <translation>die erste Achse hat %1 Einträge; es ist also ein Farbbild, kein Volumen. Wählen Sie den Scan.</translation>
     </message>
     <message>
-        <source>its voxels are colours. Choose the scan itself, in grey values.</source>
+        <source>its voxels are colors. Choose the grayscale scan itself.</source>
         <comment>volume.colours</comment>
-        <translation>die Voxel sind Farben. Den Scan selbst in Grauwerten wählen.</translation>
+        <translation>die Voxel sind Farben. Wählen Sie den Scan selbst in Grauwerten.</translation>
     </message>
     <message>
-        <source>its header gives %1. The file is damaged; export it again.</source>
+        <source>its header declares %1. The file is damaged; export it again.</source>
         <comment>volume.header-gives</comment>
-        <translation>der Header nennt %1. Die Datei ist beschädigt; neu exportieren.</translation>
+        <translation>der Header nennt %1. Die Datei ist beschädigt; exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>its header gives no usable voxel size or place. Export the volume again.</source>
+        <source>its header contains no usable voxel size or position. Export the volume again.</source>
         <comment>volume.no-place</comment>
-        <translation>der Header nennt keine brauchbare Voxelgröße oder Lage. Das Volumen neu exportieren.</translation>
+        <translation>der Header enthält keine brauchbare Voxelgröße oder Position. Exportieren Sie das Volumen neu.</translation>
     </message>
     <message>
-        <source>its header is damaged: it names %1 dimensions. Export it again.</source>
+        <source>its header is damaged: it declares %1 dimensions. Export it again.</source>
         <comment>volume.header-dimensions</comment>
         <translation>der Header ist beschädigt: er nennt %1 Dimensionen. Neu exportieren.</translation>
     </message>
     <message>
-        <source>its header is damaged: the voxels begin at an impossible place. Export it again.</source>
+        <source>its header is damaged: the voxel data offset is invalid. Export it again.</source>
         <comment>volume.impossible-start</comment>
-        <translation>der Header ist beschädigt: die Voxel beginnen an unmöglicher Stelle. Neu exportieren.</translation>
+        <translation>der Header ist beschädigt: Der Offset der Voxeldaten ist ungültig. Exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>its axes are %1 apart instead of 90°. Resample the volume to perpendicular axes.</source>
+        <source>its axes are %1 apart instead of 90°. Resample the volume to orthogonal axes.</source>
         <comment>volume.skewed</comment>
-        <translation>die Achsen stehen %1 statt 90° zueinander. Das Volumen auf senkrechte Achsen umrechnen.</translation>
+        <translation>die Achsen stehen %1 statt 90° zueinander. Tasten Sie das Volumen auf orthogonale Achsen neu ab.</translation>
     </message>
     <message>
         <source>its header cannot be read (%1). Export it again.</source>
@@ -6704,84 +6704,84 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der %1-Header ist nicht lesbar. Neu exportieren.</translation>
     </message>
     <message>
-        <source>its HeaderSize makes no sense. Correct the header.</source>
+        <source>its HeaderSize is invalid. Correct the header.</source>
         <comment>volume.header-size</comment>
-        <translation>die HeaderSize ergibt keinen Sinn. Den Header berichtigen.</translation>
+        <translation>die HeaderSize ist ungültig. Berichtigen Sie den Header.</translation>
     </message>
     <message>
-        <source>it does not say where its voxels are (ElementDataFile). Export it again.</source>
+        <source>its header does not specify the voxel data file (ElementDataFile). Export it again.</source>
         <comment>volume.no-data-file</comment>
-        <translation>sagt nicht, wo die Voxel liegen (ElementDataFile). Neu exportieren.</translation>
+        <translation>der Header nennt die Datei mit den Voxeldaten nicht (ElementDataFile). Exportieren Sie das Volumen neu.</translation>
     </message>
     <message>
-        <source>its line skip or byte skip makes no sense. Correct the header.</source>
+        <source>its line skip or byte skip is invalid. Correct the header.</source>
         <comment>volume.skips</comment>
-        <translation>line skip oder byte skip ergibt keinen Sinn. Den Header berichtigen.</translation>
+        <translation>line skip oder byte skip ist ungültig. Berichtigen Sie den Header.</translation>
     </message>
     <message>
-        <source>it skips lines of another file. Save header and voxels as one file.</source>
+        <source>its header skips lines in a separate data file. Save header and voxels as one file.</source>
         <comment>volume.skips-lines-elsewhere</comment>
-        <translation>überspringt Zeilen einer anderen Datei. Header und Voxel als eine Datei speichern.</translation>
+        <translation>der Header überspringt Zeilen in einer separaten Datendatei. Speichern Sie Header und Voxel als eine Datei.</translation>
     </message>
     <message>
-        <source>its voxels lie in several files. Save it as one file.</source>
+        <source>its voxels are split over several files. Save it as one file.</source>
         <comment>volume.several-files</comment>
-        <translation>die Voxel liegen in mehreren Dateien. Als eine Datei speichern.</translation>
+        <translation>die Voxel sind auf mehrere Dateien verteilt. Speichern Sie es als eine Datei.</translation>
     </message>
     <message>
-        <source>its voxel type (&quot;%1&quot;) is not read. Save it as 16-bit or float.</source>
+        <source>the voxel type &quot;%1&quot; is not supported. Save it as 16-bit or float.</source>
         <comment>volume.voxel-type</comment>
-        <translation>der Voxeltyp (&quot;%1&quot;) wird nicht gelesen. Als 16 Bit oder float speichern.</translation>
+        <translation>der Voxeltyp „%1“ wird nicht unterstützt. Speichern Sie es als 16 Bit oder float.</translation>
     </message>
     <message>
-        <source>its voxel type (NIfTI datatype %1) is not read. Save it as 16-bit or float.</source>
+        <source>the voxel type (NIfTI datatype %1) is not supported. Save it as 16-bit or float.</source>
         <comment>volume.nifti-type</comment>
-        <translation>der Voxeltyp (NIfTI-Datentyp %1) wird nicht gelesen. Als 16 Bit oder float speichern.</translation>
+        <translation>der Voxeltyp (NIfTI-Datentyp %1) wird nicht unterstützt. Speichern Sie es als 16 Bit oder float.</translation>
     </message>
     <message>
-        <source>its voxel type is not read. Save it as 16-bit or float.</source>
+        <source>its voxel type is not supported. Save it as 16-bit or float.</source>
         <comment>volume.other-voxel-type</comment>
-        <translation>der Voxeltyp wird nicht gelesen. Als 16 Bit oder float speichern.</translation>
+        <translation>der Voxeltyp wird nicht unterstützt. Speichern Sie es als 16 Bit oder float.</translation>
     </message>
     <message>
-        <source>its voxels are packed with bzip2. Save it with gzip or raw encoding.</source>
+        <source>its voxels are compressed with bzip2. Save it with gzip or raw encoding.</source>
         <comment>volume.bzip2</comment>
-        <translation>die Voxel sind mit bzip2 gepackt. Mit gzip oder roh speichern.</translation>
+        <translation>die Voxel sind mit bzip2 komprimiert. Speichern Sie es mit gzip- oder raw-Kodierung.</translation>
     </message>
     <message>
-        <source>its voxels are written as text (%1). Save it with gzip or raw encoding.</source>
+        <source>its voxels are stored as text (%1). Save it with gzip or raw encoding.</source>
         <comment>volume.text-encoding</comment>
-        <translation>die Voxel sind als Text geschrieben (%1). Mit gzip oder roh speichern.</translation>
+        <translation>die Voxel sind als Text gespeichert (%1). Speichern Sie es mit gzip- oder raw-Kodierung.</translation>
     </message>
     <message>
-        <source>its voxels are written as text. Save it with binary data.</source>
+        <source>its voxels are stored as text. Save it with binary data.</source>
         <comment>volume.text</comment>
-        <translation>die Voxel sind als Text geschrieben. Binär speichern.</translation>
+        <translation>die Voxel sind als Text gespeichert. Speichern Sie es mit binären Daten.</translation>
     </message>
     <message>
-        <source>its voxels are cut short, or their packing is damaged. Copy or export it again.</source>
+        <source>its voxel data are truncated, or their compression is damaged. Copy or export it again.</source>
         <comment>volume.packing-damaged</comment>
-        <translation>die Voxel sind unvollständig oder falsch gepackt. Neu kopieren oder exportieren.</translation>
+        <translation>die Voxeldaten sind unvollständig, oder ihre Kompression ist beschädigt. Kopieren oder exportieren Sie es neu.</translation>
     </message>
     <message>
-        <source>its voxels are cut short or damaged. Copy or export it again.</source>
+        <source>its voxel data are truncated or damaged. Copy or export it again.</source>
         <comment>volume.voxels-damaged</comment>
-        <translation>die Voxel sind unvollständig oder beschädigt. Neu kopieren oder exportieren.</translation>
+        <translation>die Voxeldaten sind unvollständig oder beschädigt. Kopieren oder exportieren Sie es neu.</translation>
     </message>
     <message>
-        <source>its voxels are cut short. Copy or export it again.</source>
+        <source>its voxel data are truncated. Copy or export it again.</source>
         <comment>volume.cut-short</comment>
-        <translation>die Voxel sind unvollständig. Neu kopieren oder exportieren.</translation>
+        <translation>die Voxeldaten sind unvollständig. Kopieren oder exportieren Sie es neu.</translation>
     </message>
     <message>
-        <source>its voxels are cut short: %1 of %2 bytes are there. Copy or export it again.</source>
+        <source>its voxel data are truncated: %1 of %2 bytes are present. Copy or export it again.</source>
         <comment>volume.cut-short-by</comment>
-        <translation>die Voxel sind unvollständig: %1 von %2 Bytes vorhanden. Neu kopieren oder exportieren.</translation>
+        <translation>die Voxeldaten sind unvollständig: %1 von %2 Bytes vorhanden. Kopieren oder exportieren Sie es neu.</translation>
     </message>
     <message>
-        <source>its voxels are in %1, which is not there. Copy both files together.</source>
+        <source>its voxel data file %1 is missing. Copy both files together.</source>
         <comment>volume.voxels-not-there</comment>
-        <translation>die Voxel stehen in %1, das fehlt. Beide Dateien zusammen kopieren.</translation>
+        <translation>die Datei %1 mit den Voxeldaten fehlt. Kopieren Sie beide Dateien zusammen.</translation>
     </message>
     <message>
         <source>the file with its voxels cannot be read (%1).</source>
@@ -6789,9 +6789,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Datei mit den Voxeln lässt sich nicht lesen (%1).</translation>
     </message>
     <message>
-        <source>its voxels begin with the header of another volume. Open that file itself, or give the bytes to skip: -1 where the voxels are the last ones.</source>
+        <source>its voxel data start with the header of another volume. Open that file itself, or set the number of bytes to skip: -1 if the voxels are at the end.</source>
         <comment>volume.voxels-are-header</comment>
-        <translation>die Voxel beginnen mit dem Kopf eines anderen Volumens. Jene Datei selbst öffnen oder die zu überspringenden Bytes angeben: -1, wo die Voxel am Ende stehen.</translation>
+        <translation>die Voxeldaten beginnen mit dem Header eines anderen Volumens. Öffnen Sie jene Datei selbst, oder geben Sie die Zahl der zu überspringenden Bytes an: -1, wenn die Voxel am Ende stehen.</translation>
     </message>
     <message>
         <source>none of its voxels is a number. Export the volume again.</source>
@@ -6799,9 +6799,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>keines der Voxel ist eine Zahl. Das Volumen neu exportieren.</translation>
     </message>
     <message>
-        <source>%1 voxels are not numbers; they are taken as the lowest value.</source>
+        <source>%1 voxels are not numbers; they are set to the lowest value.</source>
         <comment>volume.not-numbers</comment>
-        <translation>%1 Voxel sind keine Zahlen; sie gelten als kleinster Wert.</translation>
+        <translation>%1 Voxel sind keine Zahlen; sie werden auf den kleinsten Wert gesetzt.</translation>
     </message>
     <message>
         <source>The %1 voxels are rounded to 16 bit, in steps of %2.</source>
@@ -6809,79 +6809,79 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die %1-Voxel werden auf 16 Bit gerundet, in Schritten von %2.</translation>
     </message>
     <message>
-        <source>The header does not say how the axes lie in the patient: i to the left, j to the back and k to the head are assumed. Check left and right.</source>
+        <source>The header does not specify the orientation of the axes: i to the left, j to the back and k to the head are assumed. Check left and right.</source>
         <comment>volume.axes-assumed</comment>
-        <translation>Der Header sagt nicht, wie die Achsen im Patienten liegen: i nach links, j nach hinten, k zum Kopf angenommen. Links und rechts prüfen.</translation>
+        <translation>Der Header nennt die Ausrichtung der Achsen nicht: i nach links, j nach hinten und k zum Kopf werden angenommen. Prüfen Sie links und rechts.</translation>
     </message>
     <message>
-        <source>The header does not say how the voxels lie in the patient: +x right to left, +y front to back and +z up are assumed to be i, j reversed and k. Check left and right.</source>
+        <source>The header does not specify the orientation of the voxels: +x (right to left), +y (front to back) and +z (up) are assumed to be i, j reversed and k. Check left and right.</source>
         <comment>volume.voxels-assumed</comment>
-        <translation>Der Header sagt nicht, wie die Voxel im Patienten liegen: +x rechts nach links, +y vorn nach hinten und +z aufwärts als i, umgekehrtes j und k angenommen. Links und rechts prüfen.</translation>
+        <translation>Der Header nennt die Ausrichtung der Voxel nicht: +x (rechts nach links), +y (vorn nach hinten) und +z (aufwärts) werden als i, umgekehrtes j und k angenommen. Prüfen Sie links und rechts.</translation>
     </message>
     <message>
-        <source>The header gives no voxel size: 1 x 1 x 1 mm is assumed.</source>
+        <source>The header contains no voxel size: 1 x 1 x 1 mm is assumed.</source>
         <comment>volume.size-assumed</comment>
-        <translation>Der Header nennt keine Voxelgröße: 1 x 1 x 1 mm angenommen.</translation>
+        <translation>Der Header enthält keine Voxelgröße: 1 x 1 x 1 mm wird angenommen.</translation>
     </message>
     <message>
-        <source>The voxel size is given as 1 x 1 x 1 mm: check that it was not lost on the way.</source>
+        <source>The voxel size is given as 1 x 1 x 1 mm: check that it was not lost in a conversion.</source>
         <comment>volume.size-of-one</comment>
-        <translation>Die Voxelgröße ist mit 1 x 1 x 1 mm angegeben: prüfen, ob sie unterwegs verloren ging.</translation>
+        <translation>Die Voxelgröße ist mit 1 x 1 x 1 mm angegeben: Prüfen Sie, ob sie bei einer Umwandlung verloren ging.</translation>
     </message>
     <message>
-        <source>NIfTI holds at most 32767 voxels along an axis. Write .nrrd or .mha.</source>
+        <source>NIfTI supports at most 32767 voxels along an axis. Save as .nrrd or .mha.</source>
         <comment>volume.nifti-too-long</comment>
-        <translation>NIfTI fasst höchstens 32767 Voxel je Achse. .nrrd oder .mha schreiben.</translation>
+        <translation>NIfTI unterstützt höchstens 32767 Voxel je Achse. Speichern Sie als .nrrd oder .mha.</translation>
     </message>
     <message>
-        <source>volumes are written as .nii, .nii.gz, .nrrd or .mha. Change the extension.</source>
+        <source>volumes can be written as .nii, .nii.gz, .nrrd or .mha. Change the extension.</source>
         <comment>volume.extension</comment>
-        <translation>Volumen werden als .nii, .nii.gz, .nrrd oder .mha geschrieben. Die Endung ändern.</translation>
+        <translation>Volumen lassen sich als .nii, .nii.gz, .nrrd oder .mha schreiben. Ändern Sie die Endung.</translation>
     </message>
     <message>
         <source>there are no voxels to write. Load a volume first.</source>
         <comment>volume.nothing-to-write</comment>
-        <translation>keine Voxel zu schreiben. Zuerst ein Volumen laden.</translation>
+        <translation>es gibt keine Voxel zu schreiben. Laden Sie zuerst ein Volumen.</translation>
     </message>
     <message>
-        <source>there is no memory left to pack the volume.</source>
+        <source>there is not enough memory to compress the volume.</source>
         <comment>volume.no-memory-to-pack</comment>
-        <translation>kein Speicher mehr, um das Volumen zu packen.</translation>
+        <translation>der Speicher reicht nicht aus, um das Volumen zu komprimieren.</translation>
     </message>
     <message>
-        <source>this DICOM file is no segmentation. Choose a label image.</source>
+        <source>this DICOM file is not a segmentation. Choose a label image.</source>
         <comment>labels.no-segmentation</comment>
-        <translation>Diese DICOM-Datei ist keine Segmentierung. Ein Labelbild wählen.</translation>
+        <translation>diese DICOM-Datei ist keine Segmentierung. Wählen Sie ein Labelbild.</translation>
     </message>
     <message>
-        <source>it has one plane: a single slice is no volume. Choose the whole segmentation.</source>
+        <source>it contains a single slice, not a volume. Choose the complete segmentation.</source>
         <comment>labels.one-plane</comment>
-        <translation>sie hat eine Ebene: Eine einzelne Schicht ist kein Volumen. Wählen Sie die ganze Segmentierung.</translation>
+        <translation>sie enthält nur eine Schicht, kein Volumen. Wählen Sie die vollständige Segmentierung.</translation>
     </message>
     <message>
-        <source>it holds %1, which is no label: labels are whole numbers from 0. Choose a label image.</source>
+        <source>it contains the value %1, which is not a label: labels are integers from 0. Choose a label image.</source>
         <comment>labels.no-whole-number</comment>
-        <translation>enthält %1, kein Label: Labels sind ganze Zahlen ab 0. Ein Labelbild wählen.</translation>
+        <translation>sie enthält den Wert %1, der kein Label ist: Labels sind ganze Zahlen ab 0. Wählen Sie ein Labelbild.</translation>
     </message>
     <message>
-        <source>nothing is marked in it: every voxel is background. Choose another segmentation.</source>
+        <source>it contains no labeled voxels: every voxel is background. Choose another segmentation.</source>
         <comment>labels.nothing-marked</comment>
-        <translation>nichts ist darin markiert: alle Voxel sind Hintergrund. Eine andere Segmentierung wählen.</translation>
+        <translation>sie enthält keine markierten Voxel: alle Voxel sind Hintergrund. Wählen Sie eine andere Segmentierung.</translation>
     </message>
     <message>
-        <source>it has no label %1 but %2. Choose one of these.</source>
+        <source>it has no label %1. Available labels: %2. Choose one of these.</source>
         <comment>labels.no-such-number</comment>
-        <translation>sie hat kein Label %1, aber %2. Wählen Sie eines davon.</translation>
+        <translation>sie hat kein Label %1. Vorhandene Labels: %2. Wählen Sie eines davon.</translation>
     </message>
     <message>
-        <source>it has no label &quot;%1&quot; but %2. Choose one of these.</source>
+        <source>it has no label &quot;%1&quot;. Available labels: %2. Choose one of these.</source>
         <comment>labels.no-such-name</comment>
-        <translation>sie hat kein Label „%1“, aber %2. Wählen Sie eines davon.</translation>
+        <translation>sie hat kein Label „%1“. Vorhandene Labels: %2. Wählen Sie eines davon.</translation>
     </message>
     <message>
-        <source>none at all</source>
+        <source>none</source>
         <comment>labels.none</comment>
-        <translation>gar keines</translation>
+        <translation>keine</translation>
     </message>
     <message>
         <source>Labels traced: %1.</source>
@@ -6889,49 +6889,49 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Erfasste Labels: %1.</translation>
     </message>
     <message>
-        <source>Labels left out, by their names: %1.</source>
+        <source>Labels skipped because of their names: %1.</source>
         <comment>labels.left-out</comment>
-        <translation>Nach ihren Namen weggelassene Labels: %1.</translation>
+        <translation>Wegen ihres Namens ausgelassene Labels: %1.</translation>
     </message>
     <message>
-        <source>The volume holds labels: its vessels are taken as they are marked.</source>
+        <source>The volume contains labels; its vessels are taken directly from them.</source>
         <comment>labels.volume-holds-labels</comment>
-        <translation>Das Volumen enthält Labels: die Gefäße gelten, wie sie markiert sind.</translation>
+        <translation>Das Volumen enthält Labels; die Gefäße werden direkt daraus übernommen.</translation>
     </message>
     <message>
-        <source>A length at the vessels needs their depth: open the vessels, or measure at the detector or in pixels.</source>
+        <source>A length at the vessels requires their depth. Open the vessels, or measure at the detector or in pixels.</source>
         <comment>measure.needs-vessels</comment>
-        <translation>Eine Länge an den Gefäßen braucht deren Tiefe: die Gefäße öffnen oder am Detektor oder in Pixeln messen.</translation>
+        <translation>Eine Länge an den Gefäßen erfordert deren Tiefe. Öffnen Sie die Gefäße, oder messen Sie am Detektor oder in Pixeln.</translation>
     </message>
     <message>
-        <source>The vessels lie behind the source: nothing can be measured at them. Correct the pose, or measure in pixels.</source>
+        <source>The vessels lie behind the X-ray source, so nothing can be measured at them. Correct the pose, or measure in pixels.</source>
         <comment>measure.behind-source</comment>
-        <translation>Die Gefäße liegen hinter der Quelle: an ihnen lässt sich nichts messen. Die Lage berichtigen oder in Pixeln messen.</translation>
+        <translation>Die Gefäße liegen hinter der Röntgenquelle, daher lässt sich an ihnen nichts messen. Korrigieren Sie die Lage, oder messen Sie in Pixeln.</translation>
     </message>
     <message>
-        <source>The pixel spacing of the detector is not known. Type it in the geometry, or measure in pixels.</source>
+        <source>The pixel spacing of the detector is unknown. Enter it under Geometry, or measure in pixels.</source>
         <comment>measure.needs-spacing</comment>
-        <translation>Der Pixelabstand des Detektors ist nicht bekannt. In der Geometrie eingeben oder in Pixeln messen.</translation>
+        <translation>Der Pixelabstand des Detektors ist unbekannt. Geben Sie ihn unter „Geometrie“ ein, oder messen Sie in Pixeln.</translation>
     </message>
     <message>
-        <source>A measurement of this kind has %1 points at least; this one has %2. Draw it again.</source>
+        <source>This type of measurement needs at least %1 points; this one has %2. Draw it again.</source>
         <comment>measure.points</comment>
-        <translation>Eine Messung dieser Art hat mindestens %1 Punkte; diese hat %2. Neu zeichnen.</translation>
+        <translation>Diese Art von Messung braucht mindestens %1 Punkte; diese hat %2. Zeichnen Sie sie neu.</translation>
     </message>
     <message>
-        <source>A point of the measurement is not a number. Draw it again.</source>
+        <source>A point of the measurement has a non-finite coordinate. Draw it again.</source>
         <comment>measure.not-finite</comment>
-        <translation>Ein Punkt der Messung ist keine Zahl. Neu zeichnen.</translation>
+        <translation>Ein Punkt der Messung hat eine nicht endliche Koordinate. Zeichnen Sie sie neu.</translation>
     </message>
     <message>
-        <source>The angle has a leg without length. Move its points apart.</source>
+        <source>One side of the angle has zero length. Move its points apart.</source>
         <comment>measure.angle-open</comment>
-        <translation>Der Winkel hat einen Schenkel ohne Länge. Seine Punkte auseinanderziehen.</translation>
+        <translation>Ein Schenkel des Winkels hat die Länge null. Ziehen Sie seine Punkte auseinander.</translation>
     </message>
     <message>
-        <source>The outline crosses itself: its area means nothing. Move its points.</source>
+        <source>The outline intersects itself, so its area is undefined. Move its points.</source>
         <comment>measure.crossed</comment>
-        <translation>Der Umriss kreuzt sich selbst: seine Fläche sagt nichts. Seine Punkte verschieben.</translation>
+        <translation>Der Umriss schneidet sich selbst, daher ist seine Fläche nicht definiert. Verschieben Sie seine Punkte.</translation>
     </message>
     <message>
         <source>%1 at the vessels</source>
@@ -6954,139 +6954,139 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 (Maßstab angenommen)</translation>
     </message>
     <message>
-        <source>At the depth of the vessels&apos; centroid, %1 from the source, a pixel is %2. What runs towards the source or away from it is longer than it looks.</source>
+        <source>At the depth of the vessels&apos; centroid (%1 from the source), a pixel measures %2. Segments that run toward or away from the source are longer than they appear.</source>
         <comment>measure.basis-vessels</comment>
-        <translation>In der Tiefe des Schwerpunkts der Gefäße, %1 von der Quelle, ist ein Pixel %2. Was zur Quelle hin oder von ihr weg verläuft, ist länger als es aussieht.</translation>
+        <translation>In der Tiefe des Gefäßschwerpunkts (%1 von der Quelle) misst ein Pixel %2. Abschnitte, die zur Quelle hin oder von ihr weg verlaufen, sind länger, als sie erscheinen.</translation>
     </message>
     <message>
-        <source>On the detector a pixel is %1; in the patient everything is smaller, by the magnification.</source>
+        <source>On the detector, a pixel measures %1. Structures in the patient are smaller by the magnification factor.</source>
         <comment>measure.basis-detector</comment>
-        <translation>Auf dem Detektor ist ein Pixel %1; im Patienten ist alles kleiner, um die Vergrößerung.</translation>
+        <translation>Auf dem Detektor misst ein Pixel %1. Strukturen im Patienten sind um den Vergrößerungsfaktor kleiner.</translation>
     </message>
     <message>
-        <source>In pixels of the image: nothing is said of the patient.</source>
+        <source>Image pixels only; no physical scale.</source>
         <comment>measure.basis-pixels</comment>
-        <translation>In Pixeln des Bildes: über den Patienten ist damit nichts gesagt.</translation>
+        <translation>Nur Bildpixel; kein physikalischer Maßstab.</translation>
     </message>
     <message>
-        <source>As projected: in space the angle is another one.</source>
+        <source>Projected angle; the true 3-D angle differs.</source>
         <comment>measure.basis-angle</comment>
-        <translation>Wie projiziert: im Raum ist der Winkel ein anderer.</translation>
+        <translation>Projizierter Winkel; der wahre 3-D-Winkel weicht ab.</translation>
     </message>
     <message>
-        <source>Pixels are taken to be square.</source>
+        <source>Pixels are assumed to be square.</source>
         <comment>measure.square-pixels</comment>
-        <translation>Pixel gelten als quadratisch.</translation>
+        <translation>Pixel werden als quadratisch angenommen.</translation>
     </message>
     <message>
-        <source>The geometry behind this scale is assumed, not measured: the number may be wrong by the same share.</source>
+        <source>The geometry behind this scale is assumed, not measured; its relative error carries over to this value.</source>
         <comment>measure.scale-assumed</comment>
-        <translation>Die Geometrie hinter diesem Maßstab ist angenommen, nicht gemessen: die Zahl kann um denselben Anteil falsch sein.</translation>
+        <translation>Die Geometrie hinter diesem Maßstab ist angenommen, nicht gemessen; ihr relativer Fehler überträgt sich auf diesen Wert.</translation>
     </message>
     <message>
-        <source>The geometry behind this scale was typed.</source>
+        <source>The geometry behind this scale was entered manually.</source>
         <comment>measure.scale-typed</comment>
-        <translation>Die Geometrie hinter diesem Maßstab wurde eingegeben.</translation>
+        <translation>Die Geometrie hinter diesem Maßstab wurde manuell eingegeben.</translation>
     </message>
     <message>
-        <source>No registration found this pose: how deep the vessels lie is as it was set.</source>
+        <source>This pose does not come from a registration; the depth of the vessels is unverified.</source>
         <comment>measure.depth-unchecked</comment>
-        <translation>Keine Registrierung hat diese Lage gefunden: die Tiefe der Gefäße ist, wie sie gesetzt wurde.</translation>
+        <translation>Diese Lage stammt nicht aus einer Registrierung; die Tiefe der Gefäße ist ungeprüft.</translation>
     </message>
     <message>
-        <source>The registration behind this pose is not trustworthy: nor is the depth of the vessels.</source>
+        <source>The registration behind this pose is not reliable, and neither is the depth of the vessels.</source>
         <comment>measure.pose-doubtful</comment>
-        <translation>Die Registrierung hinter dieser Lage ist nicht vertrauenswürdig: die Tiefe der Gefäße auch nicht.</translation>
+        <translation>Die Registrierung hinter dieser Lage ist nicht verlässlich und damit auch nicht die Tiefe der Gefäße.</translation>
     </message>
     <message>
-        <source>Their depth is known to ±%1 (1-σ): ±%2 of the length.</source>
+        <source>Depth uncertainty: ±%1 (1-σ), which is ±%2 of the length.</source>
         <comment>measure.depth-spread</comment>
-        <translation>Ihre Tiefe ist auf ±%1 (1-σ) bekannt: ±%2 der Länge.</translation>
+        <translation>Unsicherheit der Tiefe: ±%1 (1-σ), das sind ±%2 der Länge.</translation>
     </message>
     <message>
-        <source>a measurement of this kind has %1 points at least, not %2. Add them or remove the measurement.</source>
+        <source>this type of measurement needs at least %1 points, not %2. Add points or remove the measurement.</source>
         <comment>case.measurement-points</comment>
-        <translation>eine Messung dieser Art hat mindestens %1 Punkte, nicht %2. Ergänzen oder die Messung entfernen.</translation>
+        <translation>diese Art von Messung braucht mindestens %1 Punkte, nicht %2. Ergänzen Sie Punkte, oder entfernen Sie die Messung.</translation>
     </message>
     <message>
-        <source>Branch %1 has no length that could be measured along. Trace it again.</source>
+        <source>Branch %1 has no length, so nothing can be measured along it. Trace it again.</source>
         <comment>measure.branch-no-length</comment>
-        <translation>Ast %1 hat keine Länge, entlang der sich messen ließe. Neu verfolgen.</translation>
+        <translation>Ast %1 hat keine Länge, daher lässt sich entlang seines Verlaufs nichts messen. Erfassen Sie ihn neu.</translation>
     </message>
     <message>
-        <source>This branch has no radii: its diameter is not known. Trace a scan, or open a tree with radii.</source>
+        <source>This branch has no radii, so its diameter is unknown. Trace a scan, or open a tree with radii.</source>
         <comment>measure.branch-no-radii</comment>
-        <translation>Dieser Ast hat keine Radien: sein Durchmesser ist nicht bekannt. Eine Aufnahme verfolgen oder einen Gefäßbaum mit Radien öffnen.</translation>
+        <translation>Dieser Ast hat keine Radien, daher ist sein Durchmesser unbekannt. Erfassen Sie die Gefäße eines Scans, oder öffnen Sie einen Gefäßbaum mit Radien.</translation>
     </message>
     <message>
-        <source>No part of this branch is even enough to be a reference: no narrowing is given.</source>
+        <source>No segment of this branch is uniform enough to serve as a reference; no stenosis is reported.</source>
         <comment>measure.branch-no-reference</comment>
-        <translation>Kein Teil dieses Astes ist gleichmäßig genug für eine Referenz: keine Verengung wird angegeben.</translation>
+        <translation>Kein Abschnitt dieses Astes ist gleichmäßig genug für eine Referenz; es wird keine Stenose angegeben.</translation>
     </message>
     <message>
-        <source>No scale was typed for this image. Type what a pixel measures, or measure in pixels.</source>
+        <source>No scale was entered for this image. Enter the size of a pixel, or measure in pixels.</source>
         <comment>measure.needs-typed-scale</comment>
-        <translation>Für dieses Bild ist kein Maßstab eingegeben. Eingeben, was ein Pixel misst, oder in Pixeln messen.</translation>
+        <translation>Für dieses Bild wurde kein Maßstab eingegeben. Geben Sie die Größe eines Pixels ein, oder messen Sie in Pixeln.</translation>
     </message>
     <message>
-        <source>%1 by the typed scale</source>
+        <source>%1 (scale entered)</source>
         <comment>measure.by-typed</comment>
-        <translation>%1 nach eingegebenem Maßstab</translation>
+        <translation>%1 (Maßstab eingegeben)</translation>
     </message>
     <message>
-        <source>A pixel is %1, as typed for this image. It holds where that was measured, at its depth alone.</source>
+        <source>A pixel measures %1, as entered for this image. This holds only at the depth where it was measured.</source>
         <comment>measure.basis-typed</comment>
-        <translation>Ein Pixel ist %1, wie für dieses Bild eingegeben. Das gilt dort, wo es gemessen wurde, nur in dessen Tiefe.</translation>
+        <translation>Ein Pixel misst %1, wie für dieses Bild eingegeben. Das gilt nur in der Tiefe, in der gemessen wurde.</translation>
     </message>
     <message>
-        <source>Not pointed at in this frame: choose Seen here, and click where it is seen.</source>
+        <source>Not marked in this frame. Choose “Mark target point in image” and click the point.</source>
         <comment>check.not-seen</comment>
-        <translation>In diesem Bild nicht gezeigt: „Hier zu sehen“ wählen und dorthin klicken, wo er zu sehen ist.</translation>
+        <translation>In diesem Bild nicht markiert. Wählen Sie „Zielpunkt im Bild markieren“, und klicken Sie auf den Punkt.</translation>
     </message>
     <message>
-        <source>Pointed at in frame %1; the pose is of frame %2. Show that frame, or point at it here.</source>
+        <source>Marked in frame %1, but the pose belongs to frame %2. Go to the marked frame, or mark the point in this one.</source>
         <comment>check.other-frame</comment>
-        <translation>Gezeigt in Bild %1; die Lage gilt für Bild %2. Jenes Bild zeigen oder hier darauf zeigen.</translation>
+        <translation>In Bild %1 markiert, aber die Lage gehört zu Bild %2. Wechseln Sie zum markierten Bild, oder markieren Sie den Punkt in diesem.</translation>
     </message>
     <message>
-        <source>It lies behind the source at this pose. Correct the pose.</source>
+        <source>The point lies behind the X-ray source at this pose. Correct the pose.</source>
         <comment>check.behind-source</comment>
-        <translation>Bei dieser Lage liegt er hinter der Quelle. Die Lage berichtigen.</translation>
+        <translation>Bei dieser Lage liegt der Punkt hinter der Röntgenquelle. Korrigieren Sie die Lage.</translation>
     </message>
     <message>
-        <source>In the image plane at its depth (%1 from the source): %2, %3. A pixel is %4 there: no click is finer.</source>
+        <source>In the image plane at the depth of the point (%1 from the source): %2, %3. A pixel measures %4 there, which limits the accuracy of a click.</source>
         <comment>check.image-error</comment>
-        <translation>In der Bildebene seiner Tiefe (%1 von der Quelle): %2, %3. Ein Pixel ist dort %4: feiner ist kein Klick.</translation>
+        <translation>In der Bildebene in der Tiefe des Punkts (%1 von der Quelle): %2, %3. Ein Pixel misst dort %4 und begrenzt die Genauigkeit eines Klicks.</translation>
     </message>
     <message>
-        <source>The pose&apos;s own covariance expects %1 there (1-σ).</source>
+        <source>The covariance of the pose predicts %1 there (1-σ).</source>
         <comment>check.claimed</comment>
-        <translation>Die Kovarianz der Lage selbst erwartet dort %1 (1-σ).</translation>
+        <translation>Die Kovarianz der Lage sagt dort %1 voraus (1-σ).</translation>
     </message>
     <message>
-        <source>No registration found this pose: nothing is claimed of it.</source>
+        <source>This pose does not come from a registration; no error is predicted.</source>
         <comment>check.nothing-claimed</comment>
-        <translation>Keine Registrierung hat diese Lage gefunden: über sie wird nichts behauptet.</translation>
+        <translation>Diese Lage stammt nicht aus einer Registrierung; es wird kein Fehler vorhergesagt.</translation>
     </message>
     <message>
-        <source>With the vessels bent: %1.</source>
+        <source>With deformed vessels: %1.</source>
         <comment>check.bent</comment>
-        <translation>Mit gebogenen Gefäßen: %1.</translation>
+        <translation>Mit verformten Gefäßen: %1.</translation>
     </message>
     <message>
-        <source>In space, where the rays of views %1 meet (%2 between them): %3. The rays pass each other by %4.</source>
+        <source>In space, where the rays of views %1 intersect (angle %2): %3. The rays miss each other by %4.</source>
         <comment>check.space-error</comment>
-        <translation>Im Raum, wo sich die Strahlen der Ansichten %1 treffen (%2 zwischen ihnen): %3. Die Strahlen verfehlen einander um %4.</translation>
+        <translation>Im Raum, wo sich die Strahlen der Ansichten %1 schneiden (Winkel %2): %3. Die Strahlen verfehlen einander um %4.</translation>
     </message>
     <message>
-        <source>An error in space needs the point seen in two views: only one tells of it so far.</source>
+        <source>A 3-D error requires the point to be marked in two views; so far it is marked in at most one.</source>
         <comment>check.needs-two-views</comment>
-        <translation>Ein Fehler im Raum braucht den Punkt in zwei Ansichten: bisher zeigt ihn höchstens eine.</translation>
+        <translation>Ein 3-D-Fehler setzt voraus, dass der Punkt in zwei Ansichten markiert ist; bisher ist er höchstens in einer markiert.</translation>
     </message>
     <message>
-        <source>The views look at it from nearly the same side (%1 between the rays): its depth cannot be told.</source>
+        <source>The views see the point from almost the same direction (%1 between the rays), so its depth cannot be determined.</source>
         <comment>check.rays-alike</comment>
-        <translation>Die Ansichten sehen ihn von fast derselben Seite (%1 zwischen den Strahlen): seine Tiefe ist nicht zu bestimmen.</translation>
+        <translation>Die Ansichten zeigen den Punkt aus fast derselben Richtung (%1 zwischen den Strahlen), daher lässt sich seine Tiefe nicht bestimmen.</translation>
     </message>
     <message>
         <source>%1 off</source>
@@ -7094,9 +7094,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 daneben</translation>
     </message>
     <message>
-        <source>%1 off, %2 claimed</source>
+        <source>%1 off, %2 predicted</source>
         <comment>check.label-claimed</comment>
-        <translation>%1 daneben, %2 behauptet</translation>
+        <translation>%1 daneben, %2 erwartet</translation>
     </message>
     <message>
         <source>⌀ %1</source>
@@ -7104,49 +7104,49 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>⌀ %1</translation>
     </message>
     <message>
-        <source>This branch has no radius here: a ring would have no size. Set a check point instead.</source>
+        <source>This branch has no radius here, so a ring would have no size. Add a target point instead.</source>
         <comment>check.ring-needs-radius</comment>
-        <translation>Dieser Ast hat hier keinen Radius: ein Ring hätte keine Größe. Stattdessen einen Prüfpunkt setzen.</translation>
+        <translation>Dieser Ast hat hier keinen Radius, daher hätte ein Ring keine Größe. Setzen Sie stattdessen einen Zielpunkt.</translation>
     </message>
     <message>
-        <source>Click on the vessels: a check point or a ring lies on them.</source>
+        <source>Click on the vessels: target points and rings must lie on them.</source>
         <comment>check.needs-vessels</comment>
-        <translation>Auf die Gefäße klicken: ein Prüfpunkt oder Ring liegt auf ihnen.</translation>
+        <translation>Klicken Sie auf die Gefäße: Zielpunkte und Ringe müssen auf ihnen liegen.</translation>
     </message>
     <message>
-        <source>At x %1, y %2, z %3 of the patient.</source>
+        <source>Patient coordinates x %1, y %2, z %3.</source>
         <comment>check.place</comment>
-        <translation>Bei x %1, y %2, z %3 des Patienten.</translation>
+        <translation>Patientenkoordinaten x %1, y %2, z %3.</translation>
     </message>
     <message>
-        <source>two marks have the number %1. Give each its own.</source>
+        <source>two marks have the number %1. Give each a unique number.</source>
         <comment>case.mark-twice</comment>
-        <translation>zwei Marken haben die Nummer %1. Jeder ihre eigene geben.</translation>
+        <translation>zwei Marken haben die Nummer %1. Geben Sie jeder eine eigene Nummer.</translation>
     </message>
     <message>
-        <source>a ring needs a radius above 0 and a direction. Add them or remove it.</source>
+        <source>a ring needs a radius greater than 0 and a direction. Add them or remove the ring.</source>
         <comment>case.ring-open</comment>
-        <translation>ein Ring braucht einen Radius über 0 und eine Richtung. Ergänzen oder den Ring entfernen.</translation>
+        <translation>ein Ring braucht einen Radius über 0 und eine Richtung. Ergänzen Sie beides, oder entfernen Sie den Ring.</translation>
     </message>
     <message>
-        <source>an arrow has two points, a text one. Mend the points or remove it.</source>
+        <source>an arrow needs two points, a text one. Correct the points or remove the annotation.</source>
         <comment>case.annotation-points</comment>
-        <translation>ein Pfeil hat zwei Punkte, ein Text einen. Die Punkte berichtigen oder ihn entfernen.</translation>
+        <translation>ein Pfeil braucht zwei Punkte, ein Text einen. Korrigieren Sie die Punkte, oder entfernen Sie die Anmerkung.</translation>
     </message>
     <message>
-        <source>Scan voxels of %1 × %2 × %3.</source>
+        <source>Scan voxel size: %1 × %2 × %3.</source>
         <comment>measure.basis-scan</comment>
-        <translation>Scan-Voxel von %1 × %2 × %3.</translation>
+        <translation>Voxelgröße des Scans: %1 × %2 × %3.</translation>
     </message>
     <message>
-        <source>Scan voxels; the scan is not open, so that their size is not known here.</source>
+        <source>Scan voxels; their size is unknown because the scan is not open.</source>
         <comment>measure.basis-scan-away</comment>
-        <translation>Scan-Voxel; der Scan ist nicht geöffnet, ihre Größe daher hier nicht bekannt.</translation>
+        <translation>Scan-Voxel; ihre Größe ist unbekannt, weil der Scan nicht geöffnet ist.</translation>
     </message>
     <message>
-        <source>In the plane of the slice: legs that leave it make another angle in space.</source>
+        <source>Angle in the slice plane; if a side leaves the plane, the 3-D angle differs.</source>
         <comment>measure.basis-scan-angle</comment>
-        <translation>In der Ebene der Schicht: Schenkel, die sie verlassen, bilden im Raum einen anderen Winkel.</translation>
+        <translation>Winkel in der Schichtebene; verlässt ein Schenkel die Ebene, weicht der 3-D-Winkel ab.</translation>
     </message>
     <message>
         <source>it is a report, not an image.</source>
@@ -7154,174 +7154,174 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>sie ist ein Befund, kein Bild.</translation>
     </message>
     <message>
-        <source>it only says how other images are shown.</source>
+        <source>it only defines how other images are displayed.</source>
         <comment>study.presentation</comment>
-        <translation>sie sagt nur, wie andere Bilder gezeigt werden.</translation>
+        <translation>sie legt nur fest, wie andere Bilder dargestellt werden.</translation>
     </message>
     <message>
-        <source>it holds no image (%1).</source>
+        <source>it contains no image (%1).</source>
         <comment>study.no-image</comment>
         <translation>sie enthält kein Bild (%1).</translation>
     </message>
     <message>
-        <source>it is a scout, which planned the scan: neither a volume nor an angiogram.</source>
+        <source>it is a scout (localizer), neither a volume nor an angiogram.</source>
         <comment>study.scout</comment>
-        <translation>sie ist ein Übersichtsbild zur Planung: weder Volumen noch Angiogramm.</translation>
+        <translation>sie ist ein Übersichtsbild (Scout), weder Volumen noch Angiogramm.</translation>
     </message>
     <message>
-        <source>its frames are packed as a video, which is not read. Export it in another way.</source>
+        <source>its frames are compressed as video, which is not supported. Export it in another format.</source>
         <comment>study.video</comment>
-        <translation>ihre Bilder sind als Video gepackt, das nicht gelesen wird. Bitte anders exportieren.</translation>
+        <translation>ihre Bilder sind als Video komprimiert, das nicht unterstützt wird. Exportieren Sie sie in einem anderen Format.</translation>
     </message>
     <message>
-        <source>in images of modality %1 no vessels are traced.</source>
+        <source>vessels are not traced in images of modality %1.</source>
         <comment>study.modality</comment>
-        <translation>in Bildern der Modalität %1 werden keine Gefäße gesucht.</translation>
+        <translation>in Bildern der Modalität %1 werden keine Gefäße erfasst.</translation>
     </message>
     <message>
-        <source>the DICOMDIR lists it, but its files are not there.</source>
+        <source>the DICOMDIR lists it, but its files are missing.</source>
         <comment>study.missing</comment>
-        <translation>das DICOMDIR nennt sie, aber ihre Dateien sind nicht da.</translation>
+        <translation>das DICOMDIR führt sie auf, aber ihre Dateien fehlen.</translation>
     </message>
     <message>
-        <source>it has no list of files</source>
+        <source>it contains no list of files</source>
         <comment>directory.no-records</comment>
-        <translation>es hat keine Liste von Dateien</translation>
+        <translation>es enthält keine Dateiliste</translation>
     </message>
     <message>
-        <source>its records do not lead to each other</source>
+        <source>its records are not linked consistently</source>
         <comment>directory.torn</comment>
-        <translation>seine Einträge führen nicht zueinander</translation>
+        <translation>seine Einträge sind nicht schlüssig verkettet</translation>
     </message>
     <message>
-        <source>it ends in the middle of a record</source>
+        <source>it is cut off in the middle of a record</source>
         <comment>directory.unfinished</comment>
-        <translation>es endet mitten in einem Eintrag</translation>
+        <translation>es bricht mitten in einem Eintrag ab</translation>
     </message>
     <message>
-        <source>movies are written as .mp4 or .gif. Choose one of these.</source>
+        <source>movies can be written as .mp4 or .gif. Choose one of these.</source>
         <comment>movie.kind</comment>
-        <translation>Filme werden als .mp4 oder .gif geschrieben. Eines davon wählen.</translation>
+        <translation>Filme lassen sich als .mp4 oder .gif schreiben. Wählen Sie eines davon.</translation>
     </message>
     <message>
-        <source>a movie has %1 pixels on a side at least. Choose a larger size.</source>
+        <source>a movie must have at least %1 pixels per side. Choose a larger size.</source>
         <comment>movie.too-small</comment>
-        <translation>ein Film hat mindestens %1 Pixel je Seite. Eine größere Größe wählen.</translation>
+        <translation>ein Film muss mindestens %1 Pixel je Seite haben. Wählen Sie eine größere Größe.</translation>
     </message>
     <message>
-        <source>MP4 holds no pictures of %1 × %2 pixels: 9,437,184 at most (4096 × 2304), and 8688 on a side. Choose a smaller size, or GIF.</source>
+        <source>MP4 does not support frames of %1 × %2 pixels: the limit is 9,437,184 pixels (4096 × 2304), and 8688 per side. Choose a smaller size, or GIF.</source>
         <comment>movie.too-large</comment>
-        <translation>MP4 fasst keine Bilder von %1 × %2 Pixeln: höchstens 9.437.184 (4096 × 2304) und 8688 je Seite. Eine kleinere Größe oder GIF wählen.</translation>
+        <translation>MP4 unterstützt keine Bilder von %1 × %2 Pixeln: Die Grenze liegt bei 9.437.184 Pixeln (4096 × 2304) und 8688 je Seite. Wählen Sie eine kleinere Größe oder GIF.</translation>
     </message>
     <message>
-        <source>a GIF of %1 × %2 pixels is not written: %3 on a side at most. Choose a smaller size.</source>
+        <source>a GIF of %1 × %2 pixels is too large: the limit is %3 per side. Choose a smaller size.</source>
         <comment>movie.gif-too-large</comment>
-        <translation>ein GIF von %1 × %2 Pixeln wird nicht geschrieben: höchstens %3 je Seite. Eine kleinere Größe wählen.</translation>
+        <translation>ein GIF von %1 × %2 Pixeln ist zu groß: Die Grenze liegt bei %3 je Seite. Wählen Sie eine kleinere Größe.</translation>
     </message>
     <message>
-        <source>the pictures of a movie must be equally large.</source>
+        <source>all frames of a movie must have the same size.</source>
         <comment>movie.sizes-differ</comment>
-        <translation>die Bilder eines Films müssen gleich groß sein.</translation>
+        <translation>alle Bilder eines Films müssen gleich groß sein.</translation>
     </message>
     <message>
         <source>the movie could not be encoded. Choose another size, or GIF.</source>
         <comment>movie.encoder-failed</comment>
-        <translation>der Film konnte nicht kodiert werden. Eine andere Größe oder GIF wählen.</translation>
+        <translation>der Film konnte nicht kodiert werden. Wählen Sie eine andere Größe oder GIF.</translation>
     </message>
     <message>
-        <source>the movie would be larger than 1 GB. Choose fewer frames or a smaller size.</source>
+        <source>the movie would exceed 1 GB. Choose fewer frames or a smaller size.</source>
         <comment>movie.too-long</comment>
-        <translation>der Film würde größer als 1 GB. Weniger Bilder oder eine kleinere Größe wählen.</translation>
+        <translation>der Film würde 1 GB überschreiten. Wählen Sie weniger Bilder oder eine kleinere Größe.</translation>
     </message>
     <message>
         <source>the movie could not be written. Choose another size or format.</source>
         <comment>movie.not-made</comment>
-        <translation>der Film konnte nicht geschrieben werden. Eine andere Größe oder ein anderes Format wählen.</translation>
+        <translation>der Film konnte nicht geschrieben werden. Wählen Sie eine andere Größe oder ein anderes Format.</translation>
     </message>
     <message>
-        <source>The report template %1 cannot be read: it is a text in UTF-8 of at most 1 MB. Choose another one, or the built-in one.</source>
+        <source>The report template %1 cannot be read: a template must be UTF-8 text of at most 1 MB. Choose another template, or the built-in one.</source>
         <comment>report.template-unreadable</comment>
-        <translation>Die Berichtsvorlage %1 ist nicht lesbar: Sie ist ein Text in UTF-8 von höchstens 1 MB. Eine andere wählen oder die eingebaute.</translation>
+        <translation>Die Berichtsvorlage %1 ist nicht lesbar: Eine Vorlage muss ein UTF-8-Text von höchstens 1 MB sein. Wählen Sie eine andere Vorlage oder die eingebaute.</translation>
     </message>
     <message>
-        <source>The report template lacks %1. Without it a report could keep back what must be read with the result: add it.</source>
+        <source>The report template lacks %1. Without it, a report could omit information that must be read with the result. Add it.</source>
         <comment>report.template-lacks</comment>
-        <translation>Der Berichtsvorlage fehlt %1. Ohne das könnte ein Bericht verschweigen, was mit dem Ergebnis gelesen werden muss: hinzufügen.</translation>
+        <translation>Der Berichtsvorlage fehlt %1. Ohne diese Angabe könnte ein Bericht Informationen auslassen, die mit dem Ergebnis gelesen werden müssen. Fügen Sie sie hinzu.</translation>
     </message>
     <message>
-        <source>The report template has %1, which nothing fills in. Known are %2.</source>
+        <source>The report template contains %1, which is not a known placeholder. Known placeholders: %2.</source>
         <comment>report.template-unknown</comment>
-        <translation>Die Berichtsvorlage enthält %1, das durch nichts ausgefüllt wird. Bekannt sind %2.</translation>
+        <translation>Die Berichtsvorlage enthält %1, das kein bekannter Platzhalter ist. Bekannte Platzhalter: %2.</translation>
     </message>
     <message>
-        <source>The report template has “%1”, by which a report could fetch or run something. Take it out.</source>
+        <source>The report template contains “%1”, which could load or run other content. Remove it.</source>
         <comment>report.template-fetches</comment>
-        <translation>Die Berichtsvorlage enthält „%1“, womit ein Bericht etwas laden oder ausführen könnte. Das entfernen.</translation>
+        <translation>Die Berichtsvorlage enthält „%1“, womit sich andere Inhalte laden oder ausführen ließen. Entfernen Sie es.</translation>
     </message>
     <message>
-        <source>The picture %1 of the report template cannot be read. Put it beside the template, as PNG or JPEG of at most 16 MB and 8192 pixels a side.</source>
+        <source>The image %1 of the report template cannot be read. Place it next to the template, as PNG or JPEG of at most 16 MB and 8192 pixels per side.</source>
         <comment>report.template-picture</comment>
-        <translation>Das Bild %1 der Berichtsvorlage ist nicht lesbar. Es neben die Vorlage legen, als PNG oder JPEG von höchstens 16 MB und 8192 Pixeln je Seite.</translation>
+        <translation>Das Bild %1 der Berichtsvorlage ist nicht lesbar. Legen Sie es neben die Vorlage, als PNG oder JPEG von höchstens 16 MB und 8192 Pixeln je Seite.</translation>
     </message>
     <message>
-        <source>the pictures together are more than a DICOM object may hold. Choose a smaller width or fewer frames.</source>
+        <source>the images together exceed the size limit of a DICOM object. Choose a smaller width or fewer frames.</source>
         <comment>object.too-large</comment>
-        <translation>die Bilder zusammen sind mehr, als ein DICOM-Objekt fassen darf. Eine kleinere Breite oder weniger Bilder wählen.</translation>
+        <translation>die Bilder überschreiten zusammen die Größe, die ein DICOM-Objekt haben darf. Wählen Sie eine kleinere Breite oder weniger Bilder.</translation>
     </message>
     <message>
         <source>this is not a PDF. Export the report as PDF first.</source>
         <comment>object.no-pdf</comment>
-        <translation>das ist kein PDF. Zuerst den Bericht als PDF exportieren.</translation>
+        <translation>das ist kein PDF. Exportieren Sie zuerst den Bericht als PDF.</translation>
     </message>
     <message>
-        <source>a presentation state refers to a DICOM image, and the angiogram is none that can be referred to. Open it as DICOM, or leave the presentation state out.</source>
+        <source>a presentation state must reference a DICOM image, and this angiogram cannot be referenced. Open it as DICOM, or leave out the presentation state.</source>
         <comment>object.no-reference</comment>
-        <translation>ein Presentation State verweist auf ein DICOM-Bild, und das Angiogramm ist keines, auf das sich verweisen lässt. Es als DICOM öffnen oder den Presentation State weglassen.</translation>
+        <translation>ein Presentation State muss auf ein DICOM-Bild verweisen, und auf dieses Angiogramm lässt sich nicht verweisen. Öffnen Sie es als DICOM, oder lassen Sie den Presentation State weg.</translation>
     </message>
     <message>
-        <source>no vessels lie on the image. Move them there first, or leave the presentation state out.</source>
+        <source>no vessels lie on the image. Move them there first, or leave out the presentation state.</source>
         <comment>object.no-lines</comment>
-        <translation>auf dem Bild liegen keine Gefäße. Sie zuerst dorthin schieben oder den Presentation State weglassen.</translation>
+        <translation>auf dem Bild liegen keine Gefäße. Verschieben Sie sie zuerst dorthin, oder lassen Sie den Presentation State weg.</translation>
     </message>
     <message>
-        <source>the pose is not a rigid motion of finite numbers. Reset the pose first.</source>
+        <source>the pose is not a rigid transform with finite values. Reset the pose first.</source>
         <comment>object.pose-not-rigid</comment>
-        <translation>die Lage ist keine starre Bewegung aus endlichen Zahlen. Zuerst die Lage zurücksetzen.</translation>
+        <translation>die Lage ist keine starre Transformation mit endlichen Werten. Setzen Sie zuerst die Lage zurück.</translation>
     </message>
     <message>
-        <source>no vessel lies in the scan. Check that scan and vessels are of one patient, or leave the segmentation out.</source>
+        <source>no vessel lies in the scan. Check that scan and vessels belong to the same patient, or leave out the segmentation.</source>
         <comment>object.no-voxels</comment>
-        <translation>im Scan liegt kein Gefäß. Prüfen, ob Scan und Gefäße von einem Patienten sind, oder die Segmentierung weglassen.</translation>
+        <translation>im Scan liegt kein Gefäß. Prüfen Sie, ob Scan und Gefäße vom selben Patienten stammen, oder lassen Sie die Segmentierung weg.</translation>
     </message>
     <message>
-        <source>nothing was measured and nothing registered. Do one of these first, or leave the measurements out.</source>
+        <source>there is no measurement and no registration result. Create one of them first, or leave out the measurements.</source>
         <comment>object.nothing-measured</comment>
-        <translation>nichts wurde gemessen und nichts registriert. Zuerst eines davon tun oder die Messungen weglassen.</translation>
+        <translation>es gibt weder eine Messung noch ein Registrierungsergebnis. Erstellen Sie zuerst eines davon, oder lassen Sie die Messungen weg.</translation>
     </message>
     <message>
-        <source>this DICOM file holds no registration of one frame of reference to another. Choose a spatial registration.</source>
+        <source>this DICOM file contains no registration between two frames of reference. Choose a spatial registration.</source>
         <comment>pose.no-registration</comment>
-        <translation>diese DICOM-Datei enthält keine Registrierung eines Bezugssystems zu einem anderen. Eine Spatial Registration wählen.</translation>
+        <translation>diese DICOM-Datei enthält keine Registrierung zwischen zwei Bezugssystemen. Wählen Sie eine Spatial Registration.</translation>
     </message>
     <message>
-        <source>a segmentation needs the scan or the mask that the vessels come from. Open it first, or leave the segmentation out.</source>
+        <source>a segmentation needs the scan or mask that the vessels come from. Open it first, or leave out the segmentation.</source>
         <comment>dicom-export.no-scan</comment>
-        <translation>eine Segmentierung braucht den Scan oder die Maske, aus denen die Gefäße kommen. Zuerst öffnen oder die Segmentierung weglassen.</translation>
+        <translation>eine Segmentierung braucht den Scan oder die Maske, aus denen die Gefäße stammen. Öffnen Sie diese zuerst, oder lassen Sie die Segmentierung weg.</translation>
     </message>
     <message>
-        <source>reports are written by the program angiopose, which is not at &apos;%1&apos;. Install the window&apos;s program beside angiopose-cli, or build its target angiopose.</source>
+        <source>the program angiopose, which writes the reports, is missing at &apos;%1&apos;. Install it next to angiopose-cli, or build the target angiopose.</source>
         <comment>report.program-missing</comment>
-        <translation>Berichte schreibt das Programm angiopose, das nicht unter &apos;%1&apos; liegt. Das Programm des Fensters neben angiopose-cli installieren oder sein Ziel angiopose bauen.</translation>
+        <translation>das Programm angiopose, das die Berichte schreibt, fehlt unter &apos;%1&apos;. Installieren Sie es neben angiopose-cli, oder bauen Sie das Ziel angiopose.</translation>
     </message>
     <message>
-        <source>The program angiopose was ended by signal %1; no report was written. angiopose-cli support-bundle gathers what tells why.</source>
+        <source>The program angiopose was terminated by signal %1; no report was written. Run angiopose-cli support-bundle to collect diagnostic data.</source>
         <comment>report.program-fault</comment>
-        <translation>Das Programm angiopose wurde durch Signal %1 beendet; es wurde kein Bericht geschrieben. angiopose-cli support-bundle sammelt, was den Grund verrät.</translation>
+        <translation>Das Programm angiopose wurde durch Signal %1 beendet; es wurde kein Bericht geschrieben. Sammeln Sie mit angiopose-cli support-bundle Diagnosedaten.</translation>
     </message>
     <message>
-        <source>the report is written. It says that this pose is not trustworthy, and why.</source>
+        <source>the report was written. It states that this pose is not reliable, and why.</source>
         <comment>report.distrusted</comment>
-        <translation>der Bericht ist geschrieben. Er sagt, dass diese Lage nicht vertrauenswürdig ist, und warum.</translation>
+        <translation>der Bericht wurde geschrieben. Er gibt an, dass diese Lage nicht verlässlich ist, und warum.</translation>
     </message>
     <message>
         <source>stopped; no report was written.</source>
@@ -7329,44 +7329,44 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>angehalten; es wurde kein Bericht geschrieben.</translation>
     </message>
     <message>
-        <source>a report is made by angiopose-cli report, or by the window. Give its PDF by --report, or leave it out.</source>
+        <source>a report is created by angiopose-cli report or in the window. Pass its PDF with --report, or leave it out.</source>
         <comment>dicom-export.no-report</comment>
-        <translation>einen Bericht macht angiopose-cli report oder das Fenster. Sein PDF mit --report angeben oder weglassen.</translation>
+        <translation>ein Bericht entsteht mit angiopose-cli report oder im Fenster. Geben Sie sein PDF mit --report an, oder lassen Sie ihn weg.</translation>
     </message>
     <message>
-        <source>Left out: %1: %2</source>
+        <source>Not exported: %1: %2</source>
         <comment>dicom-export.left-out</comment>
-        <translation>Weggelassen: %1: %2</translation>
+        <translation>Nicht exportiert: %1: %2</translation>
     </message>
     <message>
-        <source>The angiogram is no DICOM image: its objects begin a study of their own, without a patient.</source>
+        <source>The angiogram is not a DICOM image: its objects start a new study without a patient.</source>
         <comment>dicom-export.new-study</comment>
-        <translation>Das Angiogramm ist kein DICOM-Bild: Seine Objekte beginnen eine eigene Studie ohne Patienten.</translation>
+        <translation>Das Angiogramm ist kein DICOM-Bild: Seine Objekte beginnen eine neue Studie ohne Patienten.</translation>
     </message>
     <message>
-        <source>The scan is no DICOM series: its segmentation refers to none and has a frame of reference of its own.</source>
+        <source>The scan is not a DICOM series: its segmentation references no series and has its own frame of reference.</source>
         <comment>dicom-export.no-scan-study</comment>
-        <translation>Der Scan ist keine DICOM-Serie: Seine Segmentierung verweist auf keine und hat ein eigenes Bezugssystem.</translation>
+        <translation>Der Scan ist keine DICOM-Serie: Seine Segmentierung verweist auf keine Serie und hat ein eigenes Bezugssystem.</translation>
     </message>
     <message>
-        <source>A spatial registration is a rigid matrix alone: it cannot hold the perspective camera, without which it gives no overlay. That stands in its private elements and in camera.json beside it.</source>
+        <source>A spatial registration holds only a rigid matrix. It cannot store the perspective camera, which an overlay requires. The camera is stored in its private elements and in the accompanying camera.json.</source>
         <comment>dicom-export.rigid-only</comment>
-        <translation>Eine Spatial Registration ist nur eine starre Matrix: Die perspektivische Kamera, ohne die sie keine Überlagerung ergibt, kann sie nicht enthalten. Diese steht in ihren privaten Elementen und daneben in camera.json.</translation>
+        <translation>Eine Spatial Registration enthält nur eine starre Matrix. Die perspektivische Kamera, die eine Überlagerung erfordert, kann sie nicht speichern. Die Kamera steht in ihren privaten Elementen und in der beiliegenden camera.json.</translation>
     </message>
     <message>
-        <source>The presentation state shows the image as it is stored, not subtracted: its grey values are others than here.</source>
+        <source>The presentation state shows the image as stored, not subtracted: its gray values differ from those shown here.</source>
         <comment>dicom-export.treated</comment>
-        <translation>Der Presentation State zeigt das Bild, wie es gespeichert ist, nicht subtrahiert: Seine Grauwerte sind andere als hier.</translation>
+        <translation>Der Presentation State zeigt das gespeicherte, nicht subtrahierte Bild: Seine Grauwerte weichen von den hier gezeigten ab.</translation>
     </message>
     <message>
-        <source>this case allows none of the objects. Open vessels and an angiogram first.</source>
+        <source>this case can be exported as none of these objects. Open vessels and an angiogram first.</source>
         <comment>dicom-export.nothing</comment>
-        <translation>dieser Fall erlaubt keines der Objekte. Zuerst Gefäße und ein Angiogramm öffnen.</translation>
+        <translation>dieser Fall lässt sich als keines dieser Objekte exportieren. Öffnen Sie zuerst Gefäße und ein Angiogramm.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is unknown. Use %2.</source>
         <comment>dicom-export.kind-unknown</comment>
-        <translation>„%1“ ist unbekannt. %2 verwenden.</translation>
+        <translation>„%1“ ist unbekannt. Verwenden Sie %2.</translation>
     </message>
     <message>
         <source>stopped; nothing was written.</source>
@@ -7374,19 +7374,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>angehalten; nichts wurde geschrieben.</translation>
     </message>
     <message>
-        <source>Vessels of a registered 3-D tree drawn over the image, window and size as chosen</source>
+        <source>Vessels of a registered 3-D tree overlaid on the image, with the chosen window and size</source>
         <comment>dicom-export.derivation</comment>
-        <translation>Gefäße eines registrierten 3-D-Baums über das Bild gezeichnet, Fenster und Größe wie gewählt</translation>
+        <translation>Gefäße eines registrierten 3-D-Baums dem Bild überlagert, mit gewähltem Fenster und gewählter Größe</translation>
     </message>
     <message>
-        <source>No registration is known that led to this pose. Register first.</source>
+        <source>No registration is recorded for this pose. Register first.</source>
         <comment>movie.no-history</comment>
-        <translation>Keine Registrierung ist bekannt, die zu dieser Lage führte. Zuerst registrieren.</translation>
+        <translation>Für diese Lage ist keine Registrierung verzeichnet. Registrieren Sie zuerst.</translation>
     </message>
     <message>
-        <source>stopped before the movie was whole. Nothing was written.</source>
+        <source>stopped before the movie was complete. Nothing was written.</source>
         <comment>movie.stopped</comment>
-        <translation>angehalten, bevor der Film fertig war. Nichts wurde geschrieben.</translation>
+        <translation>angehalten, bevor der Film vollständig war. Es wurde nichts geschrieben.</translation>
     </message>
     <message>
         <source>pose of frame %1</source>
@@ -7394,14 +7394,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Lage des Bildes %1</translation>
     </message>
     <message>
-        <source>pose followed to this frame</source>
+        <source>pose tracked to this frame</source>
         <comment>movie.followed</comment>
         <translation>bis zu diesem Bild verfolgte Lage</translation>
     </message>
     <message>
-        <source>pose followed to this frame · not trustworthy</source>
+        <source>pose tracked to this frame · not reliable</source>
         <comment>movie.followed-distrusted</comment>
-        <translation>bis zu diesem Bild verfolgte Lage · nicht vertrauenswürdig</translation>
+        <translation>bis zu diesem Bild verfolgte Lage · nicht verlässlich</translation>
     </message>
     <message>
         <source>step %1 of %2 · median %3</source>
@@ -7409,89 +7409,89 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Schritt %1 von %2 · Median %3</translation>
     </message>
     <message>
-        <source>step %1 of %2 · median %3 · its result is not trustworthy</source>
+        <source>step %1 of %2 · median %3 · result not reliable</source>
         <comment>movie.step-distrusted</comment>
-        <translation>Schritt %1 von %2 · Median %3 · sein Ergebnis ist nicht vertrauenswürdig</translation>
+        <translation>Schritt %1 von %2 · Median %3 · Ergebnis nicht verlässlich</translation>
     </message>
     <message>
-        <source>seen from the front, turned by %1</source>
+        <source>front view, rotated by %1</source>
         <comment>movie.turned</comment>
-        <translation>von vorn gesehen, um %1 gedreht</translation>
+        <translation>Ansicht von vorn, um %1 gedreht</translation>
     </message>
     <message>
-        <source>it cannot be written: it would be larger than files may be here, by a limit of the system (ulimit -f) or of the drive. Raise the limit or choose another folder.</source>
+        <source>it cannot be written: it would exceed the file size limit of the system (ulimit -f) or of the drive. Raise the limit or choose another folder.</source>
         <comment>file.beyond-limit</comment>
-        <translation>sie lässt sich nicht schreiben: sie würde größer, als Dateien hier sein dürfen, durch eine Grenze des Systems (ulimit -f) oder des Laufwerks. Heben Sie die Grenze an oder wählen Sie einen anderen Ordner.</translation>
+        <translation>sie lässt sich nicht schreiben: Sie würde die Dateigrößengrenze des Systems (ulimit -f) oder des Laufwerks überschreiten. Heben Sie die Grenze an, oder wählen Sie einen anderen Ordner.</translation>
     </message>
     <message>
-        <source>it was changed elsewhere since it was opened here. Save under another name, or open it again.</source>
+        <source>it was changed elsewhere since it was opened here. Save it under another name, or reopen it.</source>
         <comment>case.changed-elsewhere</comment>
-        <translation>sie wurde anderswo geändert, seit sie hier geöffnet wurde. Speichern Sie unter anderem Namen oder öffnen Sie sie neu.</translation>
+        <translation>sie wurde anderswo geändert, seit sie hier geöffnet wurde. Speichern Sie sie unter anderem Namen, oder öffnen Sie sie erneut.</translation>
     </message>
     <message>
-        <source>it is open elsewhere too: process %1 on %2. Save under another name, or close it there.</source>
+        <source>it is also open elsewhere (process %1 on %2). Save it under another name, or close it there.</source>
         <comment>case.open-elsewhere</comment>
-        <translation>sie ist auch anderswo geöffnet: Prozess %1 auf %2. Speichern Sie unter anderem Namen oder schließen Sie sie dort.</translation>
+        <translation>sie ist auch anderswo geöffnet (Prozess %1 auf %2). Speichern Sie sie unter anderem Namen, oder schließen Sie sie dort.</translation>
     </message>
     <message>
-        <source>it lists no cases. Begin it with a header row that has the column case, and one of reference and pairs; a row for each case.</source>
+        <source>it lists no cases. Start with a header row with the column case and one of the columns reference and pairs; add one row per case.</source>
         <comment>own.no-header</comment>
-        <translation>sie führt keine Fälle auf. Beginnen Sie sie mit einer Kopfzeile mit der Spalte case und einer von reference und pairs; je Fall eine Zeile.</translation>
+        <translation>sie führt keine Fälle auf. Beginnen Sie mit einer Kopfzeile mit der Spalte case und einer der Spalten reference und pairs; fügen Sie je Fall eine Zeile hinzu.</translation>
     </message>
     <message>
-        <source>line %1 names no case. Write the path of a case file into the column case.</source>
+        <source>line %1 names no case. Enter the path of a case file in the column case.</source>
         <comment>own.no-case</comment>
-        <translation>Zeile %1 nennt keinen Fall. Schreiben Sie den Pfad einer Falldatei in die Spalte case.</translation>
+        <translation>Zeile %1 nennt keinen Fall. Geben Sie in der Spalte case den Pfad einer Falldatei an.</translation>
     </message>
     <message>
-        <source>line %1 has no truth. Name a pose in the column reference, or a table of pairs of points in pairs.</source>
+        <source>line %1 has no ground truth. Give a pose in the column reference, or a table of point pairs in the column pairs.</source>
         <comment>own.no-truth</comment>
-        <translation>Zeile %1 hat keine Wahrheit. Nennen Sie eine Lage in der Spalte reference oder eine Tabelle von Punktpaaren in pairs.</translation>
+        <translation>Zeile %1 hat keine Referenzwahrheit. Geben Sie eine Lage in der Spalte reference an oder eine Tabelle von Punktpaaren in der Spalte pairs.</translation>
     </message>
     <message>
-        <source>line %1 says in the column bent where the vessels lay. That needs a pose in reference to see them with, and leaves no landmarks, for these would have to bend, too.</source>
+        <source>line %1 gives the true vessel positions in the column bent. This requires a pose in the column reference and excludes landmarks, which would also have to be deformed.</source>
         <comment>own.bent-alone</comment>
-        <translation>Zeile %1 sagt in der Spalte bent, wo die Gefäße lagen. Das braucht eine Lage in reference, mit der sie gesehen werden, und lässt keine Landmarken zu, denn auch diese müssten sich biegen.</translation>
+        <translation>Zeile %1 gibt in der Spalte bent die wahren Gefäßpositionen an. Das erfordert eine Lage in der Spalte reference und schließt Landmarken aus, die ebenfalls verformt werden müssten.</translation>
     </message>
     <message>
-        <source>its branches are not those of the case&apos;s vessels, with as many points each. Bent vessels are judged point by point: move the points of the case&apos;s own vessel file.</source>
+        <source>its branches or their numbers of points differ from those of the case&apos;s vessels. Deformed vessels are evaluated point by point: move the points of the case&apos;s own vessel file.</source>
         <comment>own.bent-other</comment>
-        <translation>Ihre Äste sind nicht die der Gefäße des Falles mit je ebenso vielen Punkten. Gebogene Gefäße werden Punkt für Punkt beurteilt: Verschieben Sie die Punkte der Gefäßdatei des Falles.</translation>
+        <translation>ihre Äste oder deren Punktzahlen weichen von den Gefäßen des Falles ab. Verformte Gefäße werden Punkt für Punkt ausgewertet: Verschieben Sie die Punkte der Gefäßdatei des Falles.</translation>
     </message>
     <message>
-        <source>line %1: &apos;%2&apos; cannot be a condition&apos;s name, for files are called by it. Use letters, digits, dots, dashes and underscores.</source>
+        <source>line %1: &apos;%2&apos; is not a valid condition name, because files are named after it. Use letters, digits, dots, dashes and underscores.</source>
         <comment>own.condition-name</comment>
-        <translation>Zeile %1: &apos;%2&apos; kann kein Name einer Bedingung sein, denn Dateien heißen danach. Nehmen Sie Buchstaben, Ziffern, Punkte, Binde- und Unterstriche.</translation>
+        <translation>Zeile %1: &apos;%2&apos; ist kein gültiger Name einer Bedingung, denn Dateien werden danach benannt. Verwenden Sie Buchstaben, Ziffern, Punkte, Binde- und Unterstriche.</translation>
     </message>
     <message>
-        <source>a column is called pose. without a name after the dot. Name what found these poses.</source>
+        <source>a column is named pose. without a name after the dot. Add the name of the method or person that found these poses.</source>
         <comment>own.pose-without-name</comment>
-        <translation>eine Spalte heißt pose. ohne Namen nach dem Punkt. Nennen Sie, was diese Lagen gefunden hat.</translation>
+        <translation>eine Spalte heißt pose. ohne Namen nach dem Punkt. Ergänzen Sie die Methode oder Person, die diese Lagen gefunden hat.</translation>
     </message>
     <message>
-        <source>it has no column %1. Landmarks need x, y, z (mm, LPS), pairs of points u and v (px) besides.</source>
+        <source>column %1 is missing. Landmarks need x, y, z (mm, LPS); point pairs also need u and v (px).</source>
         <comment>own.point-column-missing</comment>
-        <translation>sie hat keine Spalte %1. Landmarken brauchen x, y, z (mm, LPS), Punktpaare dazu u und v (px).</translation>
+        <translation>die Spalte %1 fehlt. Landmarken brauchen x, y, z (mm, LPS), Punktpaare zusätzlich u und v (px).</translation>
     </message>
     <message>
-        <source>it holds no points.</source>
+        <source>it contains no points.</source>
         <comment>own.no-points</comment>
         <translation>sie enthält keine Punkte.</translation>
     </message>
     <message>
-        <source>it has no column %1: it is no log of blind trials, or one of an earlier version that did not keep the centroid. Such logs are written by Registration, Blind trial.</source>
+        <source>column %1 is missing: this is not a log of blind trials, or an earlier version that did not store the centroid wrote it. Registration &gt; Blind observer trial writes such logs.</source>
         <comment>observers.column-missing</comment>
-        <translation>sie hat keine Spalte %1: Sie ist kein Protokoll blinder Versuche, oder eines einer früheren Version, die den Schwerpunkt nicht behielt. Solche Protokolle schreibt Registrierung, Blinder Versuch.</translation>
+        <translation>die Spalte %1 fehlt: Dies ist kein Protokoll blinder Versuche, oder eine frühere Version, die den Schwerpunkt nicht speicherte, hat es geschrieben. Solche Protokolle schreibt Registrierung &gt; Blinder Beobachterversuch.</translation>
     </message>
     <message>
-        <source>The logs hold no two finished trials of one image, so nothing can be compared. Let an observer repeat a trial, or another one do it.</source>
+        <source>The logs contain no two finished trials of the same image, so there is nothing to compare. Have an observer repeat a trial, or another observer perform it.</source>
         <comment>observers.too-few</comment>
-        <translation>Die Protokolle enthalten keine zwei beendeten Versuche an einem Bild, also ist nichts zu vergleichen. Lassen Sie einen Versuch wiederholen oder eine andere Person ihn machen.</translation>
+        <translation>Die Protokolle enthalten keine zwei beendeten Versuche an demselben Bild, daher gibt es nichts zu vergleichen. Lassen Sie eine Person einen Versuch wiederholen oder eine andere ihn durchführen.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no key of %2. It knows: %3.</source>
+        <source>&apos;%1&apos; is not a valid key of %2. Valid keys: %3.</source>
         <comment>study.unknown-key</comment>
-        <translation>&apos;%1&apos; ist kein Schlüssel von %2. Es kennt: %3.</translation>
+        <translation>&apos;%1&apos; ist kein gültiger Schlüssel von %2. Gültige Schlüssel: %3.</translation>
     </message>
     <message>
         <source>%1 lacks &apos;%2&apos;.</source>
@@ -7499,19 +7499,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 fehlt &apos;%2&apos;.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; of %2 cannot be this: %3.</source>
+        <source>&apos;%1&apos; of %2 has an invalid value: %3.</source>
         <comment>study.wrong-value</comment>
-        <translation>&apos;%1&apos; von %2 kann nicht dies sein: %3.</translation>
+        <translation>&apos;%1&apos; von %2 hat einen ungültigen Wert: %3.</translation>
     </message>
     <message>
-        <source>it is no study. Begin it with &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1.</source>
+        <source>it is not a study file. Start it with &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1.</source>
         <comment>study.no-study</comment>
-        <translation>sie ist keine Studie. Beginnen Sie sie mit &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1.</translation>
+        <translation>sie ist keine Studiendatei. Beginnen Sie sie mit &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1.</translation>
     </message>
     <message>
-        <source>two settings are called &apos;%1&apos;. Give each a name of its own: folders are called by it.</source>
+        <source>two settings are named &apos;%1&apos;. Give each a unique name: folders are named after it.</source>
         <comment>study.name-twice</comment>
-        <translation>zwei Einstellungen heißen &apos;%1&apos;. Geben Sie jeder einen eigenen Namen: Ordner heißen danach.</translation>
+        <translation>zwei Einstellungen heißen &apos;%1&apos;. Geben Sie jeder einen eigenen Namen: Ordner werden danach benannt.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; of %2 must lie between %3 and %4.</source>
@@ -7519,9 +7519,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>&apos;%1&apos; von %2 muss zwischen %3 und %4 liegen.</translation>
     </message>
     <message>
-        <source>`evaluate own` needs one table of cases and what is known of them: angiopose-cli evaluate own CASES.csv --output FOLDER.</source>
+        <source>`evaluate own` needs a table of cases with their reference data: angiopose-cli evaluate own CASES.csv --output FOLDER.</source>
         <comment>evaluate.no-manifest</comment>
-        <translation>`evaluate own` braucht eine Tabelle der Fälle und dessen, was von ihnen bekannt ist: angiopose-cli evaluate own CASES.csv --output FOLDER.</translation>
+        <translation>`evaluate own` braucht eine Tabelle der Fälle mit ihren Referenzdaten: angiopose-cli evaluate own CASES.csv --output FOLDER.</translation>
     </message>
     <message>
         <source>`evaluate observers` needs a log of blind trials: angiopose-cli evaluate observers TRIALS.csv --output FOLDER.</source>
@@ -7529,9 +7529,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>`evaluate observers` braucht ein Protokoll blinder Versuche: angiopose-cli evaluate observers TRIALS.csv --output FOLDER.</translation>
     </message>
     <message>
-        <source>The experiment &apos;%1&apos; makes its own trials. Leave &apos;%2&apos; out, or write `evaluate own %2`.</source>
+        <source>The experiment &apos;%1&apos; generates its own trials. Omit &apos;%2&apos;, or write `evaluate own %2`.</source>
         <comment>evaluate.input-of-experiment</comment>
-        <translation>Das Experiment &apos;%1&apos; macht seine Versuche selbst. Lassen Sie &apos;%2&apos; weg oder schreiben Sie `evaluate own %2`.</translation>
+        <translation>Das Experiment &apos;%1&apos; erzeugt seine Versuche selbst. Lassen Sie &apos;%2&apos; weg, oder schreiben Sie `evaluate own %2`.</translation>
     </message>
     <message>
         <source>`simulate` needs --seed for one case or --study for many.</source>
@@ -7539,39 +7539,39 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>`simulate` braucht --seed für einen Fall oder --study für viele.</translation>
     </message>
     <message>
-        <source>%1 voxels lie far beyond all others (between %2 and %3); they are taken as the lowest or highest of those.</source>
+        <source>%1 voxels lie far outside the range of all others (%2 to %3); they are clamped to that range.</source>
         <comment>volume.stray-values</comment>
-        <translation>%1 Voxel liegen weit jenseits aller anderen (zwischen %2 und %3); sie gelten als kleinster oder größter Wert von diesen.</translation>
+        <translation>%1 Voxel liegen weit außerhalb des Bereichs aller anderen (%2 bis %3); sie werden auf diesen Bereich begrenzt.</translation>
     </message>
     <message>
-        <source>what was printed did not all arrive: the drive or pipe behind the standard output is full or closed. Make room, or send it elsewhere.</source>
+        <source>the output was not written completely: the drive or pipe behind the standard output is full or closed. Free up space, or redirect the output.</source>
         <comment>run.output-not-written</comment>
-        <translation>Was ausgegeben wurde, ist nicht ganz angekommen: Laufwerk oder Pipe hinter der Standardausgabe ist voll oder geschlossen. Schaffen Sie Platz, oder leiten Sie sie anderswohin.</translation>
+        <translation>die Ausgabe wurde nicht vollständig geschrieben: Laufwerk oder Pipe hinter der Standardausgabe ist voll oder geschlossen. Schaffen Sie Platz, oder leiten Sie die Ausgabe um.</translation>
     </message>
     <message>
-        <source>the audit file cannot be written (%1), so that what was done is not in it. Make room, or allow writing to it.</source>
+        <source>the audit log cannot be written (%1), so actions are not recorded in it. Free up space, or allow writing to it.</source>
         <comment>audit.not-written</comment>
-        <translation>die Audit-Datei kann nicht geschrieben werden (%1), sodass nicht darin steht, was getan wurde. Schaffen Sie Platz, oder erlauben Sie das Schreiben.</translation>
+        <translation>das Audit-Protokoll lässt sich nicht schreiben (%1), daher werden Aktionen darin nicht verzeichnet. Schaffen Sie Platz, oder erlauben Sie das Schreiben.</translation>
     </message>
     <message>
-        <source>No header tells where the table stood: where the vessels lie in this view is found from its image, only the turn from angles.</source>
+        <source>The header does not give the table position: the image of this view determines the vessel position, and only the rotation comes from the angles.</source>
         <comment>geometry.table-unknown</comment>
-        <translation>Kein Header sagt, wo der Tisch stand: Wo die Gefäße in dieser Ansicht liegen, folgt aus ihrem Bild, nur die Drehung aus den Winkeln.</translation>
+        <translation>Der Header gibt die Tischposition nicht an: Die Gefäßposition in dieser Ansicht ergibt sich aus ihrem Bild, nur die Drehung aus den Winkeln.</translation>
     </message>
     <message>
-        <source>Only (0018,1111) tells a distance, and it differs between the views (%1, %2): it is no isocenter. The shift between the views is not used; type the distance source to isocenter (SOD) of both.</source>
+        <source>Only (0018,1111) gives a distance, and it differs between the views (%1, %2), so it is not the isocenter distance. The shift between the views is not used; enter the source-to-isocenter distance (SOD) of both views.</source>
         <comment>geometry.isocenter-unknown</comment>
-        <translation>Nur (0018,1111) nennt einen Abstand, und er ist zwischen den Ansichten verschieden (%1, %2): Er ist kein Isozentrum. Die Verschiebung zwischen den Ansichten wird nicht verwendet; bitte für beide den Abstand Quelle–Isozentrum (SOD) eingeben.</translation>
+        <translation>Nur (0018,1111) gibt einen Abstand an, und er unterscheidet sich zwischen den Ansichten (%1, %2), ist also nicht der Isozentrumsabstand. Die Verschiebung zwischen den Ansichten wird nicht verwendet; geben Sie für beide Ansichten den Abstand Quelle–Isozentrum (SOD) ein.</translation>
     </message>
     <message>
-        <source>The table moved during one of the runs: the shift between the views counts as unknown (50 mm).</source>
+        <source>The table moved during one of the runs: the shift between the views is treated as unknown (50 mm).</source>
         <comment>geometry.table-moved-in-view</comment>
-        <translation>Der Tisch bewegte sich während einer der Serien: Die Verschiebung zwischen den Ansichten gilt als unbekannt (50 mm).</translation>
+        <translation>Der Tisch bewegte sich während einer der Serien: Die Verschiebung zwischen den Ansichten wird als unbekannt behandelt (50 mm).</translation>
     </message>
     <message>
-        <source>Little was traced here but lines that stand still through the run, as shutter edges, leads and bones do: the frame shows no contrast agent to track.</source>
+        <source>Almost all lines traced here stay still throughout the run, like shutter edges, leads and bones: the frame shows no contrast agent to track.</source>
         <comment>follow.stands-still</comment>
-        <translation>Hier wurde kaum etwas gefunden außer Linien, die in der ganzen Serie stillstehen, wie Blendenränder, Kabel und Knochen: das Bild zeigt kein Kontrastmittel, dem zu folgen wäre.</translation>
+        <translation>Fast alle hier erkannten Linien stehen in der ganzen Serie still, wie Blendenränder, Kabel und Knochen: Das Bild zeigt kein Kontrastmittel, das sich verfolgen ließe.</translation>
     </message>
     <message>
         <source>Frame %1 does not exist: the image has frames 1 to %2.</source>
@@ -7579,69 +7579,69 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Bild %1 gibt es nicht: die Aufnahme hat die Bilder 1 bis %2.</translation>
     </message>
     <message>
-        <source>Mask frame %1 does not exist, counted from 1. The run has frames 1 to %2.</source>
+        <source>Mask frame %1 does not exist (counted from 1). The run has frames 1 to %2.</source>
         <comment>subtraction.mask-frame-missing</comment>
-        <translation>Maskenbild %1 gibt es nicht, von 1 an gezählt. Die Serie hat die Bilder 1 bis %2.</translation>
+        <translation>Maskenbild %1 existiert nicht (ab 1 gezählt). Die Serie hat die Bilder 1 bis %2.</translation>
     </message>
     <message>
         <source>A wide vessel that was not traced runs beside the traced ones for %1, at %2: possibly the false lumen of a dissection. Place a seed in each lumen to trace both.</source>
         <comment>tracing.other-lumen-beside</comment>
-        <translation>Neben den erkannten Gefäßen verläuft über %1 ein weites, nicht erkanntes Gefäß, bei %2: möglicherweise das falsche Lumen einer Dissektion. Einen Startpunkt in jedes Lumen setzen, um beide zu erkennen.</translation>
+        <translation>Neben den erfassten Gefäßen verläuft über %1 ein weites, nicht erfasstes Gefäß, bei %2: möglicherweise das falsche Lumen einer Dissektion. Setzen Sie in jedes Lumen einen Startpunkt, um beide zu erfassen.</translation>
     </message>
     <message>
-        <source>%1 does not exist: counted from 0, as in case files, the image has frames 0 to %2.</source>
+        <source>frame %1 does not exist (counted from 0, as in case files). The image has frames 0 to %2.</source>
         <comment>case.frame-missing</comment>
-        <translation>%1 gibt es nicht: von 0 an gezählt, wie in Falldateien, hat die Aufnahme die Bilder 0 bis %2.</translation>
+        <translation>Bild %1 existiert nicht (ab 0 gezählt, wie in Falldateien). Die Aufnahme hat die Bilder 0 bis %2.</translation>
     </message>
     <message>
-        <source>The image is shown as its orientation tag (%1) states, turned or mirrored from how its pixels are stored.</source>
+        <source>The image is shown as its orientation tag (%1) specifies: rotated or mirrored relative to its stored pixels.</source>
         <comment>image.turned</comment>
-        <translation>Das Bild wird so gezeigt, wie seine Orientierungsangabe (%1) es verlangt: gegenüber den gespeicherten Pixeln gedreht oder gespiegelt.</translation>
+        <translation>Das Bild wird gemäß seiner Orientierungsangabe (%1) dargestellt: gegenüber den gespeicherten Pixeln gedreht oder gespiegelt.</translation>
     </message>
     <message>
-        <source>page %1 has %2 x %3 pixels, the first has %4 x %5. Export the frames of one run, all equally large.</source>
+        <source>page %1 has %2 x %3 pixels, the first page %4 x %5. Export the frames of a single run, all of the same size.</source>
         <comment>image.pages-differ</comment>
-        <translation>Seite %1 hat %2 x %3 Pixel, die erste %4 x %5. Exportieren Sie die Bilder einer Serie, alle gleich groß.</translation>
+        <translation>Seite %1 hat %2 x %3 Pixel, die erste Seite %4 x %5. Exportieren Sie die Bilder einer einzigen Serie, alle gleich groß.</translation>
     </message>
     <message>
-        <source>it has %1 pages. Export the mask as one image.</source>
+        <source>it has %1 pages. Export the mask as a single image.</source>
         <comment>centreline.mask-pages</comment>
         <translation>sie hat %1 Seiten. Exportieren Sie die Maske als ein einziges Bild.</translation>
     </message>
     <message>
-        <source>Frames in the header: %1, in the file: %2. Those in the file are loaded. Copy or export it again where some are missing.</source>
+        <source>The header declares %1 frames, the file contains %2; those in the file are loaded. Copy or export the file again if some are missing.</source>
         <comment>dicom.frames-other</comment>
-        <translation>Bilder laut Header: %1, in der Datei: %2. Die in der Datei werden geladen. Neu kopieren oder exportieren, falls welche fehlen.</translation>
+        <translation>Der Header nennt %1 Bilder, die Datei enthält %2; die in der Datei werden geladen. Kopieren oder exportieren Sie die Datei erneut, falls welche fehlen.</translation>
     </message>
     <message>
-        <source>The header contradicts itself about the time between frames: Frame Time %1, Frame Time Vector %2. %3 is used.</source>
+        <source>The header gives contradictory times between frames: Frame Time %1, Frame Time Vector %2. %3 is used.</source>
         <comment>dicom.frame-times</comment>
-        <translation>Der Header widerspricht sich bei der Zeit zwischen Bildern: Frame Time %1, Frame Time Vector %2. Es gilt %3.</translation>
+        <translation>Der Header enthält widersprüchliche Bildabstände: Frame Time %1, Frame Time Vector %2. Verwendet wird %3.</translation>
     </message>
     <message>
-        <source>a volume made of projections (modality %1)</source>
+        <source>a volume reconstructed from projections (modality %1)</source>
         <comment>dicom.reconstruction</comment>
-        <translation>ein aus Projektionen berechnetes Volumen (Modalität %1)</translation>
+        <translation>ein aus Projektionen rekonstruiertes Volumen (Modalität %1)</translation>
     </message>
     <message>
-        <source>The header&apos;s %1 shutter (0018,1600) leaves nothing of the image (%2): it is ignored. Check that no shutter edge is traced as a vessel.</source>
+        <source>The %1 shutter in the header (0018,1600) hides the entire image (%2) and is ignored. Check that no shutter edge is traced as a vessel.</source>
         <comment>dicom.shutter-unusable</comment>
-        <translation>Die Blende %1 des Headers (0018,1600) lässt vom Bild nichts übrig (%2): sie wird ignoriert. Prüfen, dass kein Blendenrand als Gefäß nachgezeichnet ist.</translation>
+        <translation>Die Blende %1 im Header (0018,1600) verdeckt das gesamte Bild (%2) und wird ignoriert. Prüfen Sie, dass kein Blendenrand als Gefäß erkannt ist.</translation>
     </message>
     <message>
-        <source>The image is taken as turned clockwise by %1, after %2. Check that head and left are where they belong.</source>
+        <source>The image is assumed to be rotated clockwise by %1, according to %2. Check where head and left are.</source>
         <comment>dicom.image-turned</comment>
-        <translation>Das Bild gilt als um %1 im Uhrzeigersinn gedreht, nach %2. Bitte prüfen, ob Kopf und links am richtigen Ort sind.</translation>
+        <translation>Das Bild gilt gemäß %2 als um %1 im Uhrzeigersinn gedreht. Prüfen Sie, wo Kopf und links liegen.</translation>
     </message>
     <message>
-        <source>Patient Orientation (0020,0020) says %1, which no image at these angles can be: check the angles, and whether the image is mirrored or turned.</source>
+        <source>Patient Orientation (0020,0020) is %1, which is impossible at these angles. Check the angles, and whether the image is mirrored or rotated.</source>
         <comment>dicom.orientation-unlike-angles</comment>
-        <translation>Patient Orientation (0020,0020) lautet %1, was bei diesen Winkeln kein Bild sein kann: Bitte die Winkel prüfen, und ob das Bild gespiegelt oder gedreht ist.</translation>
+        <translation>Patient Orientation (0020,0020) lautet %1, was bei diesen Winkeln unmöglich ist. Prüfen Sie die Winkel und ob das Bild gespiegelt oder gedreht ist.</translation>
     </message>
     <message>
-        <source>The header has the object at %1 from the source, the isocenter at %2: the vessels start at the first, the gantry turns about the second.</source>
+        <source>The header places the object %1 and the isocenter %2 from the source: the vessels start at the object distance, and the gantry rotates about the isocenter.</source>
         <comment>dicom.object-off-isocenter</comment>
-        <translation>Laut Header liegt das Objekt %1 von der Quelle entfernt, das Isozentrum %2: Die Gefäße beginnen im ersten Abstand, der C-Bogen dreht um den zweiten.</translation>
+        <translation>Laut Header liegt das Objekt %1 und das Isozentrum %2 von der Quelle entfernt: Die Gefäße beginnen im Objektabstand, und der C-Bogen dreht um das Isozentrum.</translation>
     </message>
     <message>
         <source>The file states its unit (&quot;%1&quot;): one unit is read as %2. Give the unit if that is wrong.</source>
@@ -7649,9 +7649,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Datei nennt ihre Einheit („%1“): eine Einheit wird als %2 gelesen. Geben Sie die Einheit an, falls das nicht stimmt.</translation>
     </message>
     <message>
-        <source>The file states its unit (&quot;%1&quot;, which is %2), but one unit is read as %3, as was asked for. Check the size.</source>
+        <source>The file states its unit (&quot;%1&quot;, which is %2), but one unit is read as %3, as requested. Check the size.</source>
         <comment>vessels.unit-overruled</comment>
-        <translation>Die Datei nennt ihre Einheit („%1“, also %2), aber eine Einheit wird wie verlangt als %3 gelesen. Prüfen Sie die Größe.</translation>
+        <translation>Die Datei nennt ihre Einheit („%1“, also %2), aber eine Einheit wird wie angefordert als %3 gelesen. Prüfen Sie die Größe.</translation>
     </message>
     <message>
         <source>The file states two units (&quot;%1&quot; and &quot;%2&quot;). Check the size, and give the unit if it is wrong.</source>
@@ -7664,19 +7664,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ihre Achsen sind %1, nicht LPS oder RAS. Exportieren Sie sie in Patientenkoordinaten (LPS).</translation>
     </message>
     <message>
-        <source>Lines whose first points stood at the end, moved back to the beginning: %1. Check the vessels.</source>
+        <source>Lines whose first points were at their end and have been moved to the beginning: %1. Check the vessels.</source>
         <comment>tree.turned-round</comment>
-        <translation>Linien, deren erste Punkte am Ende standen und an den Anfang zurückgesetzt wurden: %1. Prüfen Sie die Gefäße.</translation>
+        <translation>Linien, deren erste Punkte am Ende standen und an den Anfang gesetzt wurden: %1. Prüfen Sie die Gefäße.</translation>
     </message>
     <message>
-        <source>The lines leap %1 times, by up to %2, over many usual steps: they were cut there. Check the order of the points.</source>
+        <source>The lines jump %1 times, by up to %2, far beyond their typical point spacing; they were cut there. Check the order of the points.</source>
         <comment>tree.leaps</comment>
-        <translation>Die Linien springen %1-mal um bis zu %2, weit mehr als ihr üblicher Punktabstand: sie wurden dort getrennt. Prüfen Sie die Reihenfolge der Punkte.</translation>
+        <translation>Die Linien springen %1-mal um bis zu %2, weit mehr als ihr typischer Punktabstand; sie wurden dort getrennt. Prüfen Sie die Reihenfolge der Punkte.</translation>
     </message>
     <message>
-        <source>%1 points of the curves are not placed and were left out.</source>
+        <source>%1 points of the curves are not placed and were skipped.</source>
         <comment>tree.markups-not-placed</comment>
-        <translation>%1 Punkte der Kurven sind nicht gesetzt und wurden weggelassen.</translation>
+        <translation>%1 Punkte der Kurven sind nicht gesetzt und wurden ausgelassen.</translation>
     </message>
     <message>
         <source>its header declares %1 triangles, but the file holds %2. Copy or export it again.</source>
@@ -7684,24 +7684,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ihr Kopf nennt %1 Dreiecke, aber die Datei enthält %2. Kopieren oder exportieren Sie sie erneut.</translation>
     </message>
     <message>
-        <source>The header declares %1 triangles, but the file has room for %2: what is behind those declared was not read. Check that nothing is missing.</source>
+        <source>The header declares %1 triangles, but the file has room for %2; data after the declared triangles was not read. Check that nothing is missing.</source>
         <comment>surface.stl-too-many</comment>
-        <translation>Der Kopf nennt %1 Dreiecke, aber die Datei hat Platz für %2: was hinter den genannten steht, wurde nicht gelesen. Prüfen Sie, ob etwas fehlt.</translation>
+        <translation>Der Kopf nennt %1 Dreiecke, aber die Datei hat Platz für %2; Daten nach den genannten Dreiecken wurden nicht gelesen. Prüfen Sie, ob etwas fehlt.</translation>
     </message>
     <message>
-        <source>The text ends after %1 triangles without &quot;endsolid&quot;: it may be cut short. Check that nothing is missing.</source>
+        <source>The text ends after %1 triangles without &quot;endsolid&quot; and may be truncated. Check that nothing is missing.</source>
         <comment>surface.stl-without-end</comment>
-        <translation>Der Text endet nach %1 Dreiecken ohne „endsolid“: er ist vielleicht abgeschnitten. Prüfen Sie, ob etwas fehlt.</translation>
+        <translation>Der Text endet nach %1 Dreiecken ohne „endsolid“ und ist möglicherweise abgeschnitten. Prüfen Sie, ob etwas fehlt.</translation>
     </message>
     <message>
-        <source>its coordinates are in &quot;%1&quot;, which is no unit of length known here. Export them in mm.</source>
+        <source>its coordinates are in &quot;%1&quot;, which is not a known unit of length. Export them in mm.</source>
         <comment>tree.markups-unit</comment>
-        <translation>ihre Koordinaten sind in „%1“, einer hier unbekannten Längeneinheit. Exportieren Sie sie in mm.</translation>
+        <translation>ihre Koordinaten sind in „%1“, einer unbekannten Längeneinheit. Exportieren Sie sie in mm.</translation>
     </message>
     <message>
-        <source>The header contradicts itself: slices %1 apart (Spacing Between Slices), %2 by their positions. The positions are used.</source>
+        <source>The header gives contradictory slice spacings: %1 (Spacing Between Slices), %2 from the slice positions. The positions are used.</source>
         <comment>series.step</comment>
-        <translation>Der Header widerspricht sich: Schichtabstand %1 (Spacing Between Slices), nach den Positionen %2. Die Positionen gelten.</translation>
+        <translation>Der Header enthält widersprüchliche Schichtabstände: %1 (Spacing Between Slices), %2 nach den Schichtpositionen. Die Positionen gelten.</translation>
     </message>
     <message>
         <source>part %1 of %2 (acquisition %3)</source>
@@ -7709,54 +7709,54 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Teil %1 von %2 (Akquisition %3)</translation>
     </message>
     <message>
-        <source>%1 of %2 images of the series share a SOP Instance UID although they differ: all of them are read. Export the series again before you archive it.</source>
+        <source>%1 of %2 images of the series share a SOP Instance UID although they differ; all of them are read. Export the series again before you archive it.</source>
         <comment>series.same-uid</comment>
-        <translation>%1 von %2 Bildern der Serie teilen sich eine SOP Instance UID, obwohl sie verschieden sind: Alle werden gelesen. Vor dem Archivieren die Serie neu exportieren.</translation>
+        <translation>%1 von %2 Bildern der Serie haben dieselbe SOP Instance UID, obwohl sie sich unterscheiden; alle werden gelesen. Exportieren Sie die Serie vor dem Archivieren neu.</translation>
     </message>
     <message>
-        <source>%1 patients or studies share the UID of this series; each is listed by itself.</source>
+        <source>%1 patients or studies share the UID of this series; each is listed separately.</source>
         <comment>series.of-several</comment>
         <translation>%1 Patienten oder Studien teilen sich die UID dieser Serie; jede ist einzeln aufgeführt.</translation>
     </message>
     <message>
         <source>The header gives lengths in &quot;%1&quot;, which is not a known unit: millimeters are assumed. Check the voxel size.</source>
         <comment>volume.unit-unknown</comment>
-        <translation>Der Header gibt Längen in „%1“ an, einer unbekannten Einheit: Millimeter werden angenommen. Voxelgröße prüfen.</translation>
+        <translation>Der Header gibt Längen in „%1“ an, einer unbekannten Einheit: Millimeter werden angenommen. Prüfen Sie die Voxelgröße.</translation>
     </message>
     <message>
-        <source>Its two placements (qform and sform) differ by up to %1; the qform, in the scanner&apos;s coordinates, is used.</source>
+        <source>Its qform and sform transforms differ by up to %1; the qform, in scanner coordinates, is used.</source>
         <comment>volume.nifti-qform-used</comment>
-        <translation>Ihre zwei Lageangaben (qform und sform) weichen um bis zu %1 ab; die qform in Gerätekoordinaten gilt.</translation>
+        <translation>Ihre Transformationen qform und sform weichen um bis zu %1 ab; die qform in Gerätekoordinaten wird verwendet.</translation>
     </message>
     <message>
-        <source>Its two placements (qform and sform) differ by up to %1; the sform is used.</source>
+        <source>Its qform and sform transforms differ by up to %1; the sform is used.</source>
         <comment>volume.nifti-sform-used</comment>
-        <translation>Ihre zwei Lageangaben (qform und sform) weichen um bis zu %1 ab; die sform gilt.</translation>
+        <translation>Ihre Transformationen qform und sform weichen um bis zu %1 ab; die sform wird verwendet.</translation>
     </message>
     <message>
-        <source>The header contradicts itself about the voxel size: %1 (pixdim), %2 by its placement. The placement is used. Check which is right.</source>
+        <source>The header gives contradictory voxel sizes: %1 (pixdim), %2 from its transform. The transform is used. Check which is correct.</source>
         <comment>volume.nifti-sizes</comment>
-        <translation>Der Header widerspricht sich bei der Voxelgröße: %1 (pixdim), %2 nach der Lageangabe. Die Lageangabe gilt. Prüfen, was stimmt.</translation>
+        <translation>Der Header enthält widersprüchliche Voxelgrößen: %1 (pixdim), %2 nach seiner Transformation. Die Transformation wird verwendet. Prüfen Sie, was stimmt.</translation>
     </message>
     <message>
-        <source>The header contradicts itself about the voxel type: %1 bits (bitpix), but %2 bits by its datatype (%3), which is used.</source>
+        <source>The header gives contradictory voxel types: %1 bits (bitpix), but %2 bits by its datatype (%3), which is used.</source>
         <comment>volume.nifti-bits</comment>
-        <translation>Der Header widerspricht sich beim Voxeltyp: %1 Bit (bitpix), aber %2 Bit nach dem Datentyp (%3), der gilt.</translation>
+        <translation>Der Header enthält widersprüchliche Voxeltypen: %1 Bit (bitpix), aber %2 Bit nach dem Datentyp (%3), der verwendet wird.</translation>
     </message>
     <message>
-        <source>The header says that the voxels begin at byte %1, which is inside the header: they are read from byte %2.</source>
+        <source>The header states that the voxels begin at byte %1, inside the header itself; they are read from byte %2.</source>
         <comment>volume.nifti-start-within-header</comment>
-        <translation>Laut Header beginnen die Voxel bei Byte %1, also innerhalb des Headers: Sie werden ab Byte %2 gelesen.</translation>
+        <translation>Laut Header beginnen die Voxel bei Byte %1, also innerhalb des Headers selbst; sie werden ab Byte %2 gelesen.</translation>
     </message>
     <message>
         <source>a voxel size of %1 mm cannot be written. Correct the spacing, origin and directions of the volume.</source>
         <comment>volume.no-size-to-write</comment>
-        <translation>eine Voxelgröße von %1 mm lässt sich nicht schreiben. Abstand, Ursprung und Richtungen des Volumens berichtigen.</translation>
+        <translation>eine Voxelgröße von %1 mm lässt sich nicht schreiben. Korrigieren Sie Abstand, Ursprung und Richtungen des Volumens.</translation>
     </message>
     <message>
-        <source>frame %1 does not exist, counted from 1. It has frames 1 to %2.</source>
+        <source>frame %1 does not exist (counted from 1). The run has frames 1 to %2.</source>
         <comment>command.frame-beyond-run</comment>
-        <translation>Bild %1 gibt es nicht, von 1 an gezählt. Die Aufnahme hat die Bilder 1 bis %2.</translation>
+        <translation>Bild %1 existiert nicht (ab 1 gezählt). Die Serie hat die Bilder 1 bis %2.</translation>
     </message>
     <message>
         <source>NOT RELIABLE</source>
@@ -7764,9 +7764,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>NICHT VERLÄSSLICH</translation>
     </message>
     <message>
-        <source>These distances are over the %1 of the tree judged opacified. Whole tree: median %2, 95th percentile %3.</source>
+        <source>These distances cover only the %1 of the tree judged opacified. Whole tree: median %2, 95th percentile %3.</source>
         <comment>fit.over-opacified</comment>
-        <translation>Diese Abstände gelten für die %1 des Gefäßbaums, die als kontrastiert gelten. Ganzer Gefäßbaum: Median %2, 95. Perzentil %3.</translation>
+        <translation>Diese Abstände gelten nur für die %1 des Gefäßbaums, die als kontrastiert eingestuft sind. Ganzer Gefäßbaum: Median %2, 95. Perzentil %3.</translation>
     </message>
     <message>
         <source>Excluded branches: %1 (medians). With them: median %2, 95th percentile %3.</source>
@@ -7779,14 +7779,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Hilfsäste: %1 (Mediane).</translation>
     </message>
     <message>
-        <source>at this pose all vessels lie at or behind the X-ray source, where nothing projects. Check the pose and its direction: camera from patient.</source>
+        <source>at this pose, all vessels lie at or behind the X-ray source and cannot be projected. Check the pose and its direction (camera from patient).</source>
         <comment>pose.all-behind-source</comment>
-        <translation>in dieser Lage liegen alle Gefäße an oder hinter der Röntgenquelle, wo nichts abgebildet wird. Lage und ihre Richtung prüfen: Kamera aus Patient.</translation>
+        <translation>in dieser Lage liegen alle Gefäße an oder hinter der Röntgenquelle und lassen sich nicht projizieren. Prüfen Sie die Lage und ihre Richtung (Kamera aus Patient).</translation>
     </message>
     <message>
-        <source>At this pose no vessel lies inside the image. Check the pose.</source>
+        <source>At this pose, no vessel lies inside the image. Check the pose.</source>
         <comment>pose.all-outside-image</comment>
-        <translation>In dieser Lage liegt kein Gefäß im Bild. Lage prüfen.</translation>
+        <translation>In dieser Lage liegt kein Gefäß im Bild. Prüfen Sie die Lage.</translation>
     </message>
     <message>
         <source>frame %1 of %2</source>
@@ -7794,9 +7794,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Bild %1 von %2</translation>
     </message>
     <message>
-        <source>There are no frames %1 to %2 in that order: the run has frames 1 to %3. Choose others.</source>
+        <source>Frames %1 to %2 are not a valid range: the run has frames 1 to %3. Choose another range.</source>
         <comment>movie.frames-beyond</comment>
-        <translation>Die Bilder %1 bis %2 gibt es in dieser Reihenfolge nicht: die Serie hat die Bilder 1 bis %3. Andere wählen.</translation>
+        <translation>Die Bilder %1 bis %2 sind kein gültiger Bereich: Die Serie hat die Bilder 1 bis %3. Wählen Sie einen anderen Bereich.</translation>
     </message>
 </context>
 <context>
@@ -7806,60 +7806,60 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Findet die Lage eines 3-D-Gefäßbaums in einem 2-D-Angiogramm. Nicht für den klinischen Einsatz.</translation>
     </message>
     <message>
-        <source>A case, or a centreline and an angiogram.</source>
-        <translation>Ein Fall, oder eine Mittellinie und ein Angiogramm.</translation>
+        <source>A case file, or a centerline and an angiogram.</source>
+        <translation>Eine Falldatei, oder eine Mittellinie und ein Angiogramm.</translation>
     </message>
     <message>
-        <source>Who draws the angiogram: vtk (OpenGL), painter (the processor), or auto: vtk where a graphics card does OpenGL.</source>
-        <translation>Wer das Angiogramm zeichnet: vtk (OpenGL), painter (der Prozessor) oder auto: vtk, wo eine Grafikkarte OpenGL rechnet.</translation>
+        <source>Renderer of the angiogram: vtk (OpenGL), painter (CPU), or auto (vtk if a graphics card supports OpenGL).</source>
+        <translation>Renderer des Angiogramms: vtk (OpenGL), painter (CPU) oder auto (vtk, wenn eine Grafikkarte OpenGL unterstützt).</translation>
     </message>
     <message>
-        <source>No renderer is called “%1”: auto, vtk or painter.</source>
-        <translation>Kein Renderer heißt „%1“: auto, vtk oder painter.</translation>
+        <source>Unknown renderer “%1”. Use auto, vtk or painter.</source>
+        <translation>Unbekannter Renderer „%1“. Verwenden Sie auto, vtk oder painter.</translation>
     </message>
     <message>
-        <source>There is no display to show the window on. angiopose-cli does the same work without one.</source>
-        <translation>Es gibt keine Anzeige, auf der das Fenster erscheinen kann. angiopose-cli leistet dasselbe ohne.</translation>
+        <source>No display is available for the window. Use angiopose-cli, which does the same work without a display.</source>
+        <translation>Für das Fenster ist keine Anzeige verfügbar. Verwenden Sie angiopose-cli, das dieselbe Arbeit ohne Anzeige leistet.</translation>
     </message>
     <message>
-        <source>Write the report of a case, .pdf or .html, and end; needs no display.</source>
-        <translation>Den Bericht eines Falls schreiben, .pdf oder .html, und enden; braucht keinen Bildschirm.</translation>
+        <source>Write the report of a case (.pdf or .html) and exit; needs no display.</source>
+        <translation>Den Bericht eines Falls schreiben (.pdf oder .html) und beenden; braucht keine Anzeige.</translation>
     </message>
     <message>
-        <source>Beside --report: register the case first.</source>
-        <translation>Neben --report: den Fall zuerst registrieren.</translation>
+        <source>With --report: register the case first.</source>
+        <translation>Mit --report: den Fall zuerst registrieren.</translation>
     </message>
     <message>
-        <source>Beside --report: the page to fill in, in place of the built-in one.</source>
-        <translation>Neben --report: die auszufüllende Seite anstelle der eingebauten.</translation>
+        <source>With --report: template to use instead of the built-in one.</source>
+        <translation>Mit --report: Vorlage, die statt der eingebauten verwendet wird.</translation>
     </message>
     <message>
-        <source>Beside --report: who makes it, in place of the account&apos;s name.</source>
-        <translation>Neben --report: wer ihn macht, anstelle des Benutzernamens.</translation>
+        <source>With --report: author to use instead of the account name.</source>
+        <translation>Mit --report: Autor statt des Benutzernamens.</translation>
     </message>
     <message>
-        <source>Beside --report: name the patient, which is left out else.</source>
-        <translation>Neben --report: den Patienten nennen, der sonst wegbleibt.</translation>
+        <source>With --report: include the patient&apos;s identity, which is omitted by default.</source>
+        <translation>Mit --report: die Patientendaten aufnehmen, die sonst fehlen.</translation>
     </message>
     <message>
-        <source>Beside --report: its language, in place of the window&apos;s.</source>
-        <translation>Neben --report: seine Sprache anstelle der des Fensters.</translation>
+        <source>With --report: language to use instead of the window&apos;s.</source>
+        <translation>Mit --report: Sprache statt der des Fensters.</translation>
     </message>
     <message>
-        <source>A report is written in %1, not in “%2”.</source>
-        <translation>Ein Bericht wird in %1 geschrieben, nicht in „%2“.</translation>
+        <source>Reports are available in %1, not in “%2”.</source>
+        <translation>Berichte gibt es in %1, nicht in „%2“.</translation>
     </message>
     <message>
-        <source>--register, --template, --author, --identity and --language go beside --report FILE alone.</source>
-        <translation>--register, --template, --author, --identity und --language gibt es nur neben --report FILE.</translation>
+        <source>--register, --template, --author, --identity and --language require --report FILE.</source>
+        <translation>--register, --template, --author, --identity und --language erfordern --report FILE.</translation>
     </message>
     <message>
-        <source>A report is written as .pdf or .html, not as “%1”.</source>
-        <translation>Ein Bericht wird als .pdf oder .html geschrieben, nicht als „%1“.</translation>
+        <source>Reports are written as .pdf or .html, not as “%1”.</source>
+        <translation>Berichte werden als .pdf oder .html geschrieben, nicht als „%1“.</translation>
     </message>
     <message>
-        <source>A report is of one case: angiopose --report FILE CASE</source>
-        <translation>Ein Bericht ist von einem Fall: angiopose --report FILE CASE</translation>
+        <source>A report needs exactly one case: angiopose --report FILE CASE</source>
+        <translation>Ein Bericht braucht genau einen Fall: angiopose --report FILE CASE</translation>
     </message>
 </context>
 <context>
@@ -7872,12 +7872,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::ui::AngiogramPanel</name>
     <message>
-        <source>%1 frames before each</source>
-        <translation>%1 Bilder vor jedem</translation>
+        <source>%1 frames earlier</source>
+        <translation>%1 Bilder früher</translation>
     </message>
     <message>
-        <source>none found: mark them below</source>
-        <translation>keine gefunden: unten markieren</translation>
+        <source>none found: set them below</source>
+        <translation>keine gefunden: unten festlegen</translation>
     </message>
     <message>
         <source>%1 (automatic)</source>
@@ -7888,32 +7888,32 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Angiogramm</translation>
     </message>
     <message>
-        <source>Whole run in one picture</source>
-        <translation>Ganze Serie in einem Bild</translation>
+        <source>Peak-opacification image</source>
+        <translation>Min-IP der ganzen Serie</translation>
     </message>
     <message>
         <source>Automatic</source>
         <translation>Automatisch</translation>
     </message>
     <message>
-        <source>Choose the frames before the contrast medium arrives</source>
-        <translation>Die Bilder vor Ankunft des Kontrastmittels wählen</translation>
+        <source>Choose the frames before the contrast agent arrives</source>
+        <translation>Wählt die Bilder vor Ankunft des Kontrastmittels</translation>
     </message>
     <message>
-        <source>Find the shift of each frame</source>
-        <translation>Die Verschiebung jedes Bildes finden</translation>
+        <source>Compute the shift of each frame</source>
+        <translation>Berechnet die Verschiebung jedes Bildes</translation>
     </message>
     <message>
-        <source>By hand</source>
-        <translation>Von Hand</translation>
+        <source>Manual</source>
+        <translation>Manuell</translation>
     </message>
     <message>
         <source>Defaults</source>
         <translation>Vorgaben</translation>
     </message>
     <message>
-        <source>Trace as the program would by itself</source>
-        <translation>Erfassen, wie das Programm es von selbst täte</translation>
+        <source>Restore the default tracing settings</source>
+        <translation>Stellt die Standardeinstellungen der Erkennung wieder her</translation>
     </message>
     <message>
         <source>Subtract mask</source>
@@ -7925,15 +7925,15 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>One frame at a time</source>
-        <translation>Ein Bild nach dem anderen</translation>
+        <translation>Einzelbilder</translation>
     </message>
     <message>
         <source>Choose mask frames automatically</source>
         <translation>Maskenbilder automatisch wählen</translation>
     </message>
     <message>
-        <source>Find the mask&apos;s shift</source>
-        <translation>Verschiebung der Maske finden</translation>
+        <source>Find the mask shift</source>
+        <translation>Maskenverschiebung bestimmen</translation>
     </message>
     <message>
         <source>Mask shift to the right</source>
@@ -7944,12 +7944,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Maskenverschiebung nach unten</translation>
     </message>
     <message>
-        <source>How far the mask moves to the right, px</source>
-        <translation>Wie weit die Maske nach rechts rückt, px</translation>
+        <source>Shifts the mask to the right, px</source>
+        <translation>Verschiebt die Maske nach rechts, px</translation>
     </message>
     <message>
-        <source>How far the mask moves down, px</source>
-        <translation>Wie weit die Maske nach unten rückt, px</translation>
+        <source>Shifts the mask down, px</source>
+        <translation>Verschiebt die Maske nach unten, px</translation>
     </message>
     <message>
         <source>mask frames</source>
@@ -7960,8 +7960,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Versatz →  ↓</translation>
     </message>
     <message>
-        <source>Move the mask</source>
-        <translation>Maske verschieben</translation>
+        <source>Pixel shift</source>
+        <translation>Pixelshift</translation>
     </message>
     <message>
         <source>linear</source>
@@ -7972,8 +7972,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>logarithmisch</translation>
     </message>
     <message>
-        <source>How stored values relate to the X-ray intensity (0028,1040)</source>
-        <translation>Wie gespeicherte Werte zur Röntgenintensität stehen (0028,1040)</translation>
+        <source>Relation of stored values to X-ray intensity (0028,1040)</source>
+        <translation>Beziehung der gespeicherten Werte zur Röntgenintensität (0028,1040)</translation>
     </message>
     <message>
         <source>Pixel values</source>
@@ -7988,16 +7988,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>hell</translation>
     </message>
     <message>
-        <source>Whether contrast medium is darker or brighter than the background</source>
-        <translation>Ob Kontrastmittel dunkler oder heller als der Hintergrund ist</translation>
+        <source>Sets whether contrast agent is darker or brighter than the background</source>
+        <translation>Legt fest, ob Kontrastmittel dunkler oder heller als der Hintergrund ist</translation>
     </message>
     <message>
         <source>Vessels</source>
         <translation>Gefäße</translation>
     </message>
     <message>
-        <source>Change the meaning of pixel values</source>
-        <translation>Bedeutung der Pixelwerte ändern</translation>
+        <source>Change the interpretation of pixel values</source>
+        <translation>Deutung der Pixelwerte ändern</translation>
     </message>
     <message>
         <source>Vessels are dark</source>
@@ -8020,88 +8020,88 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 ändern</translation>
     </message>
     <message>
-        <source>shortest vessel</source>
-        <translation>kürzestes Gefäß</translation>
+        <source>min. length</source>
+        <translation>Mindestlänge</translation>
     </message>
     <message>
-        <source>Isolated pieces shorter than this are left out; spurs shorter than a third of it too</source>
-        <translation>Kürzere Einzelstücke entfallen; Sporne unter einem Drittel davon auch</translation>
+        <source>Removes isolated segments shorter than this, and spurs shorter than a third of it</source>
+        <translation>Entfernt isolierte Abschnitte, die kürzer sind, und Sporne unter einem Drittel davon</translation>
     </message>
     <message>
         <source>sensitivity</source>
         <translation>Empfindlichkeit</translation>
     </message>
     <message>
-        <source>Above 1: fainter vessels are traced as well</source>
-        <translation>Über 1: auch schwächere Gefäße werden erfasst</translation>
+        <source>Above 1, fainter vessels are traced as well</source>
+        <translation>Über 1 werden auch schwächere Gefäße erfasst</translation>
     </message>
     <message>
-        <source>widest radius</source>
-        <translation>größter Radius</translation>
+        <source>max. radius</source>
+        <translation>max. Radius</translation>
     </message>
     <message>
-        <source>Radius of the widest vessel looked for</source>
-        <translation>Radius des weitesten gesuchten Gefäßes</translation>
+        <source>Radius of the widest vessel to trace</source>
+        <translation>Radius des weitesten zu erfassenden Gefäßes</translation>
     </message>
     <message>
-        <source>Default tracing</source>
-        <translation>Vorgabe der Erkennung</translation>
+        <source>Restore default tracing</source>
+        <translation>Standarderkennung wiederherstellen</translation>
     </message>
     <message>
         <source>Tracing</source>
         <translation>Erkennung</translation>
     </message>
     <message>
-        <source>subtracting …</source>
-        <translation>subtrahiert …</translation>
+        <source>subtracting…</source>
+        <translation>subtrahiert…</translation>
     </message>
     <message>
         <source>subtracted</source>
         <translation>subtrahiert</translation>
     </message>
     <message>
-        <source>composite</source>
-        <translation>Gesamtbild</translation>
+        <source>min-IP</source>
+        <translation>MinIP</translation>
     </message>
     <message>
         <source>native</source>
         <translation>nativ</translation>
     </message>
     <message>
-        <source>Move the mask with arrows or the mouse</source>
-        <translation>Maske mit Pfeilen oder Maus verschieben</translation>
+        <source>Shift the mask with the arrow keys or the mouse</source>
+        <translation>Maske mit Pfeiltasten oder Maus verschieben</translation>
     </message>
     <message>
-        <source>Take away what the mask frames show as well: bones and organs</source>
-        <translation>Wegnehmen, was auch die Maskenbilder zeigen: Knochen und Organe</translation>
+        <source>Removes structures that the mask frames also show, such as bones and organs</source>
+        <translation>Entfernt Strukturen, die auch die Maskenbilder zeigen, etwa Knochen und Organe</translation>
     </message>
     <message>
-        <source>Every frame shows the darkest value of each pixel over the run</source>
-        <translation>Jedes Bild zeigt den dunkelsten Wert jedes Pixels der Serie</translation>
+        <source>Shows the darkest value of each pixel over the run</source>
+        <translation>Zeigt den dunkelsten Wert jedes Pixels über die Serie</translation>
     </message>
     <message>
         <source>Edit vessels</source>
         <translation>Gefäße bearbeiten</translation>
     </message>
     <message>
-        <source>Leave out, erase, draw and cut traced curves</source>
-        <translation>Erkannte Kurven weglassen, radieren, zeichnen, trennen</translation>
+        <source>Exclude, erase, draw and cut traced curves</source>
+        <translation>Erkannte Kurven ausschließen, radieren, zeichnen und trennen</translation>
     </message>
     <message>
         <source>Window</source>
         <translation>Fenster</translation>
     </message>
     <message>
-        <source>Window W: how many grey values lie between black and white</source>
-        <translation>Fenster W: wie viele Grauwerte zwischen Schwarz und Weiß liegen</translation>
+        <source>Window W: number of gray values between black and white</source>
+        <translation>Fenster W: Zahl der Grauwerte zwischen Schwarz und Weiß</translation>
     </message>
     <message>
         <source>Level</source>
         <translation>Zentrum</translation>
     </message>
     <message>
-        <source>Level L: the grey value in the middle of them</source>
-        <translation>Zentrum L: der Grauwert in der Mitte davon</translation>
+        <source>Level L: gray value at the center of the window</source>
+        <translation>Zentrum L: Grauwert in der Mitte des Fensters</translation>
     </message>
     <message>
         <source>window, level</source>
@@ -8115,16 +8115,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Angiogramm mit projiziertem Gefäßbaum</translation>
     </message>
     <message>
-        <source>Mirrored image, mirrored back by the view</source>
+        <source>Mirrored image, unmirrored by the view</source>
         <translation>Gespiegeltes Bild, von der Ansicht zurückgespiegelt</translation>
     </message>
     <message>
-        <source>Seen from the source: the view is mirrored</source>
-        <translation>Vom Fokus gesehen: die Ansicht ist gespiegelt</translation>
+        <source>View from the source: mirrored</source>
+        <translation>Ansicht vom Fokus: gespiegelt</translation>
     </message>
     <message>
-        <source>Mirrored image: as seen from the source</source>
-        <translation>Gespiegeltes Bild: wie vom Fokus gesehen</translation>
+        <source>Mirrored image: seen from the source</source>
+        <translation>Gespiegeltes Bild: vom Fokus gesehen</translation>
     </message>
     <message>
         <source>flicker %1 · swipe %2 · hide H · outline %3</source>
@@ -8132,7 +8132,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>No angiogram yet: drop one here, or open it (%1).</source>
-        <translation>Noch kein Angiogramm: hier eines ablegen oder öffnen (%1).</translation>
+        <translation>Noch kein Angiogramm: Legen Sie eines hier ab, oder öffnen Sie es (%1).</translation>
     </message>
     <message>
         <source>frame %1 of %2</source>
@@ -8146,8 +8146,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Stattdessen %1</translation>
     </message>
     <message>
-        <source>Its search alternates between the chosen branches and the whole tree.</source>
-        <translation>Die Suche wechselt zwischen den gewählten Ästen und dem ganzen Baum.</translation>
+        <source>This method alternates between the auxiliary branches and the whole tree.</source>
+        <translation>Diese Methode wechselt zwischen den Hilfsästen und dem ganzen Gefäßbaum.</translation>
     </message>
     <message>
         <source>mm</source>
@@ -8162,19 +8162,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Generation 0 beginnt an der Wurzel.</translation>
     </message>
     <message>
-        <source>At least this wide</source>
-        <translation>Mindestens so weit</translation>
+        <source>Radius at least</source>
+        <translation>Radius mindestens</translation>
     </message>
     <message>
-        <source>By the median radius of a branch.</source>
-        <translation>Nach dem mittleren Radius des Astes (Median).</translation>
+        <source>Uses the median radius of each branch.</source>
+        <translation>Verwendet den medianen Radius jedes Astes.</translation>
     </message>
     <message>
-        <source>Choose these</source>
-        <translation>Diese wählen</translation>
+        <source>Use these</source>
+        <translation>Diese übernehmen</translation>
     </message>
     <message>
-        <source>Makes the suggested branches the auxiliary ones.</source>
+        <source>Makes the suggested branches auxiliary.</source>
         <translation>Macht die vorgeschlagenen Äste zu Hilfsästen.</translation>
     </message>
     <message>
@@ -8182,76 +8182,76 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Hilfsäste</translation>
     </message>
     <message>
-        <source>The alternating methods solve for these branches first, so choose what is filled, still and told apart well. One image tells a branch only across its course: which ones pin which step of the pose is computed here for the pose as it is.</source>
-        <translation>Wechselnde Methoden lösen zuerst für diese Äste: wählen, was gefüllt, ruhig und gut unterscheidbar ist. Ein Bild bestimmt einen Ast nur quer zu seinem Verlauf: welche Äste welchen Freiheitsgrad festlegen, ist hier für die jetzige Lage berechnet.</translation>
+        <source>The alternating methods solve for these branches first: choose opacified, stationary, clearly separated branches. A view constrains a branch only perpendicular to its course; the table shows which branches constrain each axis at the current pose.</source>
+        <translation>Wechselnde Methoden lösen zuerst für diese Äste: Wählen Sie kontrastierte, unbewegte, klar getrennte Äste. Eine Ansicht bestimmt einen Ast nur quer zu seinem Verlauf; die Tabelle zeigt, welche Äste bei der aktuellen Lage welche Achse festlegen.</translation>
     </message>
     <message>
-        <source>step</source>
-        <translation>Schritt</translation>
+        <source>axis</source>
+        <translation>Achse</translation>
     </message>
     <message>
         <source>all branches</source>
         <translation>alle Äste</translation>
     </message>
     <message>
-        <source>the chosen</source>
-        <translation>die gewählten</translation>
+        <source>auxiliary</source>
+        <translation>Hilfsäste</translation>
     </message>
     <message>
-        <source>pinned best by</source>
-        <translation>am besten durch</translation>
+        <source>constrained by</source>
+        <translation>festgelegt durch</translation>
     </message>
     <message>
-        <source>± is one standard deviation expected of traced vessels with usual noise.</source>
-        <translation>± ist eine Standardabweichung, wie bei üblichem Rauschen zu erwarten.</translation>
+        <source>± is the standard deviation expected for traced vessels with typical noise.</source>
+        <translation>± ist die bei typischem Rauschen erwartete Standardabweichung der erkannten Gefäße.</translation>
     </message>
     <message>
         <source>Last generation</source>
         <translation>Letzte Generation</translation>
     </message>
     <message>
-        <source>Smallest radius</source>
-        <translation>Kleinster Radius</translation>
+        <source>Minimum radius</source>
+        <translation>Mindestradius</translation>
     </message>
     <message>
         <source>None</source>
         <translation>Keine</translation>
     </message>
     <message>
-        <source>Without chosen branches the nodes of the tree are used.</source>
-        <translation>Ohne gewählte Äste gelten die Knoten des Gefäßbaums.</translation>
+        <source>Without auxiliary branches, the nodes of the vessel tree are used.</source>
+        <translation>Ohne Hilfsäste werden die Knoten des Gefäßbaums verwendet.</translation>
     </message>
     <message>
-        <source>Vessels, camera and pose are needed for a suggestion.</source>
-        <translation>Für einen Vorschlag sind Gefäße, Kamera und Lage nötig.</translation>
+        <source>A suggestion requires vessels, camera and pose.</source>
+        <translation>Ein Vorschlag erfordert Gefäße, Kamera und Lage.</translation>
     </message>
     <message>
-        <source>Suggested: %1. They tell nearly as much as all together.</source>
-        <translation>Vorschlag: %1. Sie verraten fast so viel wie alle zusammen.</translation>
+        <source>Suggested: %1. They are nearly as informative as all branches.</source>
+        <translation>Vorschlag: %1. Sie sind fast so aussagekräftig wie alle Äste.</translation>
     </message>
     <message>
-        <source>This tree knows no generations.</source>
-        <translation>Dieser Gefäßbaum kennt keine Generationen.</translation>
+        <source>This tree has no generation data.</source>
+        <translation>Dieser Gefäßbaum enthält keine Generationen.</translation>
     </message>
     <message>
-        <source>This tree knows no radii.</source>
-        <translation>Dieser Gefäßbaum kennt keine Radien.</translation>
+        <source>This tree has no radii.</source>
+        <translation>Dieser Gefäßbaum enthält keine Radien.</translation>
     </message>
     <message>
         <source>Lasso</source>
         <translation>Lasso</translation>
     </message>
     <message>
-        <source>Draw around the branches on the image.</source>
-        <translation>Die Äste im Bild umfahren.</translation>
+        <source>Draw around the branches in the image.</source>
+        <translation>Umfahren Sie die Äste im Bild.</translation>
     </message>
     <message>
         <source>In view</source>
         <translation>Im Blick</translation>
     </message>
     <message>
-        <source>The branches that lie wholly in the view.</source>
-        <translation>Die Äste, die ganz im Blickfeld liegen.</translation>
+        <source>Selects the branches that lie completely in the view.</source>
+        <translation>Wählt die Äste, die vollständig im Blickfeld liegen.</translation>
     </message>
 </context>
 <context>
@@ -8261,16 +8261,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Startwert</translation>
     </message>
     <message>
-        <source>Start shifted by up to</source>
-        <translation>Start verschoben bis</translation>
+        <source>Max. initial shift</source>
+        <translation>Max. Startverschiebung</translation>
     </message>
     <message>
         <source>mm</source>
         <translation>mm</translation>
     </message>
     <message>
-        <source>Start turned by up to</source>
-        <translation>Start gedreht bis</translation>
+        <source>Max. initial rotation</source>
+        <translation>Max. Startdrehung</translation>
     </message>
     <message>
         <source>°</source>
@@ -8285,8 +8285,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Blinder Beobachterversuch</translation>
     </message>
     <message>
-        <source>The vessels start at random around the pose as it is. Until Done all numbers, residual colours and earlier poses are out of sight; time and final pose go to the log, and the case stays as it is.</source>
-        <translation>Die Gefäße beginnen zufällig um die jetzige Lage. Bis „Fertig“ sind alle Zahlen, Abweichungsfarben und früheren Lagen verborgen; Zeit und Endlage kommen ins Protokoll, der Fall bleibt, wie er ist.</translation>
+        <source>The vessels start at a random pose around the current one. Until you choose Done, all numbers, residual colors and earlier poses are hidden. Time and final pose are logged; the case is unchanged.</source>
+        <translation>Die Gefäße beginnen in einer zufälligen Lage um die aktuelle. Bis Sie „Fertig“ wählen, sind alle Zahlen, Abweichungsfarben und früheren Lagen verborgen. Zeit und Endlage werden protokolliert; der Fall bleibt unverändert.</translation>
     </message>
     <message>
         <source>Observer</source>
@@ -8297,8 +8297,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Protokoll</translation>
     </message>
     <message>
-        <source>Choose …</source>
-        <translation>Wählen …</translation>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -8313,8 +8313,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Tabellen (*.csv)</translation>
     </message>
     <message>
-        <source>Observer and log are needed.</source>
-        <translation>Beobachter und Protokoll sind nötig.</translation>
+        <source>Enter an observer and a log file.</source>
+        <translation>Geben Sie einen Beobachter und eine Protokolldatei an.</translation>
     </message>
 </context>
 <context>
@@ -8375,7 +8375,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>median residual %1 mm</source>
-        <translation>mittlere Abweichung %1 mm</translation>
+        <translation>mediane Abweichung %1 mm</translation>
     </message>
     <message>
         <source>radius %1 mm</source>
@@ -8397,16 +8397,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Äste</translation>
     </message>
     <message>
-        <source>Only these auxiliary</source>
+        <source>Use only these as auxiliary</source>
         <translation>Nur diese als Hilfsäste</translation>
     </message>
     <message>
-        <source>No auxiliary branches (use the nodes)</source>
-        <translation>Keine Hilfsäste (Knoten verwenden)</translation>
+        <source>Clear auxiliary branches (use nodes)</source>
+        <translation>Hilfsäste aufheben (Knoten verwenden)</translation>
     </message>
     <message>
-        <source>as in the tree</source>
-        <translation>wie im Gefäßbaum</translation>
+        <source>in tree order</source>
+        <translation>in Reihenfolge des Gefäßbaums</translation>
     </message>
     <message>
         <source>by name</source>
@@ -8433,7 +8433,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ast suchen</translation>
     </message>
     <message>
-        <source>Order of the branches</source>
+        <source>Branch order</source>
         <translation>Reihenfolge der Äste</translation>
     </message>
     <message>
@@ -8445,8 +8445,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zeigen</translation>
     </message>
     <message>
-        <source>Selects both branches and moves the cross-hair to the gap.</source>
-        <translation>Wählt beide Äste und setzt das Fadenkreuz an die Lücke.</translation>
+        <source>Selects both branches and moves the crosshair to the gap.</source>
+        <translation>Wählt beide Äste aus und setzt das Fadenkreuz auf die Lücke.</translation>
     </message>
     <message>
         <source>Generation</source>
@@ -8457,20 +8457,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>unbekannt</translation>
     </message>
     <message>
-        <source>No vessels yet. Open a CT scan, a mask of vessels or a centreline.</source>
-        <translation>Noch keine Gefäße. Ein CT, eine Gefäßmaske oder eine Mittellinie öffnen.</translation>
+        <source>No vessels yet. Open a CT scan, a vessel mask or a centerline.</source>
+        <translation>Noch keine Gefäße. Öffnen Sie ein CT, eine Gefäßmaske oder eine Mittellinie.</translation>
     </message>
     <message>
-        <source>Closes the gap; undo opens it again.</source>
-        <translation>Schließt die Lücke; Rückgängig öffnet sie wieder.</translation>
+        <source>Bridges the gap; undo reverts it.</source>
+        <translation>Überbrückt die Lücke; Rückgängig macht es rückgängig.</translation>
     </message>
     <message>
         <source>%1 auxiliary · %2 exclude</source>
         <translation>%1 Hilfsast · %2 ausschließen</translation>
     </message>
     <message>
-        <source>Auxiliary on or off</source>
-        <translation>Hilfsast an oder aus</translation>
+        <source>Toggle auxiliary</source>
+        <translation>Hilfsast ein/aus</translation>
     </message>
     <message>
         <source>Exclude or include</source>
@@ -8484,12 +8484,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>Pack case for others …</source>
-        <translation>Fall für andere packen …</translation>
+        <source>Share case as ZIP…</source>
+        <translation>Fall als ZIP weitergeben…</translation>
     </message>
     <message>
-        <source>Export DICOM objects …</source>
-        <translation>DICOM-Objekte exportieren …</translation>
+        <source>Export DICOM objects…</source>
+        <translation>DICOM-Objekte exportieren…</translation>
     </message>
     <message>
         <source>Play slower</source>
@@ -8504,24 +8504,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Hin und her abspielen</translation>
     </message>
     <message>
-        <source>Play from this frame on</source>
+        <source>Play from this frame</source>
         <translation>Ab diesem Bild abspielen</translation>
     </message>
     <message>
-        <source>Play up to this frame</source>
+        <source>Play to this frame</source>
         <translation>Bis zu diesem Bild abspielen</translation>
     </message>
     <message>
-        <source>Play the whole run</source>
-        <translation>Die ganze Serie abspielen</translation>
+        <source>Play the entire run</source>
+        <translation>Gesamte Serie abspielen</translation>
     </message>
     <message>
-        <source>Views side by side</source>
-        <translation>Ansichten nebeneinander</translation>
+        <source>Show views side by side</source>
+        <translation>Ansichten nebeneinander zeigen</translation>
     </message>
     <message>
-        <source>Cross-hair through views side by side</source>
-        <translation>Fadenkreuz durch Ansichten nebeneinander</translation>
+        <source>Linked crosshair across views</source>
+        <translation>Gekoppeltes Fadenkreuz in Ansichten</translation>
     </message>
     <message>
         <source>Messages</source>
@@ -8536,12 +8536,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Neues Fenster</translation>
     </message>
     <message>
-        <source>Open …</source>
-        <translation>Öffnen …</translation>
+        <source>Open…</source>
+        <translation>Öffnen…</translation>
     </message>
     <message>
-        <source>Open folder or disc …</source>
-        <translation>Ordner oder CD öffnen …</translation>
+        <source>Open DICOM folder/CD…</source>
+        <translation>DICOM-Ordner/CD öffnen…</translation>
     </message>
     <message>
         <source>Open sample case</source>
@@ -8552,24 +8552,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Speichern</translation>
     </message>
     <message>
-        <source>Save as …</source>
+        <source>Save as…</source>
         <translation>Speichern unter …</translation>
     </message>
     <message>
-        <source>Export overlay …</source>
-        <translation>Überlagerung exportieren …</translation>
+        <source>Export overlay…</source>
+        <translation>Überlagerung exportieren…</translation>
     </message>
     <message>
-        <source>Export result …</source>
-        <translation>Ergebnis exportieren …</translation>
+        <source>Export result…</source>
+        <translation>Ergebnis exportieren…</translation>
     </message>
     <message>
-        <source>Export pose …</source>
-        <translation>Lage exportieren …</translation>
+        <source>Export pose…</source>
+        <translation>Lage exportieren…</translation>
     </message>
     <message>
-        <source>Export traced vessels …</source>
-        <translation>Erkannte Gefäße exportieren …</translation>
+        <source>Export traced vessels…</source>
+        <translation>Erkannte Gefäße exportieren…</translation>
     </message>
     <message>
         <source>Quit</source>
@@ -8588,24 +8588,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Justiermodus</translation>
     </message>
     <message>
-        <source>Back to start pose</source>
-        <translation>Zurück zur Startlage</translation>
+        <source>Reset to initial pose</source>
+        <translation>Auf Startlage zurücksetzen</translation>
     </message>
     <message>
         <source>Copy pose as matrix</source>
         <translation>Lage als Matrix kopieren</translation>
     </message>
     <message>
-        <source>Selected branches auxiliary on or off</source>
-        <translation>Gewählte Äste als Hilfsäste an oder aus</translation>
+        <source>Toggle auxiliary for selected branches</source>
+        <translation>Gewählte Äste als Hilfsäste ein/aus</translation>
     </message>
     <message>
-        <source>Auxiliary: the branches in view</source>
-        <translation>Hilfsäste: die im Blickfeld</translation>
+        <source>Auxiliary: branches in view</source>
+        <translation>Hilfsäste: Äste im Blickfeld</translation>
     </message>
     <message>
-        <source>Auxiliary: the wider half</source>
-        <translation>Hilfsäste: die weitere Hälfte</translation>
+        <source>Auxiliary: larger vessels</source>
+        <translation>Hilfsäste: größere Gefäße</translation>
     </message>
     <message>
         <source>Exclude or include selected branches</source>
@@ -8624,20 +8624,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Anhalten und beste Lage behalten</translation>
     </message>
     <message>
-        <source>Fit the image to the window</source>
-        <translation>Bild in das Fenster einpassen</translation>
+        <source>Fit image to window</source>
+        <translation>Bild in Fenster einpassen</translation>
     </message>
     <message>
-        <source>Automatic brightness</source>
+        <source>Automatic window/level</source>
         <translation>Automatische Fensterung</translation>
     </message>
     <message>
-        <source>Invert grey values</source>
-        <translation>Grauwerte umkehren</translation>
+        <source>Invert grayscale</source>
+        <translation>Grauwerte invertieren</translation>
     </message>
     <message>
-        <source>Brightness: every grey value</source>
-        <translation>Fensterung: alle Grauwerte</translation>
+        <source>Window preset: full range</source>
+        <translation>Fensterung: gesamter Bereich</translation>
     </message>
     <message>
         <source>More contrast</source>
@@ -8648,56 +8648,56 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Weniger Kontrast</translation>
     </message>
     <message>
-        <source>Near vessels bright, far ones dim</source>
-        <translation>Nahe Gefäße hell, ferne dunkel</translation>
+        <source>Depth cueing</source>
+        <translation>Tiefenabstufung</translation>
     </message>
     <message>
-        <source>Swipe, lens, off</source>
-        <translation>Wischen, Lupe, aus</translation>
+        <source>Cycle swipe / magic lens</source>
+        <translation>Wischen / Lupe umschalten</translation>
     </message>
     <message>
-        <source>Zoom to the worst branch, the next</source>
-        <translation>Zum schlechtesten Ast zoomen, zum nächsten</translation>
+        <source>Go to next worst branch</source>
+        <translation>Zum nächstschlechtesten Ast</translation>
     </message>
     <message>
         <source>Show traced vessels</source>
         <translation>Erkannte Gefäße zeigen</translation>
     </message>
     <message>
-        <source>Flicker start pose and pose</source>
-        <translation>Startlage und Lage im Wechsel</translation>
+        <source>Flicker initial / current pose</source>
+        <translation>Start- und aktuelle Lage im Wechsel</translation>
     </message>
     <message>
-        <source>Colours: how far bent vessels moved</source>
-        <translation>Farben: wie weit gebogene Gefäße sich bewegten</translation>
+        <source>Color by deformation</source>
+        <translation>Nach Verformung einfärben</translation>
     </message>
     <message>
-        <source>Vessels bent, where that is known, or rigid</source>
-        <translation>Gefäße gebogen, wo bekannt, oder starr</translation>
+        <source>Show deformed vessels</source>
+        <translation>Verformte Gefäße zeigen</translation>
     </message>
     <message>
-        <source>Replay the last run</source>
-        <translation>Letzten Lauf wiedergeben</translation>
+        <source>Replay last registration</source>
+        <translation>Letzte Registrierung wiedergeben</translation>
     </message>
     <message>
-        <source>Swing along what the image cannot tell</source>
-        <translation>Schwingen, wo das Bild nichts verrät</translation>
+        <source>Animate pose uncertainty</source>
+        <translation>Unsicherheit der Lage animieren</translation>
     </message>
     <message>
-        <source>Show the run&apos;s other solutions</source>
-        <translation>Andere Lösungen des Laufs zeigen</translation>
+        <source>Show alternative solutions</source>
+        <translation>Alternative Lösungen zeigen</translation>
     </message>
     <message>
-        <source>Take the solution shown</source>
-        <translation>Gezeigte Lösung übernehmen</translation>
+        <source>Accept this solution</source>
+        <translation>Diese Lösung übernehmen</translation>
     </message>
     <message>
-        <source>Overlay fainter</source>
-        <translation>Überlagerung schwächer</translation>
+        <source>Decrease overlay opacity</source>
+        <translation>Deckkraft der Überlagerung verringern</translation>
     </message>
     <message>
-        <source>Overlay stronger</source>
-        <translation>Überlagerung stärker</translation>
+        <source>Increase overlay opacity</source>
+        <translation>Deckkraft der Überlagerung erhöhen</translation>
     </message>
     <message>
         <source>Play frames</source>
@@ -8724,8 +8724,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Hell</translation>
     </message>
     <message>
-        <source>As the desktop</source>
-        <translation>Wie der Desktop</translation>
+        <source>System theme</source>
+        <translation>Farbschema des Systems</translation>
     </message>
     <message>
         <source>About AngioPose</source>
@@ -8756,48 +8756,48 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Farbschema</translation>
     </message>
     <message>
-        <source>Language of the desktop</source>
-        <translation>Sprache des Desktops</translation>
+        <source>System language</source>
+        <translation>Sprache des Systems</translation>
     </message>
     <message>
         <source>Language</source>
         <translation>Sprache</translation>
     </message>
     <message>
-        <source>Save picture of the window …</source>
-        <translation>Bild des Fensters speichern …</translation>
+        <source>Save screenshot…</source>
+        <translation>Screenshot speichern…</translation>
     </message>
     <message>
-        <source>Copy picture of the window</source>
-        <translation>Bild des Fensters kopieren</translation>
+        <source>Copy screenshot</source>
+        <translation>Screenshot kopieren</translation>
     </message>
     <message>
-        <source>Radiology: left drag windows</source>
-        <translation>Radiologie: links ziehen fenstert</translation>
+        <source>Radiology: left-drag adjusts window/level</source>
+        <translation>Radiologie: links ziehen ändert die Fensterung</translation>
     </message>
     <message>
-        <source>3D Slicer: left only picks</source>
-        <translation>3D Slicer: links wählt nur</translation>
+        <source>3D Slicer: left button only selects</source>
+        <translation>3D Slicer: linke Taste wählt nur aus</translation>
     </message>
     <message>
-        <source>Scroll: left drag runs the frames</source>
+        <source>Scroll: left-drag scrolls through frames</source>
         <translation>Blättern: links ziehen wechselt Bilder</translation>
     </message>
     <message>
-        <source>Help on what the mouse points at</source>
-        <translation>Hilfe zu dem, worauf die Maus zeigt</translation>
+        <source>Context help</source>
+        <translation>Kontexthilfe</translation>
     </message>
     <message>
-        <source>Short tour</source>
-        <translation>Kurzer Rundgang</translation>
+        <source>Quick tour</source>
+        <translation>Kurze Tour</translation>
     </message>
     <message>
-        <source>What a good fit looks like</source>
-        <translation>Wie eine gute Einpassung aussieht</translation>
+        <source>Examples of good and bad fits</source>
+        <translation>Beispiele guter und schlechter Passung</translation>
     </message>
     <message>
-        <source>Keys and mouse</source>
-        <translation>Tasten und Maus</translation>
+        <source>Keyboard and mouse</source>
+        <translation>Tastatur und Maus</translation>
     </message>
     <message>
         <source>Mouse</source>
@@ -8812,44 +8812,44 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Dieses Bild neu erfassen</translation>
     </message>
     <message>
-        <source>Subtract mask, native</source>
-        <translation>Maske abziehen, nativ</translation>
+        <source>Toggle DSA / native</source>
+        <translation>DSA / nativ umschalten</translation>
     </message>
     <message>
-        <source>Move the mask by hand</source>
-        <translation>Maske von Hand verschieben</translation>
+        <source>Pixel shift</source>
+        <translation>Pixelshift</translation>
     </message>
     <message>
-        <source>This frame is the mask</source>
-        <translation>Dieses Bild ist die Maske</translation>
+        <source>Set as mask frame</source>
+        <translation>Als Maskenbild festlegen</translation>
     </message>
     <message>
-        <source>Whole run in one picture</source>
-        <translation>Ganze Serie in einem Bild</translation>
+        <source>Peak-opacification image</source>
+        <translation>Min-IP der ganzen Serie</translation>
     </message>
     <message>
-        <source>Click pairs of landmarks</source>
-        <translation>Landmarkenpaare klicken</translation>
+        <source>Pick landmark pairs</source>
+        <translation>Landmarkenpaare setzen</translation>
     </message>
     <message>
-        <source>Place vessels by landmarks</source>
-        <translation>Gefäße nach Landmarken legen</translation>
+        <source>Register from landmarks</source>
+        <translation>Nach Landmarken registrieren</translation>
     </message>
     <message>
-        <source>Auxiliary: draw a lasso</source>
-        <translation>Hilfsäste: Lasso ziehen</translation>
+        <source>Auxiliary: select with lasso</source>
+        <translation>Hilfsäste: mit Lasso wählen</translation>
     </message>
     <message>
-        <source>Auxiliary: which branches …</source>
-        <translation>Hilfsäste: welche Äste …</translation>
+        <source>Choose auxiliary branches…</source>
+        <translation>Hilfsäste wählen…</translation>
     </message>
     <message>
-        <source>C-arm angles for the branch …</source>
-        <translation>C-Bogen-Winkel für den Ast …</translation>
+        <source>C-arm angles for branch…</source>
+        <translation>C-Bogen-Winkel für den Ast…</translation>
     </message>
     <message>
         <source>Trace the scan again</source>
-        <translation>CT neu erfassen</translation>
+        <translation>Scan neu erfassen</translation>
     </message>
     <message>
         <source>Find a branch</source>
@@ -8860,7 +8860,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ast umbenennen</translation>
     </message>
     <message>
-        <source>Cut branch at the cross-hair</source>
+        <source>Cut branch at crosshair</source>
         <translation>Ast am Fadenkreuz trennen</translation>
     </message>
     <message>
@@ -8872,8 +8872,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Äste glätten</translation>
     </message>
     <message>
-        <source>Root at the branch&apos;s end near the cross-hair</source>
-        <translation>Wurzel am Astende beim Fadenkreuz</translation>
+        <source>Set root at branch end near crosshair</source>
+        <translation>Wurzel am Astende beim Fadenkreuz setzen</translation>
     </message>
     <message>
         <source>Hide or show branches</source>
@@ -8888,68 +8888,68 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Äste löschen</translation>
     </message>
     <message>
-        <source>Delete branches and what leaves them</source>
-        <translation>Äste und ihre Abgänge löschen</translation>
+        <source>Delete branches and descendants</source>
+        <translation>Äste und Abgänge löschen</translation>
     </message>
     <message>
-        <source>Prune short or thin branches …</source>
-        <translation>Kurze oder dünne Äste ausdünnen …</translation>
+        <source>Prune short or thin branches…</source>
+        <translation>Kurze oder dünne Äste ausdünnen…</translation>
     </message>
     <message>
-        <source>Join the pieces at the next gap</source>
-        <translation>Stücke an der nächsten Lücke verbinden</translation>
+        <source>Bridge next gap</source>
+        <translation>Nächste Lücke überbrücken</translation>
     </message>
     <message>
-        <source>Keep this pose</source>
-        <translation>Diese Lage behalten</translation>
+        <source>Save pose snapshot</source>
+        <translation>Schnappschuss der Lage speichern</translation>
     </message>
     <message>
         <source>Switch between poses A and B</source>
         <translation>Zwischen Lage A und B wechseln</translation>
     </message>
     <message>
-        <source>Compare poses and methods …</source>
-        <translation>Lagen und Methoden vergleichen …</translation>
+        <source>Compare poses and methods…</source>
+        <translation>Lagen und Methoden vergleichen…</translation>
     </message>
     <message>
-        <source>Blind observer trial …</source>
-        <translation>Blinder Beobachterversuch …</translation>
+        <source>Blind observer trial…</source>
+        <translation>Blinder Beobachterversuch…</translation>
     </message>
     <message>
-        <source>Trial done</source>
-        <translation>Versuch fertig</translation>
+        <source>Finish trial</source>
+        <translation>Versuch beenden</translation>
     </message>
     <message>
-        <source>Seen from the source (mirrored)</source>
-        <translation>Vom Fokus gesehen (gespiegelt)</translation>
+        <source>Mirror view (source side)</source>
+        <translation>Ansicht spiegeln (Fokusseite)</translation>
     </message>
     <message>
         <source>Opacification over time</source>
-        <translation>Kontrastfüllung über die Zeit</translation>
+        <translation>Kontrastierung im Zeitverlauf</translation>
     </message>
     <message>
-        <source>3-D, axial, coronal, sagittal below the branches</source>
-        <translation>3-D, axial, koronar, sagittal unter den Ästen</translation>
+        <source>Cycle lower-left view</source>
+        <translation>Ansicht unten links wechseln</translation>
     </message>
     <message>
-        <source>Slices instead of the angiogram</source>
-        <translation>Schichten statt Angiogramm</translation>
+        <source>Show scan slices</source>
+        <translation>Scan-Schichten zeigen</translation>
     </message>
     <message>
-        <source>Image alone, without the columns</source>
-        <translation>Bild allein, ohne die Spalten</translation>
+        <source>Angiogram only</source>
+        <translation>Nur Angiogramm</translation>
     </message>
     <message>
         <source>Ve&amp;ssels</source>
         <translation>&amp;Gefäße</translation>
     </message>
     <message>
-        <source>Start pose from the angles</source>
-        <translation>Startlage aus den Winkeln</translation>
+        <source>Set initial pose from angles</source>
+        <translation>Startlage aus den Winkeln setzen</translation>
     </message>
     <message>
-        <source>This pose is the start pose</source>
-        <translation>Diese Lage ist die Startlage</translation>
+        <source>Set as initial pose</source>
+        <translation>Als Startlage festlegen</translation>
     </message>
     <message>
         <source>&amp;Angiogram</source>
@@ -8960,52 +8960,52 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>&amp;Lage</translation>
     </message>
     <message>
-        <source>3-D and slices alone</source>
-        <translation>3-D und Schichten allein</translation>
+        <source>3-D and slices only</source>
+        <translation>Nur 3-D und Schichten</translation>
     </message>
     <message>
-        <source>Angiogram in a window of its own</source>
+        <source>Angiogram in separate window</source>
         <translation>Angiogramm in eigenem Fenster</translation>
     </message>
     <message>
-        <source>3-D and slices in a window of their own</source>
+        <source>3-D and slices in separate window</source>
         <translation>3-D und Schichten in eigenem Fenster</translation>
     </message>
     <message>
-        <source>All slices in a window of their own</source>
+        <source>All slices in separate window</source>
         <translation>Alle Schichten in eigenem Fenster</translation>
     </message>
     <message>
-        <source>Views alone and in windows</source>
-        <translation>Ansichten allein und in Fenstern</translation>
+        <source>Layout</source>
+        <translation>Anordnung</translation>
     </message>
     <message>
-        <source>Export followed poses …</source>
-        <translation>Verfolgte Lagen exportieren …</translation>
+        <source>Export tracked poses…</source>
+        <translation>Verfolgte Lagen exportieren…</translation>
     </message>
     <message>
-        <source>Add a view …</source>
-        <translation>Ansicht hinzufügen …</translation>
+        <source>Add view…</source>
+        <translation>Ansicht hinzufügen…</translation>
     </message>
     <message>
-        <source>Show the next view</source>
+        <source>Show next view</source>
         <translation>Nächste Ansicht zeigen</translation>
     </message>
     <message>
-        <source>Follow the vessels through the run</source>
+        <source>Track vessels through the run</source>
         <translation>Gefäße durch die Serie verfolgen</translation>
     </message>
     <message>
-        <source>Vessels: centreline, outline, tube, radiograph</source>
-        <translation>Gefäße: Mittellinie, Umriss, Röhre, Röntgenbild</translation>
+        <source>Cycle vessel style (centerline / outline / tube / DRR)</source>
+        <translation>Gefäßdarstellung wechseln (Mittellinie / Umriss / Röhre / DRR)</translation>
     </message>
     <message>
-        <source>Brightness: the vessels alone</source>
-        <translation>Helligkeit: nur die Gefäße</translation>
+        <source>Window preset: vessels</source>
+        <translation>Fensterung: Gefäße</translation>
     </message>
     <message>
-        <source>Brightness: soft, with bone and catheter</source>
-        <translation>Helligkeit: weich, mit Knochen und Katheter</translation>
+        <source>Window preset: bone and devices</source>
+        <translation>Fensterung: Knochen und Instrumente</translation>
     </message>
     <message>
         <source>Blue to amber</source>
@@ -9016,172 +9016,172 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Blau, weiß, rot</translation>
     </message>
     <message>
-        <source>Brightness alone</source>
+        <source>Brightness only</source>
         <translation>Nur Helligkeit</translation>
     </message>
     <message>
-        <source>Brightness</source>
-        <translation>Helligkeit</translation>
+        <source>Window/level</source>
+        <translation>Fensterung</translation>
     </message>
     <message>
-        <source>Colours of vessels and residuals</source>
-        <translation>Farben von Gefäßen und Abständen</translation>
+        <source>Vessel and residual colors</source>
+        <translation>Farben von Gefäßen und Abweichungen</translation>
     </message>
     <message>
-        <source>Choose the labels that are vessels</source>
-        <translation>Labels wählen, die Gefäße sind</translation>
+        <source>Choose vessel labels</source>
+        <translation>Gefäßlabels wählen</translation>
     </message>
     <message>
-        <source>Pick the point to turn about</source>
-        <translation>Drehpunkt wählen</translation>
+        <source>Set rotation center</source>
+        <translation>Drehzentrum setzen</translation>
     </message>
     <message>
-        <source>Turn about the centroid again</source>
-        <translation>Wieder um den Schwerpunkt drehen</translation>
+        <source>Reset rotation center</source>
+        <translation>Drehzentrum zurücksetzen</translation>
     </message>
     <message>
-        <source>3-D view: everything, the vessels alone</source>
-        <translation>3-D-Ansicht: alles, nur die Gefäße</translation>
+        <source>3-D view: fit all / vessels</source>
+        <translation>3-D-Ansicht: alles / Gefäße einpassen</translation>
     </message>
     <message>
-        <source>Export vessel tree …</source>
-        <translation>Gefäßbaum exportieren …</translation>
+        <source>Export vessel tree…</source>
+        <translation>Gefäßbaum exportieren…</translation>
     </message>
     <message>
-        <source>Export bent vessels …</source>
-        <translation>Gebogene Gefäße exportieren …</translation>
+        <source>Export deformed vessels…</source>
+        <translation>Verformte Gefäße exportieren…</translation>
     </message>
     <message>
-        <source>Export report …</source>
-        <translation>Bericht exportieren …</translation>
+        <source>Export report…</source>
+        <translation>Bericht exportieren…</translation>
     </message>
     <message>
-        <source>Export measurements …</source>
-        <translation>Messungen exportieren …</translation>
+        <source>Export measurements…</source>
+        <translation>Messungen exportieren…</translation>
     </message>
     <message>
-        <source>Measure a length</source>
+        <source>Measure length</source>
         <translation>Länge messen</translation>
     </message>
     <message>
-        <source>Measure an angle</source>
+        <source>Measure angle</source>
         <translation>Winkel messen</translation>
     </message>
     <message>
-        <source>Measure an area</source>
+        <source>Measure area</source>
         <translation>Fläche messen</translation>
     </message>
     <message>
-        <source>Export measures of the branches …</source>
-        <translation>Maße der Äste exportieren …</translation>
+        <source>Export branch measurements…</source>
+        <translation>Astmessungen exportieren…</translation>
     </message>
     <message>
-        <source>Set a check point</source>
-        <translation>Prüfpunkt setzen</translation>
+        <source>Add target point</source>
+        <translation>Zielpunkt setzen</translation>
     </message>
     <message>
-        <source>Set the ring of an ostium</source>
-        <translation>Ring eines Ostiums setzen</translation>
+        <source>Add ostium ring</source>
+        <translation>Ostiumring setzen</translation>
     </message>
     <message>
-        <source>Say where a check point is seen</source>
-        <translation>Zeigen, wo ein Prüfpunkt zu sehen ist</translation>
+        <source>Mark target point in image</source>
+        <translation>Zielpunkt im Bild markieren</translation>
     </message>
     <message>
-        <source>Draw an arrow</source>
+        <source>Draw arrow</source>
         <translation>Pfeil zeichnen</translation>
     </message>
     <message>
-        <source>Write a text on the image</source>
-        <translation>Text auf das Bild schreiben</translation>
+        <source>Add text annotation</source>
+        <translation>Textanmerkung hinzufügen</translation>
     </message>
     <message>
-        <source>Export check points …</source>
-        <translation>Prüfpunkte exportieren …</translation>
+        <source>Export target points…</source>
+        <translation>Zielpunkte exportieren…</translation>
     </message>
     <message>
-        <source>Export lumen mask …</source>
-        <translation>Gefäßmaske exportieren …</translation>
+        <source>Export lumen mask…</source>
+        <translation>Lumenmaske exportieren…</translation>
     </message>
     <message>
-        <source>Trace one vessel between two places</source>
-        <translation>Ein Gefäß zwischen zwei Stellen erfassen</translation>
+        <source>Trace between two points</source>
+        <translation>Zwischen zwei Punkten erfassen</translation>
     </message>
     <message>
-        <source>Paint into the lumen mask</source>
-        <translation>In die Gefäßmaske malen</translation>
+        <source>Paint in lumen mask</source>
+        <translation>In Lumenmaske malen</translation>
     </message>
     <message>
-        <source>Erase from the lumen mask</source>
-        <translation>In der Gefäßmaske radieren</translation>
+        <source>Erase from lumen mask</source>
+        <translation>Aus Lumenmaske radieren</translation>
     </message>
     <message>
-        <source>Cut the lumen mask by a lasso</source>
-        <translation>Gefäßmaske mit dem Lasso schneiden</translation>
+        <source>Cut lumen mask with lasso</source>
+        <translation>Lumenmaske mit Lasso schneiden</translation>
     </message>
     <message>
         <source>Trace the edited mask</source>
         <translation>Bearbeitete Maske erfassen</translation>
     </message>
     <message>
-        <source>Scan in the 3-D view</source>
-        <translation>Scan in der 3-D-Ansicht</translation>
+        <source>Show scan in 3-D view</source>
+        <translation>Scan in der 3-D-Ansicht zeigen</translation>
     </message>
     <message>
-        <source>Scan in 3-D: vessels, vessels and bone</source>
-        <translation>Scan in 3-D: Gefäße, Gefäße und Knochen</translation>
+        <source>3-D scan: vessels / vessels and bone</source>
+        <translation>3-D-Scan: Gefäße / Gefäße und Knochen</translation>
     </message>
     <message>
-        <source>Scan in 3-D: only around the vessels</source>
-        <translation>Scan in 3-D: nur um die Gefäße</translation>
+        <source>3-D scan: only around vessels</source>
+        <translation>3-D-Scan: nur um die Gefäße</translation>
     </message>
     <message>
-        <source>Radiograph of the scan on the detector</source>
-        <translation>Röntgenbild des Scans auf dem Detektor</translation>
+        <source>Scan DRR on detector</source>
+        <translation>DRR des Scans auf dem Detektor</translation>
     </message>
     <message>
-        <source>Fold the left column</source>
-        <translation>Linke Spalte einklappen</translation>
+        <source>Collapse left panel</source>
+        <translation>Linke Leiste einklappen</translation>
     </message>
     <message>
-        <source>Fold the right column</source>
-        <translation>Rechte Spalte einklappen</translation>
+        <source>Collapse right panel</source>
+        <translation>Rechte Leiste einklappen</translation>
     </message>
     <message>
-        <source>The layout follows the step</source>
-        <translation>Die Anordnung folgt dem Schritt</translation>
+        <source>Change layout with step</source>
+        <translation>Anordnung mit dem Schritt wechseln</translation>
     </message>
     <message>
-        <source>Layout of this step as it came</source>
-        <translation>Anordnung dieses Schritts wie ausgeliefert</translation>
+        <source>Reset layout for this step</source>
+        <translation>Anordnung dieses Schritts zurücksetzen</translation>
     </message>
     <message>
-        <source>Export movie …</source>
-        <translation>Film exportieren …</translation>
+        <source>Export movie…</source>
+        <translation>Film exportieren…</translation>
     </message>
     <message>
-        <source>Open from archive …</source>
-        <translation>Aus Archiv öffnen …</translation>
+        <source>Query PACS…</source>
+        <translation>PACS abfragen…</translation>
     </message>
     <message>
-        <source>Send to archive …</source>
-        <translation>An Archiv senden …</translation>
+        <source>Send to PACS…</source>
+        <translation>An PACS senden…</translation>
     </message>
     <message>
-        <source>De-identify files …</source>
-        <translation>Dateien ohne Identität …</translation>
+        <source>De-identify files…</source>
+        <translation>Dateien de-identifizieren…</translation>
     </message>
     <message>
         <source>Private mode</source>
         <translation>Privater Modus</translation>
     </message>
     <message>
-        <source>Keep an audit file …</source>
-        <translation>Audit-Datei führen …</translation>
+        <source>Write audit log…</source>
+        <translation>Audit-Protokoll führen…</translation>
     </message>
     <message>
-        <source>Save support bundle …</source>
-        <translation>Supportpaket speichern …</translation>
+        <source>Save support bundle…</source>
+        <translation>Supportpaket speichern…</translation>
     </message>
 </context>
 <context>
@@ -9191,8 +9191,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Konvergenz</translation>
     </message>
     <message>
-        <source>shown after a run</source>
-        <translation>nach einem Lauf zu sehen</translation>
+        <source>shown after a registration</source>
+        <translation>nach einer Registrierung sichtbar</translation>
     </message>
     <message>
         <source>step %1</source>
@@ -9203,14 +9203,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>medianer Abstand</translation>
     </message>
     <message>
-        <source>shift of the vessels in one step</source>
-        <translation>Verschiebung der Gefäße je Schritt</translation>
+        <source>vessel shift per step</source>
+        <translation>Gefäßverschiebung je Schritt</translation>
     </message>
     <message>
-        <source>Above: half of the vessel points lie nearer than this to the traced vessels.
-Below: how far a step moved the vessels, root of the mean square over all points; the bottom line is no shift.</source>
-        <translation>Oben: die Hälfte der Gefäßpunkte liegt näher als dies an den erfassten Gefäßen.
-Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über alle Punkte; die unterste Linie heißt keine Verschiebung.</translation>
+        <source>Top: half of the vessel points lie closer than this to the traced vessels.
+Bottom: distance that a step moved the vessels, root mean square over all points; the bottom line is zero.</source>
+        <translation>Oben: Die Hälfte der Gefäßpunkte liegt näher als dies an den erkannten Gefäßen.
+Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel über alle Punkte; die unterste Linie ist null.</translation>
     </message>
 </context>
 <context>
@@ -9220,20 +9220,20 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>3-D</translation>
     </message>
     <message>
-        <source>All slices, large</source>
-        <translation>Alle Schichten, groß</translation>
+        <source>Show all slices enlarged</source>
+        <translation>Alle Schichten groß zeigen</translation>
     </message>
     <message>
-        <source>Only this view in the window, and back</source>
-        <translation>Nur diese Ansicht im Fenster, und zurück</translation>
+        <source>Show only this view, or restore</source>
+        <translation>Nur diese Ansicht zeigen, oder wiederherstellen</translation>
     </message>
     <message>
-        <source>In a window of its own, and back</source>
-        <translation>In eigenem Fenster, und zurück</translation>
+        <source>Move to a separate window, or back</source>
+        <translation>In eigenes Fenster verschieben, oder zurück</translation>
     </message>
     <message>
-        <source>Double click: only this view in the window, and back</source>
-        <translation>Doppelklick: nur diese Ansicht im Fenster, und zurück</translation>
+        <source>Double-click: show only this view, or restore</source>
+        <translation>Doppelklick: nur diese Ansicht zeigen, oder wiederherstellen</translation>
     </message>
 </context>
 <context>
@@ -9247,16 +9247,16 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Kein Gefäß</translation>
     </message>
     <message>
-        <source>Click a curve to leave it out</source>
-        <translation>Kurve anklicken, um sie wegzulassen</translation>
+        <source>Click a curve to exclude it</source>
+        <translation>Kurve anklicken, um sie auszuschließen</translation>
     </message>
     <message>
         <source>Erase</source>
         <translation>Radieren</translation>
     </message>
     <message>
-        <source>Brush over parts of curves</source>
-        <translation>Über Kurventeile streichen</translation>
+        <source>Brush over the parts of curves to erase</source>
+        <translation>Über die zu löschenden Kurventeile streichen</translation>
     </message>
     <message>
         <source>Draw</source>
@@ -9271,7 +9271,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Trennen</translation>
     </message>
     <message>
-        <source>Click where a curve is to fall in two</source>
+        <source>Click where a curve should be split</source>
         <translation>Klicken, wo eine Kurve geteilt werden soll</translation>
     </message>
     <message>
@@ -9279,24 +9279,24 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Rechteck</translation>
     </message>
     <message>
-        <source>Leave out what lies in a box; Ctrl: keep it alone</source>
-        <translation>Weglassen, was im Rahmen liegt; Strg: nur das behalten</translation>
+        <source>Exclude everything inside a box; Ctrl: keep only the inside</source>
+        <translation>Alles im Rahmen ausschließen; Strg: nur das Innere behalten</translation>
     </message>
     <message>
         <source>Lasso</source>
         <translation>Lasso</translation>
     </message>
     <message>
-        <source>Leave out what lies in a lasso; Ctrl: keep it alone</source>
-        <translation>Weglassen, was im Lasso liegt; Strg: nur das behalten</translation>
+        <source>Exclude everything inside a lasso; Ctrl: keep only the inside</source>
+        <translation>Alles im Lasso ausschließen; Strg: nur das Innere behalten</translation>
     </message>
     <message>
         <source>Trace again</source>
         <translation>Neu erfassen</translation>
     </message>
     <message>
-        <source>Forget the edits of this frame and trace it automatically; undo brings them back</source>
-        <translation>Bearbeitung dieses Bildes verwerfen und automatisch erfassen; Rückgängig bringt sie zurück</translation>
+        <source>Discard the edits of this frame and trace it automatically; undo restores them</source>
+        <translation>Bearbeitung dieses Bildes verwerfen und automatisch erfassen; Rückgängig stellt sie wieder her</translation>
     </message>
     <message>
         <source>Done</source>
@@ -9315,20 +9315,20 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Katheter</translation>
     </message>
     <message>
-        <source>Click a catheter or wire to keep it apart: it is no vessel, but can be followed</source>
-        <translation>Katheter oder Draht anklicken, um ihn abzusondern: kein Gefäß, aber er lässt sich verfolgen</translation>
+        <source>Click a catheter or guidewire to mark it as a device: it is not a vessel, but can be tracked</source>
+        <translation>Katheter oder Führungsdraht anklicken, um ihn als Instrument zu markieren: Er ist kein Gefäß, lässt sich aber verfolgen</translation>
     </message>
     <message>
-        <source>Follow the wire</source>
-        <translation>Draht verfolgen</translation>
+        <source>Track device</source>
+        <translation>Instrument verfolgen</translation>
     </message>
     <message>
-        <source>Find the way of the tree that the catheter or wire takes (method Wire or catheter)</source>
-        <translation>Den Weg durch den Baum finden, den Katheter oder Draht nimmt (Verfahren Draht oder Katheter)</translation>
+        <source>Find the path through the tree that the catheter or guidewire takes (method Wire or catheter)</source>
+        <translation>Den Weg durch den Gefäßbaum bestimmen, den Katheter oder Führungsdraht nimmt (Methode Draht oder Katheter)</translation>
     </message>
     <message>
-        <source>%1, %2 apart</source>
-        <translation>%1, %2 abgesondert</translation>
+        <source>%1, devices: %2</source>
+        <translation>%1, Instrumente: %2</translation>
     </message>
 </context>
 <context>
@@ -9338,32 +9338,32 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Als Nicht-Gefäß markieren</translation>
     </message>
     <message>
-        <source>Edit vessels: tracing this frame …</source>
-        <translation>Gefäße bearbeiten: Bild wird erfasst …</translation>
+        <source>Edit vessels: tracing this frame…</source>
+        <translation>Gefäße bearbeiten: Bild wird erfasst…</translation>
     </message>
     <message>
-        <source>Erase: brush over curves, [ ] size of the brush, Esc ends</source>
+        <source>Erase: brush over curves, [ ] brush size, Esc ends</source>
         <translation>Radieren: über Kurven streichen, [ ] Pinselgröße, Esc beendet</translation>
     </message>
     <message>
-        <source>Draw: click along the vessel, Enter ends, Backspace takes a point back, Shift straight</source>
-        <translation>Zeichnen: am Gefäß entlang klicken, Eingabe beendet, Rücktaste nimmt einen Punkt zurück, Umschalt gerade</translation>
+        <source>Draw: click along the vessel, Enter ends, Backspace removes a point, Shift straight</source>
+        <translation>Zeichnen: am Gefäß entlang klicken, Eingabe beendet, Rücktaste entfernt einen Punkt, Umschalt gerade</translation>
     </message>
     <message>
-        <source>Cut: click where a curve is to fall in two, Esc ends</source>
+        <source>Cut: click where a curve should be split, Esc ends</source>
         <translation>Trennen: klicken, wo eine Kurve geteilt werden soll, Esc beendet</translation>
     </message>
     <message>
-        <source>Not a vessel: click a curve to leave it out, Esc ends</source>
-        <translation>Kein Gefäß: Kurve anklicken, um sie wegzulassen, Esc beendet</translation>
+        <source>Not a vessel: click a curve to exclude it, Esc ends</source>
+        <translation>Kein Gefäß: Kurve anklicken, um sie auszuschließen, Esc beendet</translation>
     </message>
     <message>
-        <source>Box: drag around what is no vessel; Ctrl keeps the inside alone, Esc ends</source>
-        <translation>Rahmen: um das ziehen, was kein Gefäß ist; Strg behält nur das Innere, Esc beendet</translation>
+        <source>Box: drag around non-vessels; Ctrl keeps only the inside, Esc ends</source>
+        <translation>Rahmen: um Nicht-Gefäße ziehen; Strg behält nur das Innere, Esc beendet</translation>
     </message>
     <message>
-        <source>Lasso: draw around what is no vessel; Ctrl keeps the inside alone, Esc ends</source>
-        <translation>Lasso: umfahren, was kein Gefäß ist; Strg behält nur das Innere, Esc beendet</translation>
+        <source>Lasso: draw around non-vessels; Ctrl keeps only the inside, Esc ends</source>
+        <translation>Lasso: Nicht-Gefäße umfahren; Strg behält nur das Innere, Esc beendet</translation>
     </message>
     <message>
         <source>Erase curves</source>
@@ -9374,8 +9374,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Auf einen Bereich beschränken</translation>
     </message>
     <message>
-        <source>Leave out a region</source>
-        <translation>Bereich weglassen</translation>
+        <source>Exclude a region</source>
+        <translation>Bereich ausschließen</translation>
     </message>
     <message>
         <source>Cut a curve</source>
@@ -9386,27 +9386,27 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Kurve zeichnen</translation>
     </message>
     <message>
-        <source>Perhaps a catheter: A vessel, W catheter or wire, Delete leaves it out, S next</source>
-        <translation>Vielleicht ein Katheter: A Gefäß, W Katheter oder Draht, Entf lässt weg, S nächster</translation>
+        <source>Possible catheter: A vessel, W catheter or guidewire, Delete excludes, S next</source>
+        <translation>Möglicher Katheter: A Gefäß, W Katheter oder Führungsdraht, Entf schließt aus, S nächster</translation>
     </message>
     <message>
-        <source>Catheter or wire: click a curve to keep it apart, or to take it back, Esc ends</source>
-        <translation>Katheter oder Draht: Kurve anklicken, um sie abzusondern oder zurückzunehmen, Esc beendet</translation>
+        <source>Catheter or guidewire: click a curve to mark it as a device or to unmark it, Esc ends</source>
+        <translation>Katheter oder Führungsdraht: Kurve anklicken, um sie als Instrument zu markieren oder dies aufzuheben, Esc beendet</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::ExportDialog</name>
     <message>
-        <source>Picture</source>
-        <translation>Bild</translation>
+        <source>Content</source>
+        <translation>Inhalt</translation>
     </message>
     <message>
         <source>File</source>
         <translation>Datei</translation>
     </message>
     <message>
-        <source>In print</source>
-        <translation>Im Druck</translation>
+        <source>Print resolution</source>
+        <translation>Druckauflösung</translation>
     </message>
     <message>
         <source>dpi</source>
@@ -9417,27 +9417,27 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Gefäße über dem Bild</translation>
     </message>
     <message>
-        <source>The image alone</source>
+        <source>Image only</source>
         <translation>Nur das Bild</translation>
     </message>
     <message>
-        <source>Grey values of the image, 16 bit</source>
-        <translation>Grauwerte des Bildes, 16 Bit</translation>
+        <source>16-bit gray values of the image</source>
+        <translation>16-Bit-Grauwerte des Bildes</translation>
     </message>
     <message>
-        <source>PNG, pixels</source>
-        <translation>PNG, Bildpunkte</translation>
+        <source>PNG (raster)</source>
+        <translation>PNG (Rastergrafik)</translation>
     </message>
     <message>
-        <source>SVG, lines and texts</source>
-        <translation>SVG, Linien und Texte</translation>
+        <source>SVG (vector)</source>
+        <translation>SVG (Vektorgrafik)</translation>
     </message>
     <message>
-        <source>PDF, lines and texts</source>
-        <translation>PDF, Linien und Texte</translation>
+        <source>PDF (vector)</source>
+        <translation>PDF (Vektorgrafik)</translation>
     </message>
     <message>
-        <source>as large as the frame</source>
+        <source>same size as the frame</source>
         <translation>so groß wie das Einzelbild</translation>
     </message>
     <message>
@@ -9445,19 +9445,19 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>%1 × %2 px, %3 × %4 cm</translation>
     </message>
     <message>
-        <source>The picture says “Not for clinical use” (grey values of 16 bit in their text fields alone) and carries inputs, method and pose.</source>
-        <translation>Das Bild sagt „Nicht für klinischen Gebrauch“ (Grauwerte mit 16 Bit nur in ihren Textfeldern) und trägt Eingaben, Methode und Pose.</translation>
+        <source>The image is labeled “Not for clinical use”; inputs, method and pose are stored in its metadata. (16-bit: metadata only)</source>
+        <translation>Das Bild ist mit „Nicht für klinischen Gebrauch“ beschriftet; Eingaben, Methode und Lage stehen in seinen Metadaten. (16 Bit: nur Metadaten)</translation>
     </message>
     <message>
         <source>Width</source>
         <translation>Breite</translation>
     </message>
     <message>
-        <source>Residual colours with their scale</source>
+        <source>Residual colors with scale</source>
         <translation>Abweichungsfarben mit Skala</translation>
     </message>
     <message>
-        <source>Patient identity in the picture</source>
+        <source>Patient identity in the image</source>
         <translation>Patientendaten im Bild</translation>
     </message>
     <message>
@@ -9489,24 +9489,24 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Export …</source>
-        <translation>Exportieren …</translation>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
     </message>
     <message>
-        <source>Texts in English</source>
-        <translation>Texte auf Englisch</translation>
+        <source>English labels</source>
+        <translation>Englische Beschriftung</translation>
     </message>
     <message>
         <source>Swipe or lens as in the window</source>
         <translation>Wischen oder Lupe wie im Fenster</translation>
     </message>
     <message>
-        <source>Start pose beside it: before and after</source>
-        <translation>Startlage daneben: vorher und nachher</translation>
+        <source>Side by side with initial pose</source>
+        <translation>Neben der Startlage</translation>
     </message>
     <message>
-        <source>twice %1</source>
-        <translation>zweimal %1</translation>
+        <source>two images, %1 each</source>
+        <translation>zwei Bilder, je %1</translation>
     </message>
 </context>
 <context>
@@ -9516,12 +9516,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>R-Zacke</translation>
     </message>
     <message>
-        <source>Drag the ends to play a part of the run, double click for all of it</source>
-        <translation>Die Enden ziehen, um einen Teil der Serie abzuspielen; Doppelklick: alles</translation>
+        <source>Drag the ends to play part of the run; double-click for all of it</source>
+        <translation>Enden ziehen, um einen Teil der Serie abzuspielen; Doppelklick: alles</translation>
     </message>
     <message>
-        <source>Frames by opacification</source>
-        <translation>Bilder nach Kontrastfüllung</translation>
+        <source>Opacification of the frames</source>
+        <translation>Kontrastierung der Bilder</translation>
     </message>
     <message>
         <source>Frame %1</source>
@@ -9532,30 +9532,30 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>the fullest</source>
-        <translation>das vollste</translation>
+        <source>peak opacification frame</source>
+        <translation>Bild maximaler Kontrastierung</translation>
     </message>
     <message>
         <source>mask</source>
         <translation>Maske</translation>
     </message>
     <message>
-        <source>Shift+drag marks mask frames, double click shows the curve</source>
-        <translation>Umschalt+Ziehen markiert Maskenbilder, Doppelklick zeigt die Kurve</translation>
+        <source>Shift+drag marks mask frames; double-click shows the curve</source>
+        <translation>Umschalt+Ziehen markiert Maskenbilder; Doppelklick zeigt die Kurve</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::GeometryPanel</name>
     <message>
-        <source>type it</source>
-        <translation>eintippen</translation>
+        <source>enter value</source>
+        <translation>Wert eingeben</translation>
     </message>
     <message>
         <source>SID</source>
         <translation>SID</translation>
     </message>
     <message>
-        <source>Source to detector distance</source>
+        <source>Source-to-detector distance</source>
         <translation>Abstand Fokus–Detektor</translation>
     </message>
     <message>
@@ -9563,12 +9563,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>SOD</translation>
     </message>
     <message>
-        <source>Source to isocentre distance</source>
+        <source>Source-to-isocenter distance</source>
         <translation>Abstand Fokus–Isozentrum</translation>
     </message>
     <message>
-        <source>pixel</source>
-        <translation>Pixel</translation>
+        <source>pixel spacing</source>
+        <translation>Pixelabstand</translation>
     </message>
     <message>
         <source>LAO / RAO</source>
@@ -9584,7 +9584,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
     <message>
         <source>Secondary angle: CRA positive, CAU negative</source>
-        <translation>Sekundärwinkel: kranial positiv, kaudal negativ</translation>
+        <translation>Sekundärwinkel: CRA positiv, CAU negativ</translation>
     </message>
     <message>
         <source>header</source>
@@ -9595,7 +9595,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>abgeleitet</translation>
     </message>
     <message>
-        <source>typed</source>
+        <source>entered</source>
         <translation>eingegeben</translation>
     </message>
     <message>
@@ -9611,20 +9611,20 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Geometrie</translation>
     </message>
     <message>
-        <source>Assume usual values</source>
-        <translation>Übliche Werte annehmen</translation>
+        <source>Use typical values</source>
+        <translation>Typische Werte verwenden</translation>
     </message>
     <message>
         <source>Use distances and spacing instead</source>
-        <translation>Stattdessen Abstände und Pixelgröße</translation>
+        <translation>Stattdessen Abstände und Pixelabstand verwenden</translation>
     </message>
     <message>
-        <source>SID 1000 mm, SOD 750 mm, pixel 0.3 mm, angles 0°: only for what is missing.</source>
-        <translation>SID 1000 mm, SOD 750 mm, Pixel 0,3 mm, Winkel 0°: nur für das, was fehlt.</translation>
+        <source>SID 1000 mm, SOD 750 mm, pixel 0.3 mm, angles 0°: fills in missing values only.</source>
+        <translation>SID 1000 mm, SOD 750 mm, Pixel 0,3 mm, Winkel 0°: ersetzt nur fehlende Werte.</translation>
     </message>
     <message>
-        <source>Camera from the case file: f %1 px, centre %2, %3 px, %4.</source>
-        <translation>Kamera aus der Falldatei: f %1 px, Mitte %2, %3 px, %4.</translation>
+        <source>Camera from the case file: f %1 px, principal point %2, %3 px, %4.</source>
+        <translation>Kamera aus der Falldatei: f %1 px, Hauptpunkt %2, %3 px, %4.</translation>
     </message>
     <message>
         <source>seen from the detector</source>
@@ -9651,28 +9651,28 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>fehlende Werte</translation>
     </message>
     <message>
-        <source>Roll, centre, isocentre</source>
-        <translation>Rollen, Mitte, Isozentrum</translation>
+        <source>Roll, principal point, isocenter</source>
+        <translation>Rollwinkel, Hauptpunkt, Isozentrum</translation>
     </message>
     <message>
-        <source>What the header says</source>
-        <translation>Was der Header sagt</translation>
+        <source>DICOM header values</source>
+        <translation>DICOM-Header-Werte</translation>
     </message>
     <message>
-        <source>as from the detector</source>
-        <translation>wie vom Detektor</translation>
+        <source>from the detector</source>
+        <translation>vom Detektor</translation>
     </message>
     <message>
-        <source>Side that the image is shown from</source>
-        <translation>Seite, von der das Bild gezeigt ist</translation>
+        <source>Viewing side of the image</source>
+        <translation>Betrachtungsseite des Bildes</translation>
     </message>
     <message>
-        <source>Angiograms are shown as seen from the detector. A mirrored export shows left and right exchanged: the projection is mirrored with it, the vessels never are.</source>
-        <translation>Angiogramme zeigt man vom Detektor gesehen. Ein gespiegelter Export vertauscht links und rechts: die Projektion wird mitgespiegelt, die Gefäße nie.</translation>
+        <source>Angiograms are shown as seen from the detector. A mirrored export swaps left and right: the projection is mirrored with the image, the vessels never are.</source>
+        <translation>Angiogramme werden wie vom Detektor gesehen gezeigt. Ein gespiegelter Export vertauscht links und rechts: Die Projektion wird mit dem Bild gespiegelt, die Gefäße nie.</translation>
     </message>
     <message>
-        <source>side of the image</source>
-        <translation>Bildseite</translation>
+        <source>viewing side</source>
+        <translation>Betrachtungsseite</translation>
     </message>
     <message>
         <source>image</source>
@@ -9683,76 +9683,76 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>%1 Tags</translation>
     </message>
     <message>
-        <source>The header gives no pixel spacing; this one is derived. Press Enter in it to confirm, or type it.</source>
-        <translation>Der Header nennt keine Pixelgröße; diese ist abgeleitet. Mit Eingabe im Feld bestätigen oder eintragen.</translation>
+        <source>The header gives no pixel spacing; this value is derived. Press Enter in the field to confirm it, or enter another value.</source>
+        <translation>Der Header enthält keinen Pixelabstand; dieser Wert ist abgeleitet. Bestätigen Sie ihn im Feld mit der Eingabetaste, oder geben Sie einen anderen ein.</translation>
     </message>
     <message>
-        <source>The image is taken as mirrored (%1): check that left and right are where they belong.</source>
-        <translation>Das Bild gilt als gespiegelt (%1): prüfen, ob links und rechts stimmen.</translation>
+        <source>The image is assumed to be mirrored (%1). Check left and right.</source>
+        <translation>Das Bild gilt als gespiegelt (%1). Prüfen Sie links und rechts.</translation>
     </message>
     <message>
-        <source>The gantry turns during this run: at this frame by %1° LAO/RAO and %2° CRA/CAU since the first.</source>
-        <translation>Der C-Bogen dreht sich in dieser Serie: bei diesem Bild um %1° LAO/RAO und %2° CRA/CAU seit dem ersten.</translation>
+        <source>The gantry rotates during this run: by %1° LAO/RAO and %2° CRA/CAU from the first frame to this one.</source>
+        <translation>Der C-Bogen dreht sich in dieser Serie: vom ersten bis zu diesem Bild um %1° LAO/RAO und %2° CRA/CAU.</translation>
     </message>
     <message>
-        <source>Pixel pitch on the detector. Enter confirms a derived one.</source>
-        <translation>Pixelabstand auf dem Detektor. Eingabe bestätigt einen abgeleiteten.</translation>
+        <source>Pixel spacing on the detector. Enter confirms a derived value.</source>
+        <translation>Pixelabstand auf dem Detektor. Eingabe bestätigt einen abgeleiteten Wert.</translation>
     </message>
     <message>
-        <source>field width</source>
-        <translation>Bildbreite</translation>
+        <source>detector width</source>
+        <translation>Detektorbreite</translation>
     </message>
     <message>
-        <source>Width of the image on the detector: gives the pixel pitch</source>
-        <translation>Breite des Bildes auf dem Detektor: ergibt den Pixelabstand</translation>
+        <source>Width of the image on the detector; determines the pixel spacing</source>
+        <translation>Breite des Bildes auf dem Detektor; bestimmt den Pixelabstand</translation>
     </message>
     <message>
         <source>roll</source>
         <translation>Rollen</translation>
     </message>
     <message>
-        <source>The image is turned clockwise by this</source>
-        <translation>Um so viel ist das Bild im Uhrzeigersinn gedreht</translation>
+        <source>Clockwise rotation of the image</source>
+        <translation>Drehung des Bildes im Uhrzeigersinn</translation>
     </message>
     <message>
-        <source>centre right</source>
-        <translation>Mitte rechts</translation>
+        <source>center x</source>
+        <translation>Mitte x</translation>
     </message>
     <message>
-        <source>Column that the beam axis meets; 0 is the middle of the first</source>
-        <translation>Spalte, die der Zentralstrahl trifft; 0 ist die Mitte der ersten</translation>
+        <source>Column where the central ray meets the detector; 0 is the center of the first column</source>
+        <translation>Spalte, in der der Zentralstrahl den Detektor trifft; 0 ist die Mitte der ersten Spalte</translation>
     </message>
     <message>
-        <source>centre down</source>
-        <translation>Mitte unten</translation>
+        <source>center y</source>
+        <translation>Mitte y</translation>
     </message>
     <message>
-        <source>Row that the beam axis meets; 0 is the middle of the first</source>
-        <translation>Zeile, die der Zentralstrahl trifft; 0 ist die Mitte der ersten</translation>
+        <source>Row where the central ray meets the detector; 0 is the center of the first row</source>
+        <translation>Zeile, in der der Zentralstrahl den Detektor trifft; 0 ist die Mitte der ersten Zeile</translation>
     </message>
     <message>
-        <source>isocentre L</source>
+        <source>isocenter L</source>
         <translation>Isozentrum L</translation>
     </message>
     <message>
-        <source>What the gantry turns about, in the vessels&apos; coordinates: left</source>
-        <translation>Drehpunkt des C-Bogens in Gefäßkoordinaten: links</translation>
+        <source>Gantry rotation center in vessel coordinates: left</source>
+        <translation>Drehzentrum des C-Bogens in Gefäßkoordinaten: links</translation>
     </message>
     <message>
-        <source>isocentre P</source>
+        <source>isocenter P</source>
         <translation>Isozentrum P</translation>
     </message>
     <message>
-        <source>What the gantry turns about, in the vessels&apos; coordinates: posterior</source>
-        <translation>Drehpunkt des C-Bogens in Gefäßkoordinaten: hinten</translation>
+        <source>Gantry rotation center in vessel coordinates: posterior</source>
+        <translation>Drehzentrum des C-Bogens in Gefäßkoordinaten: posterior</translation>
     </message>
     <message>
-        <source>isocentre H</source>
+        <source>isocenter H</source>
         <translation>Isozentrum H</translation>
     </message>
     <message>
-        <source>What the gantry turns about, in the vessels&apos; coordinates: head</source>
-        <translation>Drehpunkt des C-Bogens in Gefäßkoordinaten: Kopf</translation>
+        <source>Gantry rotation center in vessel coordinates: head</source>
+        <translation>Drehzentrum des C-Bogens in Gefäßkoordinaten: Kopf</translation>
     </message>
 </context>
 <context>
@@ -9766,7 +9766,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Schlecht: verschoben</translation>
     </message>
     <message>
-        <source>Bad: turned</source>
+        <source>Bad: rotated</source>
         <translation>Schlecht: verdreht</translation>
     </message>
     <message>
@@ -9774,52 +9774,52 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Schlecht: falscher Winkel</translation>
     </message>
     <message>
-        <source>Lines run in the middle of their vessels, blue all along, into the side branches too.</source>
-        <translation>Die Linien laufen mitten in ihren Gefäßen, durchgehend blau, auch in die Seitenäste.</translation>
+        <source>Lines run along the middle of their vessels, blue throughout, including the side branches.</source>
+        <translation>Die Linien verlaufen in der Mitte ihrer Gefäße, durchgehend blau, auch in den Seitenästen.</translation>
     </message>
     <message>
-        <source>Amber only where this frame shows no contrast; every filled vessel is blue.</source>
-        <translation>Gelb nur, wo dieses Bild kein Kontrastmittel zeigt; jedes gefüllte Gefäß ist blau.</translation>
+        <source>Amber only where there is no contrast agent in this frame; every opacified vessel is blue.</source>
+        <translation>Gelb nur, wo dieses Bild kein Kontrastmittel zeigt; jedes kontrastierte Gefäß ist blau.</translation>
     </message>
     <message>
-        <source>Small differences to both sides: beating and breathing. No rigid pose does better.</source>
-        <translation>Kleine Abweichungen nach beiden Seiten: Herzschlag und Atmung. Keine starre Lage ist besser.</translation>
+        <source>Small deviations to both sides, from heartbeat and breathing. No rigid pose fits better.</source>
+        <translation>Kleine Abweichungen nach beiden Seiten durch Herzschlag und Atmung. Keine starre Lage passt besser.</translation>
     </message>
     <message>
-        <source>All lines miss to the same side. Register again, or nudge with the arrows.</source>
-        <translation>Alle Linien liegen zur selben Seite daneben. Neu registrieren oder mit den Pfeilen schieben.</translation>
+        <source>All lines are off to the same side. Register again, or nudge with the arrow keys.</source>
+        <translation>Alle Linien liegen zur selben Seite daneben. Registrieren Sie neu, oder justieren Sie mit den Pfeiltasten.</translation>
     </message>
     <message>
-        <source>Fits in the middle and misses more and more outwards: turned in the image plane.</source>
-        <translation>Passt in der Mitte und nach außen immer weniger: in der Bildebene verdreht.</translation>
+        <source>Fits in the middle and deviates more and more toward the edges: rotated in the image plane.</source>
+        <translation>Passt in der Mitte und weicht nach außen zunehmend ab: in der Bildebene verdreht.</translation>
     </message>
     <message>
-        <source>The trunk fits, side branches point elsewhere: LAO/RAO or CRA/CAU are off.</source>
-        <translation>Der Stamm passt, Seitenäste zeigen woandershin: LAO/RAO oder CRA/CAU stimmen nicht.</translation>
+        <source>The trunk fits, but side branches point elsewhere: LAO/RAO or CRA/CAU is wrong.</source>
+        <translation>Der Stamm passt, aber Seitenäste zeigen woandershin: LAO/RAO oder CRA/CAU stimmt nicht.</translation>
     </message>
     <message>
-        <source>What a good fit looks like</source>
-        <translation>Wie eine gute Einpassung aussieht</translation>
+        <source>Examples of good and bad fits</source>
+        <translation>Beispiele guter und schlechter Passung</translation>
     </message>
     <message>
-        <source>Simulated vessels. Blue lies on a vessel, amber 2 mm off or more.</source>
-        <translation>Simulierte Gefäße. Blau liegt auf einem Gefäß, gelb 2 mm daneben oder mehr.</translation>
+        <source>Simulated vessels. Blue: on a vessel. Amber: 2 mm off or more.</source>
+        <translation>Simulierte Gefäße. Blau: auf einem Gefäß. Gelb: 2 mm oder mehr daneben.</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>drawing …</source>
-        <translation>wird gezeichnet …</translation>
+        <source>drawing…</source>
+        <translation>wird gezeichnet…</translation>
     </message>
     <message>
         <source>Good: everything fits</source>
         <translation>Gut: alles passt</translation>
     </message>
     <message>
-        <source>Good: branches unfilled</source>
-        <translation>Gut: Äste ungefüllt</translation>
+        <source>Good: unopacified branches</source>
+        <translation>Gut: nicht kontrastierte Äste</translation>
     </message>
 </context>
 <context>
@@ -9829,8 +9829,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Nicht für den klinischen Einsatz</translation>
     </message>
     <message>
-        <source>AngioPose is a research program, not a medical device.</source>
-        <translation>AngioPose ist ein Forschungsprogramm, kein Medizinprodukt.</translation>
+        <source>AngioPose is research software, not a medical device.</source>
+        <translation>AngioPose ist Forschungssoftware, kein Medizinprodukt.</translation>
     </message>
     <message>
         <source>More menus</source>
@@ -9874,7 +9874,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Bild↑ Bild↓</translation>
     </message>
     <message>
-        <source>move away from or to the source</source>
+        <source>move away from or toward the source</source>
         <translation>vom Fokus weg oder zu ihm hin</translation>
     </message>
     <message>
@@ -9883,14 +9883,14 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
     <message>
         <source>roll by 1°</source>
-        <translation>rollen um 1°</translation>
+        <translation>um 1° rollen</translation>
     </message>
     <message>
         <source>Alt+arrows</source>
         <translation>Alt+Pfeile</translation>
     </message>
     <message>
-        <source>turn LAO/RAO and CRA/CAU by 1°</source>
+        <source>rotate LAO/RAO and CRA/CAU by 1°</source>
         <translation>LAO/RAO und CRA/CAU um 1° drehen</translation>
     </message>
     <message>
@@ -9938,32 +9938,32 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>klicken</translation>
     </message>
     <message>
-        <source>pick a branch (Ctrl adds)</source>
-        <translation>Ast wählen (Strg fügt hinzu)</translation>
+        <source>select a branch (Ctrl adds)</source>
+        <translation>Ast auswählen (Strg fügt hinzu)</translation>
     </message>
     <message>
         <source>In nudge mode</source>
         <translation>Im Justiermodus</translation>
     </message>
     <message>
-        <source>On the angiogram</source>
-        <translation>Auf dem Angiogramm</translation>
+        <source>In the angiogram</source>
+        <translation>Im Angiogramm</translation>
     </message>
     <message>
-        <source>move; on the ring roll; Esc takes it back, then ends the mode</source>
-        <translation>schieben; am Ring drehen; Esc nimmt zurück, dann endet der Modus</translation>
+        <source>move; drag the ring to roll; Esc reverts, then ends the mode</source>
+        <translation>schieben; am Ring rollen; Esc macht rückgängig, dann endet der Modus</translation>
     </message>
     <message>
         <source>Ctrl+wheel</source>
         <translation>Strg+Rad</translation>
     </message>
     <message>
-        <source>right click</source>
+        <source>right-click</source>
         <translation>Rechtsklick</translation>
     </message>
     <message>
-        <source>menu of what can be done here</source>
-        <translation>Menü mit dem, was hier möglich ist</translation>
+        <source>context menu</source>
+        <translation>Kontextmenü</translation>
     </message>
     <message>
         <source>left drag, arrows</source>
@@ -9978,7 +9978,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>rechts ziehen, Rad, + −</translation>
     </message>
     <message>
-        <source>double click</source>
+        <source>double-click</source>
         <translation>Doppelklick</translation>
     </message>
     <message>
@@ -9998,24 +9998,24 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>rechts ziehen</translation>
     </message>
     <message>
-        <source>On the 3-D view</source>
-        <translation>Auf der 3-D-Ansicht</translation>
+        <source>In the 3-D view</source>
+        <translation>In der 3-D-Ansicht</translation>
     </message>
     <message>
-        <source>in 3-D or a slice, then in the image: one pair</source>
-        <translation>in 3-D oder einer Schicht, dann im Bild: ein Paar</translation>
+        <source>in 3-D or a slice, then in the image: sets one pair</source>
+        <translation>in 3-D oder einer Schicht, dann im Bild: setzt ein Paar</translation>
     </message>
     <message>
-        <source>a node of the vessels to its place, or a cross elsewhere</source>
-        <translation>ein Gefäßknoten an seinen Ort, oder ein Kreuz anderswohin</translation>
+        <source>move a vessel node to its position, or move a cross</source>
+        <translation>Gefäßknoten an seinen Ort oder Kreuz verschieben</translation>
     </message>
     <message>
         <source>Enter</source>
         <translation>Eingabe</translation>
     </message>
     <message>
-        <source>place the vessels by the pairs</source>
-        <translation>die Gefäße nach den Paaren legen</translation>
+        <source>register the vessels from the pairs</source>
+        <translation>Gefäße anhand der Paare registrieren</translation>
     </message>
     <message>
         <source>Del</source>
@@ -10030,24 +10030,24 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>X</translation>
     </message>
     <message>
-        <source>click curves that are no vessels</source>
-        <translation>Kurven anklicken, die keine Gefäße sind</translation>
+        <source>exclude curves that are not vessels</source>
+        <translation>Kurven, die keine Gefäße sind, ausschließen</translation>
     </message>
     <message>
         <source>E</source>
         <translation>E</translation>
     </message>
     <message>
-        <source>erase with a brush; [ ] its size</source>
-        <translation>mit dem Pinsel radieren; [ ] Größe</translation>
+        <source>erase with a brush; [ ] changes its size</source>
+        <translation>mit dem Pinsel radieren; [ ] ändert die Größe</translation>
     </message>
     <message>
         <source>D</source>
         <translation>D</translation>
     </message>
     <message>
-        <source>draw: Enter ends, Backspace takes a point back, Shift straight</source>
-        <translation>zeichnen: Eingabe beendet, Rücktaste nimmt zurück, Umschalt gerade</translation>
+        <source>draw: Enter ends, Backspace removes a point, Shift straight</source>
+        <translation>zeichnen: Eingabe beendet, Rücktaste entfernt einen Punkt, Umschalt gerade</translation>
     </message>
     <message>
         <source>C</source>
@@ -10062,27 +10062,27 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>B L</translation>
     </message>
     <message>
-        <source>box or lasso around what is no vessel; Ctrl: keep the inside alone</source>
-        <translation>Rahmen oder Lasso um das, was kein Gefäß ist; Strg: nur das Innere behalten</translation>
+        <source>box or lasso around non-vessels; Ctrl: keep only the inside</source>
+        <translation>Rahmen oder Lasso um Nicht-Gefäße; Strg: nur das Innere behalten</translation>
     </message>
     <message>
         <source>✓ ✗</source>
         <translation>✓ ✗</translation>
     </message>
     <message>
-        <source>dashed curves may be a catheter: keep or leave out</source>
-        <translation>gestrichelte Kurven sind vielleicht ein Katheter: behalten oder weglassen</translation>
+        <source>dashed curves may be a catheter: keep or exclude</source>
+        <translation>gestrichelte Kurven sind möglicherweise ein Katheter: behalten oder ausschließen</translation>
     </message>
     <message>
         <source>click, left drag, Ctrl+arrows</source>
         <translation>klicken, links ziehen, Strg+Pfeile</translation>
     </message>
     <message>
-        <source>cross-hair, linked with all views</source>
-        <translation>Fadenkreuz, mit allen Ansichten verbunden</translation>
+        <source>crosshair, linked across all views</source>
+        <translation>Fadenkreuz, mit allen Ansichten gekoppelt</translation>
     </message>
     <message>
-        <source>picks the point at the cross-hair, as a click does</source>
+        <source>pick the point at the crosshair, like a click</source>
         <translation>wählt den Punkt am Fadenkreuz wie ein Klick</translation>
     </message>
     <message>
@@ -10094,8 +10094,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Schichten (Umschalt 10)</translation>
     </message>
     <message>
-        <source>window and level; a right click opens the menu</source>
-        <translation>Fensterung; ein Rechtsklick öffnet das Menü</translation>
+        <source>window and level; right-click opens the menu</source>
+        <translation>Fensterung; Rechtsklick öffnet das Menü</translation>
     </message>
     <message>
         <source>middle drag, Ctrl+wheel</source>
@@ -10106,56 +10106,56 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>verschieben und zoomen</translation>
     </message>
     <message>
-        <source>all slices large, and back</source>
-        <translation>alle Schichten groß, und zurück</translation>
+        <source>enlarge all slices, or restore</source>
+        <translation>alle Schichten groß zeigen, oder wiederherstellen</translation>
     </message>
     <message>
-        <source>While clicking landmarks</source>
-        <translation>Beim Klicken von Landmarken</translation>
+        <source>While picking landmarks</source>
+        <translation>Beim Setzen von Landmarken</translation>
     </message>
     <message>
         <source>While editing vessels</source>
         <translation>Beim Bearbeiten der Gefäße</translation>
     </message>
     <message>
-        <source>On a slice</source>
+        <source>In a slice</source>
         <translation>In einer Schicht</translation>
     </message>
     <message>
-        <source>this view alone, and back</source>
-        <translation>nur diese Ansicht, und zurück</translation>
+        <source>show this view only, or restore</source>
+        <translation>nur diese Ansicht zeigen, oder wiederherstellen</translation>
     </message>
     <message>
         <source>S, then A or Del</source>
         <translation>S, dann A oder Entf</translation>
     </message>
     <message>
-        <source>the next of the dashed curves: keep or leave out</source>
-        <translation>die nächste der gestrichelten Kurven: behalten oder weglassen</translation>
+        <source>next dashed curve: keep or exclude</source>
+        <translation>nächste gestrichelte Kurve: behalten oder ausschließen</translation>
     </message>
     <message>
-        <source>While picking the pivot</source>
-        <translation>Beim Wählen des Drehpunkts</translation>
+        <source>While setting the rotation center</source>
+        <translation>Beim Setzen des Drehzentrums</translation>
     </message>
     <message>
-        <source>a place on the vessels, in the image, in 3-D or in a slice</source>
-        <translation>eine Stelle auf den Gefäßen, im Bild, in 3-D oder in einer Schicht</translation>
+        <source>a point on the vessels, in the image, in 3-D or in a slice</source>
+        <translation>ein Punkt auf den Gefäßen, im Bild, in 3-D oder in einer Schicht</translation>
     </message>
     <message>
         <source>← →</source>
         <translation>← →</translation>
     </message>
     <message>
-        <source>the next bifurcation or end</source>
-        <translation>die nächste Verzweigung oder das nächste Ende</translation>
+        <source>next bifurcation or branch end</source>
+        <translation>nächste Bifurkation oder nächstes Astende</translation>
     </message>
     <message>
-        <source>takes the place shown</source>
-        <translation>nimmt die gezeigte Stelle</translation>
+        <source>accept the point shown</source>
+        <translation>gezeigten Punkt übernehmen</translation>
     </message>
     <message>
-        <source>back to the centroid</source>
-        <translation>zurück zum Schwerpunkt</translation>
+        <source>reset to the centroid</source>
+        <translation>auf den Schwerpunkt zurücksetzen</translation>
     </message>
     <message>
         <source>While measuring</source>
@@ -10166,27 +10166,27 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Klick, Ziehen</translation>
     </message>
     <message>
-        <source>set a point, or move one that is there</source>
-        <translation>setzt einen Punkt oder verschiebt einen</translation>
+        <source>set a point, or move an existing one</source>
+        <translation>Punkt setzen oder vorhandenen verschieben</translation>
     </message>
     <message>
-        <source>Enter, double click</source>
+        <source>Enter, double-click</source>
         <translation>Eingabe, Doppelklick</translation>
     </message>
     <message>
-        <source>closes an area</source>
-        <translation>schließt eine Fläche</translation>
+        <source>close an area</source>
+        <translation>Fläche schließen</translation>
     </message>
     <message>
         <source>Backspace</source>
         <translation>Rücktaste</translation>
     </message>
     <message>
-        <source>takes a point back</source>
-        <translation>nimmt einen Punkt zurück</translation>
+        <source>remove the last point</source>
+        <translation>letzten Punkt entfernen</translation>
     </message>
     <message>
-        <source>removes the chosen measurement, or the last</source>
+        <source>removes the selected measurement or the last one</source>
         <translation>entfernt die gewählte Messung oder die letzte</translation>
     </message>
     <message>
@@ -10194,83 +10194,83 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Beim Markieren</translation>
     </message>
     <message>
-        <source>sets a check point or ring on the vessels, here, in 3-D or in a slice</source>
-        <translation>setzt Prüfpunkt oder Ring auf die Gefäße, hier, in 3-D oder in einer Schicht</translation>
+        <source>adds a target point or ring to the vessels, here, in 3-D or in a slice</source>
+        <translation>setzt Zielpunkt oder Ring auf die Gefäße, hier, in 3-D oder in einer Schicht</translation>
     </message>
     <message>
-        <source>draws an arrow, or moves what is there</source>
-        <translation>zeichnet einen Pfeil oder verschiebt, was da ist</translation>
+        <source>draws an arrow or moves an existing mark</source>
+        <translation>zeichnet einen Pfeil oder verschiebt eine Markierung</translation>
     </message>
     <message>
-        <source>ends a text; Esc drops it</source>
+        <source>finishes a text; Esc discards it</source>
         <translation>beendet einen Text; Esc verwirft ihn</translation>
     </message>
     <message>
-        <source>removes the chosen mark, or the last</source>
-        <translation>entfernt die gewählte Marke oder die letzte</translation>
+        <source>removes the selected mark or the last one</source>
+        <translation>entfernt die gewählte Markierung oder die letzte</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::KeySheet</name>
     <message>
-        <source>Keys</source>
-        <translation>Tasten</translation>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
     </message>
     <message>
-        <source>Search keys and what they do</source>
-        <translation>Tasten und Wirkungen suchen</translation>
+        <source>Search shortcuts and commands</source>
+        <translation>Tastenkürzel und Befehle suchen</translation>
     </message>
     <message>
-        <source>Search keys</source>
-        <translation>Tasten suchen</translation>
+        <source>Search shortcuts</source>
+        <translation>Tastenkürzel suchen</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>No key for “%1”.</source>
-        <translation>Keine Taste für „%1“.</translation>
+        <source>No shortcut for “%1”.</source>
+        <translation>Kein Tastenkürzel für „%1“.</translation>
     </message>
     <message>
-        <source>Keys and what they do</source>
-        <translation>Tasten und ihre Wirkung</translation>
+        <source>Shortcuts and their commands</source>
+        <translation>Tastenkürzel und ihre Befehle</translation>
     </message>
     <message>
-        <source>Reset all keys</source>
-        <translation>Alle Tasten zurücksetzen</translation>
+        <source>Reset all shortcuts</source>
+        <translation>Alle Kürzel zurücksetzen</translation>
     </message>
     <message>
-        <source>Enter or double-click on a line takes a new key for it.</source>
-        <translation>Eingabetaste oder Doppelklick auf eine Zeile nimmt eine neue Taste an.</translation>
+        <source>Double-click a command or press Enter to assign a shortcut.</source>
+        <translation>Doppelklick auf einen Befehl oder Eingabetaste weist ein Tastenkürzel zu.</translation>
     </message>
     <message>
-        <source>This key is fixed.</source>
-        <translation>Diese Taste ist fest.</translation>
+        <source>This shortcut is fixed.</source>
+        <translation>Dieses Tastenkürzel ist fest vorgegeben.</translation>
     </message>
     <message>
-        <source>Press the new key for “%1”. Esc keeps the old one, Delete leaves none.</source>
-        <translation>Neue Taste für „%1“ drücken. Esc behält die alte, Entf lässt keine.</translation>
+        <source>Press the new shortcut for “%1”. Esc keeps the old one, Delete removes it.</source>
+        <translation>Drücken Sie das neue Tastenkürzel für „%1“. Esc behält das alte, Entf entfernt es.</translation>
     </message>
     <message>
-        <source>The old key stays.</source>
-        <translation>Die alte Taste bleibt.</translation>
+        <source>The old shortcut is kept.</source>
+        <translation>Das alte Tastenkürzel bleibt.</translation>
     </message>
     <message>
-        <source>“%1” is needed elsewhere. Press another key.</source>
-        <translation>„%1“ wird anderswo gebraucht. Eine andere Taste drücken.</translation>
+        <source>“%1” is reserved. Press another key.</source>
+        <translation>„%1“ ist reserviert. Drücken Sie eine andere Taste.</translation>
     </message>
     <message>
-        <source>“%1” belongs to “%2”. Press it again to take it from there, or press another key.</source>
-        <translation>„%1“ gehört zu „%2“. Nochmals drücken nimmt sie von dort, oder eine andere drücken.</translation>
+        <source>“%1” is assigned to “%2”. Press it again to reassign it, or press another key.</source>
+        <translation>„%1“ ist „%2“ zugewiesen. Drücken Sie es nochmals, um es neu zuzuweisen, oder eine andere Taste.</translation>
     </message>
     <message>
-        <source>No key any more.</source>
-        <translation>Keine Taste mehr.</translation>
+        <source>Shortcut removed.</source>
+        <translation>Tastenkürzel entfernt.</translation>
     </message>
     <message>
-        <source>The key is “%1” now.</source>
-        <translation>Die Taste ist jetzt „%1“.</translation>
+        <source>The shortcut is now “%1”.</source>
+        <translation>Das Tastenkürzel ist jetzt „%1“.</translation>
     </message>
 </context>
 <context>
@@ -10288,44 +10288,44 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Alle</translation>
     </message>
     <message>
-        <source>Ticks every label of the list</source>
-        <translation>Kreuzt jedes Label der Liste an</translation>
+        <source>Selects all labels in the list</source>
+        <translation>Wählt alle Labels der Liste aus</translation>
     </message>
     <message>
         <source>None</source>
         <translation>Keine</translation>
     </message>
     <message>
-        <source>Unticks every label of the list</source>
-        <translation>Nimmt das Kreuz von jedem Label der Liste</translation>
+        <source>Clears all labels in the list</source>
+        <translation>Hebt die Auswahl aller Labels auf</translation>
     </message>
     <message>
         <source>Vessels</source>
         <translation>Gefäße</translation>
     </message>
     <message>
-        <source>Ticks those that are vessels by their names</source>
-        <translation>Kreuzt die an, die dem Namen nach Gefäße sind</translation>
+        <source>Selects the labels whose names denote vessels</source>
+        <translation>Wählt die Labels aus, deren Namen Gefäße bezeichnen</translation>
     </message>
     <message>
         <source>Find a label</source>
         <translation>Label suchen</translation>
     </message>
     <message>
-        <source>Labels that are vessels</source>
-        <translation>Labels, die Gefäße sind</translation>
+        <source>Vessel labels</source>
+        <translation>Gefäßlabels</translation>
     </message>
     <message>
         <source>Labels</source>
         <translation>Labels</translation>
     </message>
     <message>
-        <source>Reading the labels …</source>
-        <translation>Die Labels werden gelesen …</translation>
+        <source>Reading the labels…</source>
+        <translation>Labels werden gelesen …</translation>
     </message>
     <message>
-        <source>%1 of %2 ticked, %3</source>
-        <translation>%1 von %2 angekreuzt, %3</translation>
+        <source>%1 of %2 selected, %3</source>
+        <translation>%1 von %2 ausgewählt, %3</translation>
     </message>
 </context>
 <context>
@@ -10335,24 +10335,24 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Landmarken</translation>
     </message>
     <message>
-        <source>Place vessels</source>
-        <translation>Gefäße legen</translation>
+        <source>Compute pose</source>
+        <translation>Lage berechnen</translation>
     </message>
     <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Landmarks and how far each is off</source>
-        <translation>Landmarken und ihre Abweichung</translation>
+        <source>Landmarks and their residuals</source>
+        <translation>Landmarken und ihre Residuen</translation>
     </message>
     <message>
-        <source>Find the start pose from the pairs: Enter while clicking. Undo brings the old one back.</source>
-        <translation>Startlage aus den Paaren finden: Eingabe beim Klicken. Rückgängig bringt die alte zurück.</translation>
+        <source>Computes the initial pose from the pairs (Enter while clicking). Undo restores the previous one.</source>
+        <translation>Berechnet die Ausgangslage aus den Paaren (Eingabetaste beim Klicken). Rückgängig stellt die vorige wieder her.</translation>
     </message>
     <message>
-        <source>Remove the chosen pairs: Delete</source>
-        <translation>Gewählte Paare entfernen: Entf</translation>
+        <source>Removes the selected pairs (Delete)</source>
+        <translation>Entfernt die gewählten Paare (Entf)</translation>
     </message>
     <message>
         <source>%1 px</source>
@@ -10367,38 +10367,38 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>%1 Paare</translation>
     </message>
     <message>
-        <source>Click pairs</source>
-        <translation>Paare klicken</translation>
+        <source>Pick pairs</source>
+        <translation>Paare setzen</translation>
     </message>
     <message>
-        <source>A place on the vessels in 3-D (or a slice), then the same place in the image.</source>
-        <translation>Eine Stelle an den Gefäßen in 3-D (oder einer Schicht), dann dieselbe im Bild.</translation>
+        <source>Click a point on the vessels in 3-D (or a slice), then the same point in the image.</source>
+        <translation>Klicken Sie auf eine Stelle der Gefäße in 3-D (oder in einer Schicht), dann auf dieselbe im Bild.</translation>
     </message>
     <message>
-        <source>%1: click pairs, then place</source>
-        <translation>%1: Paare klicken, dann einpassen</translation>
+        <source>%1: click pairs, then compute</source>
+        <translation>%1: Paare klicken, dann berechnen</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::LandmarkTool</name>
     <message>
-        <source>Landmarks: now click the same place in the image</source>
+        <source>Landmarks: now click the same point in the image</source>
         <translation>Landmarken: jetzt dieselbe Stelle im Bild anklicken</translation>
     </message>
     <message>
-        <source>Landmarks: now click the same place on the vessels in 3-D</source>
-        <translation>Landmarken: jetzt dieselbe Stelle an den Gefäßen in 3-D anklicken</translation>
+        <source>Landmarks: now click the same point on the vessels in 3-D</source>
+        <translation>Landmarken: jetzt dieselbe Stelle der Gefäße in 3-D anklicken</translation>
     </message>
     <message>
-        <source>Landmarks: click in 3-D and here, or drag a node · Enter places</source>
-        <translation>Landmarken: in 3-D und hier klicken, oder Knoten ziehen · Eingabe legt</translation>
+        <source>Landmarks: click in 3-D and here, or drag a node · Enter computes the pose</source>
+        <translation>Landmarken: in 3-D und hier klicken oder Knoten ziehen · Eingabe berechnet die Lage</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::LassoTool</name>
     <message>
-        <source>Lasso: draw around the auxiliary branches, Shift adds, Ctrl removes, Esc ends</source>
-        <translation>Lasso: Hilfsäste umfahren, Umschalt fügt hinzu, Strg entfernt, Esc beendet</translation>
+        <source>Lasso: draw around the auxiliary branches · Shift adds · Ctrl removes · Esc ends</source>
+        <translation>Lasso: Hilfsäste umfahren · Umschalt fügt hinzu · Strg entfernt · Esc beendet</translation>
     </message>
 </context>
 <context>
@@ -10427,8 +10427,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::ui::MaskShiftTool</name>
     <message>
-        <source>Mask: arrows or drag move it, Shift 1 px, Ctrl 0.05 px, Esc ends · right %1, down %2 px</source>
-        <translation>Maske: Pfeile oder Ziehen, Umschalt 1 px, Strg 0,05 px, Esc beendet · rechts %1, unten %2 px</translation>
+        <source>Pixel shift: arrow keys or drag, Shift 1 px, Ctrl 0.05 px, Esc ends · right %1, down %2 px</source>
+        <translation>Pixel-Shift: Pfeiltasten oder Ziehen, Umschalt 1 px, Strg 0,05 px, Esc beendet · rechts %1, unten %2 px</translation>
     </message>
 </context>
 <context>
@@ -10453,19 +10453,19 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>Where are the inputs?</source>
-        <translation>Wo sind die Eingaben?</translation>
+        <source>Inputs not found</source>
+        <translation>Eingaben nicht gefunden</translation>
     </message>
     <message>
-        <source>“%1” refers to files that are not where they were, and a search beside it and among recent cases did not find them. The case itself is unharmed.</source>
-        <translation>„%1“ verweist auf Dateien, die nicht mehr am Ort sind; die Suche daneben und bei den letzten Fällen fand sie nicht. Der Fall selbst ist unversehrt.</translation>
+        <source>“%1” refers to files that are no longer in their place. A search next to the case and among recent cases did not find them. The case itself is undamaged.</source>
+        <translation>„%1“ verweist auf Dateien, die nicht mehr am Ort sind. Die Suche neben dem Fall und bei den letzten Fällen fand sie nicht. Der Fall selbst ist unbeschädigt.</translation>
     </message>
     <message>
         <source>was in %1</source>
         <translation>war in %1</translation>
     </message>
     <message>
-        <source>Locate …</source>
+        <source>Locate…</source>
         <translation>Suchen …</translation>
     </message>
     <message>
@@ -10473,12 +10473,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>%1 suchen</translation>
     </message>
     <message>
-        <source>Search a folder …</source>
+        <source>Search a folder…</source>
         <translation>Ordner durchsuchen …</translation>
     </message>
     <message>
-        <source>Looks in the folder and all below it, by name and by content.</source>
-        <translation>Sucht im Ordner und allen darunter, nach Name und Inhalt.</translation>
+        <source>Searches the folder and its subfolders by name and content.</source>
+        <translation>Durchsucht den Ordner und seine Unterordner nach Name und Inhalt.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -10493,19 +10493,19 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Ordner durchsuchen</translation>
     </message>
     <message>
-        <source>Open without</source>
-        <translation>Ohne öffnen</translation>
+        <source>Open anyway</source>
+        <translation>Trotzdem öffnen</translation>
     </message>
     <message>
-        <source>What is missing is a scan beside the vessels, or another view: the rest opens.</source>
-        <translation>Es fehlt ein Scan neben den Gefäßen oder eine weitere Ansicht: der Rest öffnet sich.</translation>
+        <source>Only a scan in addition to the vessels, or another view, is missing. Everything else opens.</source>
+        <translation>Es fehlt nur ein Scan zusätzlich zu den Gefäßen oder eine weitere Ansicht. Alles andere wird geöffnet.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::MotionPlot</name>
     <message>
-        <source>Motion of the vessels by frame</source>
-        <translation>Bewegung der Gefäße je Bild</translation>
+        <source>Vessel motion by frame</source>
+        <translation>Gefäßbewegung je Bild</translation>
     </message>
     <message>
         <source>frame %1</source>
@@ -10516,8 +10516,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>frame %1: %2 mm across, %3 mm in depth, %4°</source>
-        <translation>Bild %1: %2 mm quer, %3 mm in der Tiefe, %4°</translation>
+        <source>frame %1: %2 mm in plane, %3 mm in depth, %4°</source>
+        <translation>Bild %1: %2 mm in der Bildebene, %3 mm in der Tiefe, %4°</translation>
     </message>
     <message>
         <source>%1 (not explained by the vessels)</source>
@@ -10527,22 +10527,22 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::ui::NudgeTool</name>
     <message>
-        <source>Nudge: drag shifts, ring rolls, arcs turn, slide is depth, Ctrl is fine, Esc takes back</source>
-        <translation>Justieren: Ziehen schiebt, Ring rollt, Bögen drehen, Pfeil links Tiefe, Strg fein, Esc zurück</translation>
+        <source>Nudge: drag to move · ring to roll · arcs to tilt · slider for depth · Ctrl = fine · Esc cancels</source>
+        <translation>Justieren: Ziehen verschiebt · Ring rollt · Bögen kippen · Regler Tiefe · Strg = fein · Esc bricht ab</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::OpacificationPlot</name>
     <message>
-        <source>Opacification over the frames</source>
-        <translation>Kontrastfüllung über die Bilder</translation>
+        <source>Opacification by frame</source>
+        <translation>Kontrastierung je Bild</translation>
     </message>
     <message>
         <source>%1 · %2 s</source>
         <translation>%1 · %2 s</translation>
     </message>
     <message>
-        <source>Only runs of several frames have a curve</source>
+        <source>Only runs with several frames have a curve</source>
         <translation>Nur Serien mit mehreren Bildern haben eine Kurve</translation>
     </message>
 </context>
@@ -10556,7 +10556,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::ui::PivotTool</name>
     <message>
-        <source>Pivot: click the vessels, here or in 3-D · ← → and Enter: bifurcations · Del: centroid</source>
+        <source>Rotation center: click the vessels, here or in 3-D · ← → and Enter: bifurcations · Del: centroid</source>
         <translation>Drehpunkt: Gefäße anklicken, hier oder in 3-D · ← → und Eingabe: Verzweigungen · Entf: Schwerpunkt</translation>
     </message>
 </context>
@@ -10567,68 +10567,68 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Verschlüsselt (TLS)</translation>
     </message>
     <message>
-        <source>Our certificate (PEM)</source>
-        <translation>Unser Zertifikat (PEM)</translation>
+        <source>Own certificate (PEM)</source>
+        <translation>Eigenes Zertifikat (PEM)</translation>
     </message>
     <message>
-        <source>Key of our certificate (PEM)</source>
-        <translation>Schlüssel unseres Zertifikats (PEM)</translation>
+        <source>Private key of the own certificate (PEM)</source>
+        <translation>Privater Schlüssel des eigenen Zertifikats (PEM)</translation>
     </message>
     <message>
-        <source>Certificates trusted (PEM)</source>
-        <translation>Vertraute Zertifikate (PEM)</translation>
+        <source>Trusted certificates (PEM)</source>
+        <translation>Vertrauenswürdige Zertifikate (PEM)</translation>
     </message>
     <message>
         <source>Security of the receiving port</source>
         <translation>Sicherheit des Empfangsports</translation>
     </message>
     <message>
-        <source>With TLS, callers must show a certificate that checks, and so do we.</source>
-        <translation>Mit TLS müssen Anrufer ein gültiges Zertifikat zeigen, und wir ebenso.</translation>
+        <source>With TLS, both the calling application and this program must present a valid certificate.</source>
+        <translation>Mit TLS müssen die aufrufende Anwendung und dieses Programm ein gültiges Zertifikat vorlegen.</translation>
     </message>
     <message>
         <source>anyone</source>
         <translation>jeder</translation>
     </message>
     <message>
-        <source>AE titles that may call</source>
-        <translation>AE-Titel, die anrufen dürfen</translation>
+        <source>Allowed calling AE titles</source>
+        <translation>Zugelassene rufende AE-Titel</translation>
     </message>
     <message>
-        <source>With commas between them; empty: any</source>
-        <translation>Mit Kommas dazwischen; leer: alle</translation>
+        <source>Separated by commas; empty: any</source>
+        <translation>Durch Kommas getrennt; leer: alle</translation>
     </message>
     <message>
-        <source>Addresses that may call</source>
-        <translation>Adressen, die anrufen dürfen</translation>
+        <source>Allowed addresses</source>
+        <translation>Zugelassene Adressen</translation>
     </message>
     <message>
-        <source>IP addresses with commas between them, as 10.0.0.7; empty: any</source>
-        <translation>IP-Adressen mit Kommas dazwischen, wie 10.0.0.7; leer: alle</translation>
+        <source>IP addresses separated by commas, such as 10.0.0.7; empty: any</source>
+        <translation>IP-Adressen, durch Kommas getrennt, z. B. 10.0.0.7; leer: alle</translation>
     </message>
     <message>
-        <source>Our certificate</source>
-        <translation>Unser Zertifikat</translation>
+        <source>Own certificate</source>
+        <translation>Eigenes Zertifikat</translation>
     </message>
     <message>
-        <source>PEM file that callers see</source>
-        <translation>PEM-Datei, die Anrufer sehen</translation>
+        <source>PEM file shown to callers</source>
+        <translation>PEM-Datei, die aufrufenden Anwendungen vorgelegt wird</translation>
     </message>
     <message>
-        <source>Its key</source>
-        <translation>Sein Schlüssel</translation>
+        <source>Private key</source>
+        <translation>Privater Schlüssel</translation>
     </message>
     <message>
         <source>PEM file; only its path is stored</source>
         <translation>PEM-Datei; nur ihr Pfad wird gespeichert</translation>
     </message>
     <message>
-        <source>Certificates trusted</source>
-        <translation>Vertraute Zertifikate</translation>
+        <source>Trusted certificates</source>
+        <translation>Vertrauenswürdige Zertifikate</translation>
     </message>
     <message>
-        <source>PEM file by which those of callers are checked; empty: those that the system trusts</source>
-        <translation>PEM-Datei, mit der die der Anrufer geprüft werden; leer: die, denen das System vertraut</translation>
+        <source>PEM file used to verify the certificates of calling applications; empty: certificates trusted by the system</source>
+        <translation>PEM-Datei zum Prüfen der Zertifikate aufrufender Anwendungen; leer: die vom System als vertrauenswürdig eingestuften</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -10650,8 +10650,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>oben</translation>
     </message>
     <message>
-        <source>along ray</source>
-        <translation>im Strahl</translation>
+        <source>depth</source>
+        <translation>Tiefe</translation>
     </message>
     <message>
         <source>roll</source>
@@ -10682,12 +10682,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Im Uhrzeigersinn am Bildschirm. Justieren: , .</translation>
     </message>
     <message>
-        <source>As if the C-arm went to LAO (+) or RAO (−). Nudge: Alt+← Alt+→</source>
-        <translation>Als führe der C-Bogen nach LAO (+) oder RAO (−). Justieren: Alt+← Alt+→</translation>
+        <source>Equivalent to rotating the C-arm toward LAO (+) or RAO (−). Nudge: Alt+← Alt+→</source>
+        <translation>Entspricht einer Drehung des C-Bogens nach LAO (+) oder RAO (−). Justieren: Alt+← Alt+→</translation>
     </message>
     <message>
-        <source>As if the C-arm went cranial (+) or caudal (−). Nudge: Alt+↑ Alt+↓</source>
-        <translation>Als führe der C-Bogen nach kranial (+) oder kaudal (−). Justieren: Alt+↑ Alt+↓</translation>
+        <source>Equivalent to rotating the C-arm cranially (+) or caudally (−). Nudge: Alt+↑ Alt+↓</source>
+        <translation>Entspricht einer Drehung des C-Bogens nach kranial (+) oder kaudal (−). Justieren: Alt+↑ Alt+↓</translation>
     </message>
 </context>
 <context>
@@ -10701,8 +10701,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Lage</translation>
     </message>
     <message>
-        <source>Back to start pose</source>
-        <translation>Zurück zur Startlage</translation>
+        <source>Reset to initial pose</source>
+        <translation>Auf Startlage zurücksetzen</translation>
     </message>
     <message>
         <source>Pose %1</source>
@@ -10713,24 +10713,24 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>%1 sperren</translation>
     </message>
     <message>
-        <source>Keep this value: nudging, dragging, typing and Register leave it as it is.</source>
-        <translation>Diesen Wert halten: Justieren, Ziehen, Tippen und Registrieren lassen ihn.</translation>
+        <source>Locks this value: nudging, dragging, typing and Register leave it unchanged.</source>
+        <translation>Sperrt diesen Wert: Justieren, Ziehen, Eingeben und Registrieren ändern ihn nicht.</translation>
     </message>
     <message>
-        <source>Undo brings the pose back.</source>
-        <translation>Rückgängig bringt die Lage zurück.</translation>
+        <source>Undo restores the pose.</source>
+        <translation>Rückgängig stellt die Lage wieder her.</translation>
     </message>
     <message>
-        <source>nudging · arrows · %1 ends</source>
-        <translation>justieren · Pfeile · %1 beendet</translation>
+        <source>nudging · arrow keys · %1 ends</source>
+        <translation>Justieren · Pfeiltasten · %1 beendet</translation>
     </message>
     <message>
-        <source>nudge %1 · fine Ctrl · coarse Shift</source>
-        <translation>justieren %1 · fein Strg · grob Umschalt</translation>
+        <source>%1: nudge (Ctrl fine, Shift coarse)</source>
+        <translation>%1: justieren (Strg fein, Umschalt grob)</translation>
     </message>
     <message>
-        <source>Turns about the picked pivot, and shifts are those of it. %1 goes back to the centroid.</source>
-        <translation>Dreht um den gewählten Drehpunkt, und die Verschiebungen sind seine. %1 führt zum Schwerpunkt zurück.</translation>
+        <source>Rotations and shifts refer to the selected rotation center. %1 resets it to the centroid.</source>
+        <translation>Drehungen und Verschiebungen beziehen sich auf den gewählten Drehpunkt. %1 setzt ihn auf den Schwerpunkt zurück.</translation>
     </message>
 </context>
 <context>
@@ -10740,40 +10740,40 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Starten</translation>
     </message>
     <message>
-        <source>Runs the ticked methods one after the other from the pose as it is.</source>
-        <translation>Startet die angehakten Methoden nacheinander von der jetzigen Lage aus.</translation>
+        <source>Runs the selected methods one after another from the current pose.</source>
+        <translation>Startet die gewählten Methoden nacheinander von der aktuellen Lage aus.</translation>
     </message>
     <message>
         <source>Stop</source>
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>Stops the running method and skips the rest; what is finished stays.</source>
-        <translation>Hält die laufende Methode an und überspringt den Rest; Fertiges bleibt.</translation>
+        <source>Stops the running method and skips the rest; finished results are kept.</source>
+        <translation>Hält die laufende Methode an und überspringt den Rest; fertige Ergebnisse bleiben erhalten.</translation>
     </message>
     <message>
         <source>Restore</source>
         <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>Moves the vessels there; undo takes it back.</source>
-        <translation>Bringt die Gefäße dorthin; Rückgängig nimmt es zurück.</translation>
+        <source>Moves the vessels to this pose; undo reverts it.</source>
+        <translation>Bringt die Gefäße in diese Lage; Rückgängig macht es ungeschehen.</translation>
     </message>
     <message>
         <source>Use as reference</source>
-        <translation>Als Bezug</translation>
+        <translation>Als Referenz verwenden</translation>
     </message>
     <message>
-        <source>Differences are told from this pose.</source>
-        <translation>Unterschiede gelten gegen diese Lage.</translation>
+        <source>Shows differences relative to this pose.</source>
+        <translation>Zeigt Unterschiede relativ zu dieser Lage.</translation>
     </message>
     <message>
         <source>Delete</source>
         <translation>Löschen</translation>
     </message>
     <message>
-        <source>Removes the snapshots; undo brings them back.</source>
-        <translation>Entfernt die Lagen; Rückgängig bringt sie zurück.</translation>
+        <source>Deletes the snapshots; undo restores them.</source>
+        <translation>Löscht die gespeicherten Lagen; Rückgängig stellt sie wieder her.</translation>
     </message>
     <message>
         <source>Compare poses</source>
@@ -10796,15 +10796,15 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Median mm</translation>
     </message>
     <message>
-        <source>95 % mm</source>
-        <translation>95 % mm</translation>
+        <source>P95 mm</source>
+        <translation>P95 mm</translation>
     </message>
     <message>
-        <source>covered %</source>
-        <translation>abgedeckt %</translation>
+        <source>coverage %</source>
+        <translation>Abdeckung %</translation>
     </message>
     <message>
-        <source>Δ in plane mm</source>
+        <source>Δ in-plane mm</source>
         <translation>Δ Bildebene mm</translation>
     </message>
     <message>
@@ -10812,12 +10812,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Δ Tiefe mm</translation>
     </message>
     <message>
-        <source>Δ turn °</source>
-        <translation>Δ Drehung °</translation>
+        <source>Δ rot. °</source>
+        <translation>Δ Rot. °</translation>
     </message>
     <message>
-        <source>run ms</source>
-        <translation>Lauf ms</translation>
+        <source>time ms</source>
+        <translation>Zeit ms</translation>
     </message>
     <message>
         <source>Author</source>
@@ -10832,32 +10832,32 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Notiz</translation>
     </message>
     <message>
-        <source>Export CSV …</source>
+        <source>Export CSV…</source>
         <translation>CSV exportieren …</translation>
     </message>
     <message>
-        <source>Writes the table with poses as matrices.</source>
-        <translation>Schreibt die Tabelle mit Lagen als Matrizen.</translation>
+        <source>Writes the table with the poses as matrices.</source>
+        <translation>Schreibt die Tabelle mit den Lagen als Matrizen.</translation>
     </message>
     <message>
         <source>Run several methods</source>
-        <translation>Mehrere Methoden laufen lassen</translation>
+        <translation>Mehrere Methoden ausführen</translation>
     </message>
     <message>
-        <source>each leaves its pose in the table; the case keeps its own</source>
-        <translation>jede hinterlässt ihre Lage in der Tabelle; der Fall behält seine</translation>
+        <source>Results are added to the table; the case is unchanged</source>
+        <translation>Ergebnisse kommen in die Tabelle; der Fall bleibt unverändert</translation>
     </message>
     <message>
-        <source>The pose as it is</source>
-        <translation>Die jetzige Lage</translation>
+        <source>Current pose</source>
+        <translation>Aktuelle Lage</translation>
     </message>
     <message>
-        <source>This fit was not trustworthy.</source>
-        <translation>Diese Einpassung war nicht vertrauenswürdig.</translation>
+        <source>This registration is not reliable.</source>
+        <translation>Diese Registrierung ist nicht verlässlich.</translation>
     </message>
     <message>
-        <source>Differences are told from “%1”, about the centre of the tree. Amber: not trustworthy.</source>
-        <translation>Unterschiede gegen „%1“, um die Mitte des Gefäßbaums. Gelb: nicht vertrauenswürdig.</translation>
+        <source>Differences are relative to “%1”, about the center of the tree. Amber: not reliable.</source>
+        <translation>Unterschiede relativ zu „%1“, um die Mitte des Gefäßbaums. Bernstein: nicht verlässlich.</translation>
     </message>
 </context>
 <context>
@@ -10871,7 +10871,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Ausdünnen</translation>
     </message>
     <message>
-        <source>Remove end branches that are</source>
+        <source>Remove terminal branches that are</source>
         <translation>Endäste entfernen, die</translation>
     </message>
     <message>
@@ -10879,28 +10879,28 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>kürzer sind als</translation>
     </message>
     <message>
-        <source>on average thinner than (radius)</source>
-        <translation>im Mittel dünner sind als (Radius)</translation>
+        <source>thinner than (mean radius)</source>
+        <translation>dünner sind als (mittlerer Radius)</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Nothing would be left. Lower the limits.</source>
-        <translation>Nichts bliebe übrig. Grenzen senken.</translation>
+        <source>No branch would remain. Lower the limits.</source>
+        <translation>Es bliebe kein Ast übrig. Senken Sie die Grenzen.</translation>
     </message>
     <message>
-        <source>No branch goes.</source>
-        <translation>Kein Ast entfällt.</translation>
+        <source>Nothing to remove.</source>
+        <translation>Nichts zu entfernen.</translation>
     </message>
     <message>
-        <source>1 branch goes.</source>
-        <translation>1 Ast entfällt.</translation>
+        <source>1 branch will be removed.</source>
+        <translation>1 Ast wird entfernt.</translation>
     </message>
     <message>
-        <source>%1 branches go.</source>
-        <translation>%1 Äste entfallen.</translation>
+        <source>%1 branches will be removed.</source>
+        <translation>%1 Äste werden entfernt.</translation>
     </message>
 </context>
 <context>
@@ -10915,15 +10915,15 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
     <message>
         <source>Recover unsaved work?</source>
-        <translation>Nicht Gespeichertes wiederherstellen?</translation>
+        <translation>Ungespeicherte Arbeit wiederherstellen?</translation>
     </message>
     <message>
-        <source>AngioPose ended unexpectedly. These cases had changes that were not saved; recovering opens the copy and leaves the saved case as it is.</source>
-        <translation>AngioPose wurde unerwartet beendet. Diese Fälle hatten ungespeicherte Änderungen; Wiederherstellen öffnet die Kopie und lässt den gespeicherten Fall, wie er ist.</translation>
+        <source>AngioPose ended unexpectedly. These cases had unsaved changes. Recover opens the copy and leaves the saved case unchanged.</source>
+        <translation>AngioPose wurde unerwartet beendet. Diese Fälle hatten ungespeicherte Änderungen. Wiederherstellen öffnet die Kopie und lässt den gespeicherten Fall unverändert.</translation>
     </message>
     <message>
-        <source>Decide later</source>
-        <translation>Später entscheiden</translation>
+        <source>Not now</source>
+        <translation>Nicht jetzt</translation>
     </message>
     <message>
         <source>Copies of unsaved work</source>
@@ -10965,8 +10965,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Registrieren</translation>
     </message>
     <message>
-        <source>Ends the run and keeps the best pose so far.</source>
-        <translation>Beendet den Lauf und behält die bisher beste Lage.</translation>
+        <source>Stops the registration and keeps the best pose so far.</source>
+        <translation>Hält die Registrierung an und behält die bisher beste Lage.</translation>
     </message>
     <message>
         <source>Method</source>
@@ -10977,8 +10977,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Über diese Methode</translation>
     </message>
     <message>
-        <source>What this method minimises, when it fails, and its source.</source>
-        <translation>Was diese Methode minimiert, wann sie versagt, und ihre Quelle.</translation>
+        <source>Shows the cost this method minimizes, when it fails, and its source.</source>
+        <translation>Zeigt, welche Kosten diese Methode minimiert, wann sie versagt, und ihre Quelle.</translation>
     </message>
     <message>
         <source>1 auxiliary branch</source>
@@ -10997,39 +10997,39 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Methode</translation>
     </message>
     <message>
-        <source>Registering …</source>
+        <source>Registering…</source>
         <translation>Registriert …</translation>
     </message>
     <message>
-        <source>Register keeps the locked degree of freedom.</source>
-        <translation>Registrieren hält den gesperrten Freiheitsgrad.</translation>
+        <source>Register keeps the locked degree of freedom fixed.</source>
+        <translation>Registrieren hält den gesperrten Freiheitsgrad fest.</translation>
     </message>
     <message>
-        <source>Register keeps the %1 locked degrees of freedom.</source>
-        <translation>Registrieren hält die %1 gesperrten Freiheitsgrade.</translation>
+        <source>Register keeps the %1 locked degrees of freedom fixed.</source>
+        <translation>Registrieren hält die %1 gesperrten Freiheitsgrade fest.</translation>
     </message>
     <message>
-        <source>All %1 views together</source>
-        <translation>Alle %1 Ansichten zusammen</translation>
+        <source>Register all %1 views jointly</source>
+        <translation>Alle %1 Ansichten gemeinsam</translation>
     </message>
     <message>
-        <source>Finds the pose that lays the vessels onto the angiogram.</source>
-        <translation>Findet die Lage, die die Gefäße auf das Angiogramm legt.</translation>
+        <source>Finds the pose that aligns the vessels with the angiogram.</source>
+        <translation>Findet die Lage, die die Gefäße mit dem Angiogramm zur Deckung bringt.</translation>
     </message>
     <message>
-        <source>One pose for all views: moving by hand moves the vessels in all of them, and Register fits all by AngioPose&apos;s own method, for depth in one view is a shift in another. Without the tick only the shown view is meant.</source>
-        <translation>Eine Lage für alle Ansichten: Von Hand verschoben bewegen sich die Gefäße in allen, und Registrieren passt alle mit AngioPoses eigener Methode ein; die Tiefe der einen Ansicht ist eine Verschiebung in der anderen. Ohne Haken ist nur die gezeigte Ansicht gemeint.</translation>
+        <source>Uses one pose for all views: moving the vessels manually moves them in every view, and Register fits all views with AngioPose&apos;s own method, because depth in one view is a shift in another. If off, only the shown view is used.</source>
+        <translation>Eine Lage für alle Ansichten: Manuelles Verschieben bewegt die Gefäße in jeder Ansicht, und Registrieren passt alle Ansichten mit AngioPoses eigener Methode an, denn die Tiefe der einen Ansicht ist eine Verschiebung in der anderen. Ohne Haken wird nur die gezeigte Ansicht verwendet.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::ResultPanel</name>
     <message>
-        <source>%1 · of an earlier run</source>
-        <translation>%1 · aus einem früheren Lauf</translation>
+        <source>%1 · from an earlier registration</source>
+        <translation>%1 · aus einer früheren Registrierung</translation>
     </message>
     <message>
-        <source>What this pose was fitted to has changed since the run that found it. R registers again.</source>
-        <translation>Woran diese Lage angepasst wurde, hat sich seit dem Lauf geändert. R registriert neu.</translation>
+        <source>Inputs changed since this registration. Press R to update.</source>
+        <translation>Eingaben haben sich seit dieser Registrierung geändert. R registriert neu.</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -11048,12 +11048,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>%1 px</translation>
     </message>
     <message>
-        <source>%1 · moved by hand</source>
-        <translation>%1 · von Hand verschoben</translation>
+        <source>%1 · moved manually</source>
+        <translation>%1 · manuell verschoben</translation>
     </message>
     <message>
-        <source>%1 · start pose</source>
-        <translation>%1 · Startlage</translation>
+        <source>%1 · initial pose</source>
+        <translation>%1 · Ausgangslage</translation>
     </message>
     <message>
         <source>Result</source>
@@ -11061,7 +11061,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
     <message>
         <source>Residuals</source>
-        <translation>Abweichungen</translation>
+        <translation>Residuen</translation>
     </message>
     <message>
         <source>Convergence</source>
@@ -11072,23 +11072,23 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Median, mm</translation>
     </message>
     <message>
-        <source>95 %, mm</source>
-        <translation>95 %, mm</translation>
+        <source>P95, mm</source>
+        <translation>P95, mm</translation>
     </message>
     <message>
-        <source>covered</source>
-        <translation>abgedeckt</translation>
+        <source>coverage</source>
+        <translation>Abdeckung</translation>
     </message>
     <message>
-        <source>Share of the traced vessels that the tree explains within 3 px.</source>
-        <translation>Anteil der erkannten Gefäße, den der Gefäßbaum auf 3 px erklärt.</translation>
+        <source>Share of the traced vessel length within 3 px of the tree.</source>
+        <translation>Anteil der erfassten Gefäßlänge höchstens 3 px neben dem Gefäßbaum.</translation>
     </message>
     <message>
         <source>± is one standard deviation.</source>
         <translation>± ist eine Standardabweichung.</translation>
     </message>
     <message>
-        <source>nothing to judge yet</source>
+        <source>nothing to assess yet</source>
         <translation>noch nichts zu beurteilen</translation>
     </message>
     <message>
@@ -11096,19 +11096,19 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>This is the start pose: nothing is fitted yet. R registers, N nudges.</source>
-        <translation>Das ist die Startlage: noch nichts eingepasst. R registriert, N justiert.</translation>
+        <source>Initial pose, not registered yet. Press R to register, N to nudge.</source>
+        <translation>Ausgangslage, noch nicht registriert. R registriert, N justiert.</translation>
     </message>
     <message>
         <source>Motion</source>
         <translation>Bewegung</translation>
     </message>
     <message>
-        <source>mm across, by frame</source>
-        <translation>mm quer, je Bild</translation>
+        <source>in-plane mm, by frame</source>
+        <translation>mm in der Bildebene, je Bild</translation>
     </message>
     <message>
-        <source>%1 · followed</source>
+        <source>%1 · tracked</source>
         <translation>%1 · verfolgt</translation>
     </message>
     <message>
@@ -11120,23 +11120,23 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Schritt %1</translation>
     </message>
     <message>
-        <source>median %1 mm over %2 % judged opacified, whole tree %3 mm</source>
-        <translation>Median %1 mm über als kontrastiert geltende %2 %, ganzer Gefäßbaum %3 mm</translation>
+        <source>median %1 mm over the %2 % classified as opacified, whole tree %3 mm</source>
+        <translation>Median %1 mm über die als kontrastiert eingestuften %2 %, ganzer Gefäßbaum %3 mm</translation>
     </message>
     <message>
         <source>median %1 mm</source>
         <translation>Median %1 mm</translation>
     </message>
     <message>
-        <source>Moved by hand, not registered</source>
-        <translation>Von Hand bewegt, nicht registriert</translation>
+        <source>Moved manually, not registered</source>
+        <translation>Manuell verschoben, nicht registriert</translation>
     </message>
     <message>
         <source>Inputs changed since this registration</source>
         <translation>Eingaben seit dieser Registrierung geändert</translation>
     </message>
     <message>
-        <source>Start pose, not registered</source>
+        <source>Initial pose, not registered</source>
         <translation>Ausgangslage, nicht registriert</translation>
     </message>
     <message>
@@ -11144,20 +11144,20 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>NICHT VERLÄSSLICH · %1</translation>
     </message>
     <message>
-        <source>No check speaks against it · %1</source>
-        <translation>Keine Prüfung spricht dagegen · %1</translation>
+        <source>All checks passed · %1</source>
+        <translation>Alle Prüfungen bestanden · %1</translation>
     </message>
     <message>
-        <source>Half of the vessel points judged opacified lie nearer than this.</source>
-        <translation>Die Hälfte der Gefäßpunkte, die als kontrastiert gelten, liegt näher.</translation>
+        <source>Median distance of the vessel points classified as opacified.</source>
+        <translation>Medianer Abstand der als kontrastiert eingestuften Gefäßpunkte.</translation>
     </message>
     <message>
-        <source>95 of 100 vessel points judged opacified lie nearer than this.</source>
-        <translation>95 von 100 Gefäßpunkten, die als kontrastiert gelten, liegen näher.</translation>
+        <source>95th percentile of the distances of the vessel points classified as opacified.</source>
+        <translation>95. Perzentil der Abstände der als kontrastiert eingestuften Gefäßpunkte.</translation>
     </message>
     <message>
-        <source>mm, points judged opacified</source>
-        <translation>mm, als kontrastiert geltende Punkte</translation>
+        <source>mm, points classified as opacified</source>
+        <translation>mm, als kontrastiert eingestufte Punkte</translation>
     </message>
 </context>
 <context>
@@ -11167,28 +11167,28 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>%1 von %2 Ästen stimmen auf %3 mm überein.</translation>
     </message>
     <message>
-        <source>Depth ±%1 mm: one view cannot tell it.</source>
-        <translation>Tiefe ±%1 mm: eine Ansicht allein verrät sie nicht.</translation>
+        <source>Depth ±%1 mm: not determined by a single view.</source>
+        <translation>Tiefe ±%1 mm: mit einer einzelnen Ansicht nicht bestimmbar.</translation>
     </message>
     <message>
-        <source>Within 2 mm of the vessels with a probability of %1 %.</source>
-        <translation>Mit einer Wahrscheinlichkeit von %1 % höchstens 2 mm neben den Gefäßen.</translation>
+        <source>%1 % probability that the overlay is within 2 mm of the vessels.</source>
+        <translation>Überlagerung mit %1 % Wahrscheinlichkeit höchstens 2 mm neben den Gefäßen.</translation>
     </message>
     <message>
         <source>Depth is the least certain: ±%1 mm.</source>
         <translation>Am unsichersten ist die Tiefe: ±%1 mm.</translation>
     </message>
     <message>
-        <source>%1 is %2 mm off: perhaps unfilled in this frame, or moved.</source>
-        <translation>%1 liegt %2 mm daneben: in diesem Bild vielleicht nicht gefüllt oder verschoben.</translation>
+        <source>%1 is %2 mm off: possibly unopacified in this frame, or displaced.</source>
+        <translation>%1 weicht um %2 mm ab: in diesem Bild möglicherweise nicht kontrastiert oder verlagert.</translation>
     </message>
     <message>
-        <source>%1 branches are up to %2 mm off: unfilled in this frame, or the pose is wrong.</source>
-        <translation>%1 Äste liegen bis %2 mm daneben: in diesem Bild nicht gefüllt, oder die Lage ist falsch.</translation>
+        <source>%1 branches are up to %2 mm off: unopacified in this frame, or the pose is wrong.</source>
+        <translation>%1 Äste weichen um bis zu %2 mm ab: in diesem Bild nicht kontrastiert, oder die Lage ist falsch.</translation>
     </message>
     <message>
-        <source>%1 and %2 are up to %3 mm off: perhaps unfilled in this frame, or moved.</source>
-        <translation>%1 und %2 liegen bis %3 mm daneben: in diesem Bild vielleicht nicht gefüllt oder verschoben.</translation>
+        <source>%1 and %2 are up to %3 mm off: possibly unopacified in this frame, or displaced.</source>
+        <translation>%1 und %2 weichen um bis zu %3 mm ab: in diesem Bild möglicherweise nicht kontrastiert oder verlagert.</translation>
     </message>
     <message>
         <source>Branch %1</source>
@@ -11207,14 +11207,14 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Drehung ±%1°.</translation>
     </message>
     <message>
-        <source>With the errors of the geometry: depth ±%1 mm, sideways ±%2 mm.</source>
-        <translation>Mit den Fehlern der Geometrie: Tiefe ±%1 mm, seitlich ±%2 mm.</translation>
+        <source>3-D uncertainty incl. geometry: depth ±%1 mm, lateral ±%2 mm.</source>
+        <translation>3-D-Unsicherheit inkl. Geometrie: Tiefe ±%1 mm, lateral ±%2 mm.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::Section</name>
     <message>
-        <source>Fold %1</source>
+        <source>Collapse or expand %1</source>
         <translation>%1 ein- oder ausklappen</translation>
     </message>
 </context>
@@ -11295,7 +11295,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
     <message>
         <source>No scan</source>
-        <translation>Kein CT</translation>
+        <translation>Kein Scan</translation>
     </message>
     <message>
         <source>%1 %2 / %3</source>
@@ -11317,15 +11317,15 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::ui::MethodWords</name>
     <message>
-        <source>by hand</source>
-        <translation>von Hand</translation>
+        <source>manual</source>
+        <translation>manuell</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::SnapshotPanel</name>
     <message>
-        <source>median %1 mm, 95 % %2 mm, covered %3 %</source>
-        <translation>Median %1 mm, 95 % %2 mm, abgedeckt %3 %</translation>
+        <source>median %1 mm, 95th percentile %2 mm, coverage %3 %</source>
+        <translation>Median %1 mm, 95. Perzentil %2 mm, Abdeckung %3 %</translation>
     </message>
     <message>
         <source>frame %1</source>
@@ -11336,16 +11336,16 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Lagen</translation>
     </message>
     <message>
-        <source>Compare …</source>
+        <source>Compare…</source>
         <translation>Vergleichen …</translation>
     </message>
     <message>
-        <source>Kept poses</source>
-        <translation>Behaltene Lagen</translation>
+        <source>Snapshots</source>
+        <translation>Gespeicherte Lagen</translation>
     </message>
     <message>
-        <source>Runs (%1)</source>
-        <translation>Läufe (%1)</translation>
+        <source>Registrations (%1)</source>
+        <translation>Registrierungen (%1)</translation>
     </message>
     <message>
         <source>A</source>
@@ -11376,20 +11376,20 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Löschen	Entf</translation>
     </message>
     <message>
-        <source>%1 keeps the pose; %2 goes between two. Every run leaves its pose here.</source>
-        <translation>%1 behält die Lage; %2 wechselt zwischen zweien. Jeder Lauf hinterlässt seine Lage hier.</translation>
+        <source>%1 saves the pose; %2 toggles A/B. Each registration is listed here.</source>
+        <translation>%1 speichert die Lage; %2 wechselt A/B. Jede Registrierung wird hier aufgeführt.</translation>
     </message>
     <message>
-        <source>Keep pose</source>
-        <translation>Lage behalten</translation>
+        <source>Save pose</source>
+        <translation>Lage speichern</translation>
     </message>
     <message>
-        <source>Keeps this pose with its numbers under a name.</source>
-        <translation>Behält diese Lage mit ihren Zahlen unter einem Namen.</translation>
+        <source>Saves this pose and its values as a named snapshot.</source>
+        <translation>Speichert diese Lage und ihre Werte unter einem Namen.</translation>
     </message>
     <message>
-        <source>Poses and methods side by side, as a table.</source>
-        <translation>Lagen und Methoden nebeneinander als Tabelle.</translation>
+        <source>Compares poses and methods in a table.</source>
+        <translation>Vergleicht Lagen und Methoden in einer Tabelle.</translation>
     </message>
     <message>
         <source>median mm · %1: A ⇄ B</source>
@@ -11403,12 +11403,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Lösungen</translation>
     </message>
     <message>
-        <source>Solutions of the run</source>
-        <translation>Lösungen des Laufs</translation>
+        <source>Solutions of this registration</source>
+        <translation>Lösungen dieser Registrierung</translation>
     </message>
     <message>
-        <source>%1 shows the next · %2 takes it</source>
-        <translation>%1 nächste · %2 nimmt sie</translation>
+        <source>%1: next · %2: accept</source>
+        <translation>%1: nächste · %2: übernehmen</translation>
     </message>
 </context>
 <context>
@@ -11426,8 +11426,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Geometrie</translation>
     </message>
     <message>
-        <source>Start pose</source>
-        <translation>Startlage</translation>
+        <source>Initial pose</source>
+        <translation>Ausgangslage</translation>
     </message>
     <message>
         <source>Register</source>
@@ -11449,11 +11449,11 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>erledigt</translation>
     </message>
     <message>
-        <source>needs a look</source>
-        <translation>bitte ansehen</translation>
+        <source>check</source>
+        <translation>prüfen</translation>
     </message>
     <message>
-        <source>open</source>
+        <source>to do</source>
         <translation>offen</translation>
     </message>
     <message>
@@ -11495,24 +11495,24 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Startpunkte</translation>
     </message>
     <message>
-        <source>Then click vessels in a slice: only what is connected to a seed is traced.</source>
-        <translation>Dann Gefäße in einer Schicht anklicken: nur Verbundenes wird erfasst.</translation>
+        <source>Click vessels in a slice. Only vessels connected to a seed are traced.</source>
+        <translation>Klicken Sie auf Gefäße in einer Schicht. Nur mit einem Startpunkt verbundene Gefäße werden erfasst.</translation>
     </message>
     <message>
         <source>Avoid</source>
         <translation>Meiden</translation>
     </message>
     <message>
-        <source>Then click heart, veins or bone in a slice: what is reached from there on wider ways is left out.</source>
-        <translation>Dann Herz, Venen oder Knochen anklicken: was von dort auf weiteren Wegen erreicht wird, entfällt.</translation>
+        <source>Click heart, veins or bone in a slice. Regions reached from there through wider passages are excluded.</source>
+        <translation>Klicken Sie auf Herz, Venen oder Knochen in einer Schicht. Von dort über weitere Wege erreichte Bereiche entfallen.</translation>
     </message>
     <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Seeds and places to avoid</source>
-        <translation>Startpunkte und zu meidende Stellen</translation>
+        <source>Seeds and points to avoid</source>
+        <translation>Startpunkte und zu meidende Punkte</translation>
     </message>
     <message>
         <source>+ seed %1</source>
@@ -11534,31 +11534,31 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>HE</translation>
     </message>
     <message>
-        <source>Show in the slices what is above</source>
-        <translation>In den Schichten zeigen, was darüber liegt</translation>
+        <source>Preview threshold</source>
+        <translation>Schwellenvorschau</translation>
     </message>
     <message>
         <source>Threshold</source>
         <translation>Schwelle</translation>
     </message>
     <message>
-        <source>The vessels begin at this value of the scan.</source>
-        <translation>Ab diesem Wert des CT beginnen die Gefäße.</translation>
+        <source>Voxels above this intensity of the scan count as vessel.</source>
+        <translation>Voxel oberhalb dieser Intensität des Scans gelten als Gefäß.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::TracingPanel</name>
     <message>
-        <source>Thin vessels only, from the seeds</source>
-        <translation>Nur dünne Gefäße ab Startpunkt</translation>
+        <source>Thin vessels only (needs seeds)</source>
+        <translation>Nur dünne Gefäße (mit Startpunkten)</translation>
     </message>
     <message>
-        <source>For coronary arteries beside filled chambers, hepatic arteries beside the portal vein: what is wider than a centimetre ends the vessels. Needs seeds.</source>
-        <translation>Für Kranzgefäße neben gefüllten Herzkammern, Leberarterien neben der Pfortader: was breiter als ein Zentimeter ist, beendet die Gefäße. Braucht Startpunkte.</translation>
+        <source>For coronary arteries next to opacified chambers or hepatic arteries next to the portal vein: tracing stops at structures wider than 1 cm. Needs seeds.</source>
+        <translation>Für Koronararterien neben kontrastierten Herzhöhlen oder Leberarterien neben der Pfortader: Die Erfassung endet an Strukturen, die breiter als 1 cm sind. Braucht Startpunkte.</translation>
     </message>
     <message>
-        <source>One vessel by two clicks</source>
-        <translation>Ein Gefäß mit zwei Klicks</translation>
+        <source>Trace between two points</source>
+        <translation>Zwischen zwei Punkten erfassen</translation>
     </message>
     <message>
         <source>Trace vessels</source>
@@ -11573,64 +11573,64 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>Shortest branch</source>
-        <translation>Kürzester Ast</translation>
+        <source>Min. length</source>
+        <translation>Min. Länge</translation>
     </message>
     <message>
-        <source>Branches that leave their parent&apos;s wall by less are removed.</source>
-        <translation>Äste, die weniger aus der Wand ihres Stammes ragen, entfallen.</translation>
+        <source>Removes branches that extend less than this beyond the wall of their parent vessel.</source>
+        <translation>Entfernt Äste, die weniger als diesen Wert über die Wand ihres Stammgefäßes hinausragen.</translation>
     </message>
     <message>
-        <source>Thinnest branch</source>
-        <translation>Dünnster Ast</translation>
+        <source>Min. mean radius</source>
+        <translation>Min. mittl. Radius</translation>
     </message>
     <message>
-        <source>Branches whose mean radius is smaller are removed.</source>
-        <translation>Äste mit kleinerem mittlerem Radius entfallen.</translation>
+        <source>Removes branches with a smaller mean radius.</source>
+        <translation>Entfernt Äste mit kleinerem mittlerem Radius.</translation>
     </message>
     <message>
         <source>Keep loops</source>
         <translation>Schleifen behalten</translation>
     </message>
     <message>
-        <source>Pieces</source>
-        <translation>Stücke</translation>
+        <source>Components</source>
+        <translation>Komponenten</translation>
     </message>
     <message>
-        <source>Without seeds. As usual: all pieces of a mask, of a scan the great vessel&apos;s. All of a scan: those of every great vessel.</source>
-        <translation>Ohne Startpunkte. Wie üblich: alle Stücke einer Maske, im Scan das des großen Gefäßes. Alle im Scan: die aller großen Gefäße.</translation>
+        <source>Used without seeds. Default: in a mask all components; in a scan the one of the aorta or main artery. All: in a scan the components of every great vessel.</source>
+        <translation>Gilt ohne Startpunkte. Standard: in einer Maske alle Komponenten, im Scan die der Aorta oder Hauptarterie. Alle: im Scan die Komponenten aller großen Gefäße.</translation>
     </message>
     <message>
-        <source>As usual</source>
-        <translation>Wie üblich</translation>
+        <source>Default</source>
+        <translation>Standard</translation>
     </message>
     <message>
         <source>All</source>
         <translation>Alle</translation>
     </message>
     <message>
-        <source>The largest</source>
-        <translation>Das größte</translation>
+        <source>Largest</source>
+        <translation>Größte</translation>
     </message>
     <message>
-        <source>Vessels that run in a circle stay closed, else each is opened where it is thinnest.</source>
-        <translation>Gefäße, die im Kreis laufen, bleiben geschlossen; sonst wird jeder Kreis an der dünnsten Stelle geöffnet.</translation>
+        <source>Keeps vessels that form a loop closed; otherwise each loop is cut at its narrowest point.</source>
+        <translation>Lässt Gefäße, die eine Schleife bilden, geschlossen; sonst wird jede Schleife an der engsten Stelle getrennt.</translation>
     </message>
     <message>
-        <source>Ends the tracing; the vessels stay as they were.</source>
-        <translation>Beendet das Erfassen; die Gefäße bleiben, wie sie waren.</translation>
+        <source>Cancels tracing; the vessels stay unchanged.</source>
+        <translation>Bricht die Erfassung ab; die Gefäße bleiben unverändert.</translation>
     </message>
     <message>
-        <source>Tracing …</source>
+        <source>Tracing…</source>
         <translation>Erfassung …</translation>
     </message>
     <message>
         <source>Click in a slice to place a point; Esc ends.</source>
-        <translation>In eine Schicht klicken setzt einen Punkt; Esc beendet.</translation>
+        <translation>Klicken Sie in eine Schicht, um einen Punkt zu setzen; Esc beendet.</translation>
     </message>
     <message>
-        <source>The traced vessels replace the tree; undo brings it back.</source>
-        <translation>Die erfassten Gefäße ersetzen den Gefäßbaum; Rückgängig bringt ihn zurück.</translation>
+        <source>The traced vessels replace the current tree; undo restores it.</source>
+        <translation>Die erfassten Gefäße ersetzen den aktuellen Gefäßbaum; Rückgängig stellt ihn wieder her.</translation>
     </message>
     <message>
         <source>Show</source>
@@ -11641,23 +11641,23 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Startpunkt setzen</translation>
     </message>
     <message>
-        <source>Moves the slices to the vessel that was not traced.</source>
-        <translation>Führt die Schichten zu dem nicht erkannten Gefäß.</translation>
+        <source>Shows the untraced vessel in the slices.</source>
+        <translation>Zeigt das nicht erfasste Gefäß in den Schichten.</translation>
     </message>
     <message>
-        <source>Places a seed in this vessel, and one in the traced vessel beside it.</source>
-        <translation>Setzt einen Startpunkt in dieses Gefäß und einen in das erkannte daneben.</translation>
+        <source>Places a seed in this vessel and one in the traced vessel next to it.</source>
+        <translation>Setzt einen Startpunkt in dieses Gefäß und einen in das erfasste daneben.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::TreeView</name>
     <message>
-        <source>No vessels yet: drop some here, open them (%1), or trace a scan in its slices (%2).</source>
+        <source>No vessels yet: drop them here, open them (%1), or trace a scan in its slices (%2).</source>
         <translation>Noch keine Gefäße: hier ablegen, öffnen (%1) oder in den Schichten eines Scans erfassen (%2).</translation>
     </message>
     <message>
         <source>3-D view of vessel tree, X-ray source and detector</source>
-        <translation>3-D-Ansicht von Gefäßbaum, Röntgenfokus und Detektor</translation>
+        <translation>3-D-Ansicht von Gefäßbaum, Röntgenquelle und Detektor</translation>
     </message>
 </context>
 <context>
@@ -11667,30 +11667,30 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Ends the trial; the log says that it was abandoned.</source>
-        <translation>Beendet den Versuch; das Protokoll nennt ihn abgebrochen.</translation>
+        <source>Ends the trial and logs it as abandoned.</source>
+        <translation>Beendet den Versuch und protokolliert ihn als abgebrochen.</translation>
     </message>
     <message>
         <source>Done</source>
         <translation>Fertig</translation>
     </message>
     <message>
-        <source>Blind trial of %1: lay the vessels onto the image. Numbers come back when you are done.</source>
-        <translation>Blindversuch von %1: die Gefäße auf das Bild legen. Die Zahlen erscheinen danach wieder.</translation>
+        <source>Blind trial of %1: align the vessels with the image. Values reappear when you are done.</source>
+        <translation>Blindversuch von %1: Bringen Sie die Gefäße mit dem Bild zur Deckung. Die Werte erscheinen danach wieder.</translation>
     </message>
     <message>
-        <source>Logs time and pose, and brings the numbers back.</source>
-        <translation>Protokolliert Zeit und Lage und zeigt die Zahlen wieder.</translation>
+        <source>Logs time and pose and shows the values again.</source>
+        <translation>Protokolliert Zeit und Lage und zeigt die Werte wieder.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::ViewFrame</name>
     <message>
-        <source>In a window of its own</source>
+        <source>Shown in a separate window</source>
         <translation>In einem eigenen Fenster</translation>
     </message>
     <message>
-        <source>Bring it back</source>
+        <source>Bring back</source>
         <translation>Zurückholen</translation>
     </message>
 </context>
@@ -11708,42 +11708,42 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Nebeneinander</translation>
     </message>
     <message>
-        <source>All views beside each other, or the shown one alone</source>
-        <translation>Alle Ansichten nebeneinander oder die gezeigte allein</translation>
+        <source>Shows all views side by side or only the current one</source>
+        <translation>Zeigt alle Ansichten nebeneinander oder nur die aktuelle</translation>
     </message>
     <message>
-        <source>Cross-hair</source>
+        <source>Crosshair</source>
         <translation>Fadenkreuz</translation>
     </message>
     <message>
-        <source>What is under the pointer in one view is a line in the others, and a point on the vessels</source>
-        <translation>Was in einer Ansicht unter dem Zeiger liegt, ist in den anderen eine Linie, und ein Punkt auf den Gefäßen</translation>
+        <source>Shows the point under the pointer as an epipolar line in the other views and as a point on the vessels</source>
+        <translation>Zeigt die Stelle unter dem Zeiger in den anderen Ansichten als Epipolarlinie und auf den Gefäßen als Punkt</translation>
     </message>
     <message>
-        <source>Views of the case</source>
-        <translation>Ansichten des Falls</translation>
+        <source>Views</source>
+        <translation>Ansichten</translation>
     </message>
     <message>
         <source>Add a view</source>
         <translation>Ansicht hinzufügen</translation>
     </message>
     <message>
-        <source>Another angiogram of the same vessels (Ctrl+Shift+V)</source>
-        <translation>Ein weiteres Angiogramm derselben Gefäße (Strg+Umschalt+V)</translation>
+        <source>Adds another angiogram of the same vessels (Ctrl+Shift+V)</source>
+        <translation>Fügt ein weiteres Angiogramm derselben Gefäße hinzu (Strg+Umschalt+V)</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::VtkView</name>
     <message>
-        <source>The 3-D view needs OpenGL 3.2, which this display does not offer. Everything else works. Try LIBGL_ALWAYS_SOFTWARE=1, or install libgl1-mesa-dri.</source>
-        <translation>Die 3-D-Ansicht braucht OpenGL 3.2, das diese Anzeige nicht bietet. Alles andere geht. LIBGL_ALWAYS_SOFTWARE=1 versuchen oder libgl1-mesa-dri installieren.</translation>
+        <source>The 3-D view needs OpenGL 3.2, which this display does not support. Everything else works. Try LIBGL_ALWAYS_SOFTWARE=1, or install libgl1-mesa-dri.</source>
+        <translation>Die 3-D-Ansicht braucht OpenGL 3.2, das diese Anzeige nicht unterstützt. Alles andere funktioniert. Versuchen Sie LIBGL_ALWAYS_SOFTWARE=1, oder installieren Sie libgl1-mesa-dri.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::WelcomePage</name>
     <message>
-        <source>Lay a vessel tree onto its angiogram</source>
-        <translation>Einen Gefäßbaum auf sein Angiogramm legen</translation>
+        <source>Register a vessel tree to an angiogram</source>
+        <translation>Einen Gefäßbaum auf ein Angiogramm registrieren</translation>
     </message>
     <message>
         <source>Open the sample case</source>
@@ -11751,19 +11751,19 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
     <message>
         <source>Drop a case here, or vessels together with an angiogram.</source>
-        <translation>Hier einen Fall ablegen, oder Gefäße mit einem Angiogramm.</translation>
+        <translation>Legen Sie hier einen Fall ab, oder Gefäße zusammen mit einem Angiogramm.</translation>
     </message>
     <message>
-        <source>Vessels: CT as DICOM folder, NIfTI, NRRD or MetaImage, masks, centrelines (VTP, VTK, CSV, SWC).  Angiograms: DICOM XA, PNG, TIFF.</source>
+        <source>Vessels: CT as DICOM folder, NIfTI, NRRD or MetaImage, masks, centerlines (VTP, VTK, CSV, SWC).  Angiograms: DICOM XA, PNG, TIFF.</source>
         <translation>Gefäße: CT als DICOM-Ordner, NIfTI, NRRD oder MetaImage, Masken, Mittellinien (VTP, VTK, CSV, SWC).  Angiogramme: DICOM XA, PNG, TIFF.</translation>
     </message>
     <message>
-        <source>Open …</source>
-        <translation>Öffnen …</translation>
+        <source>Open…</source>
+        <translation>Öffnen…</translation>
     </message>
     <message>
-        <source>Open folder or disc …</source>
-        <translation>Ordner oder CD öffnen …</translation>
+        <source>Open DICOM folder/CD…</source>
+        <translation>DICOM-Ordner/CD öffnen…</translation>
     </message>
     <message>
         <source>Lists the patients, studies and series of a folder, a CD or a DICOMDIR.</source>
@@ -11777,8 +11777,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Zuletzt geöffnet</translation>
     </message>
     <message>
-        <source>In the whole window</source>
-        <translation>Im ganzen Fenster</translation>
+        <source>Anywhere in the window</source>
+        <translation>Überall im Fenster</translation>
     </message>
 </context>
 <context>
@@ -11788,16 +11788,16 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Fenster</translation>
     </message>
     <message>
-        <source>Own window</source>
-        <translation>Eigenes Fenster</translation>
+        <source>Pop out</source>
+        <translation>Abdocken</translation>
     </message>
     <message>
-        <source>Back to the angiogram</source>
-        <translation>Zurück zum Angiogramm</translation>
+        <source>Show angiogram</source>
+        <translation>Angiogramm zeigen</translation>
     </message>
     <message>
-        <source>The slices in a window of their own, and back (F9)</source>
-        <translation>Die Schichten in eigenem Fenster, und zurück (F9)</translation>
+        <source>Opens the slices in a separate window and brings them back (F9)</source>
+        <translation>Öffnet die Schichten in einem eigenen Fenster und holt sie zurück (F9)</translation>
     </message>
     <message>
         <source>W %1 L %2 HU</source>
@@ -11808,8 +11808,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Automatisch</translation>
     </message>
     <message>
-        <source>From the values of this scan; right drag in a slice changes it by hand.</source>
-        <translation>Aus den Werten dieses CT; rechts ziehen in einer Schicht ändert von Hand.</translation>
+        <source>Set from the values of this scan; right-drag in a slice to adjust it manually.</source>
+        <translation>Aus den Werten dieses Scans; Ziehen mit rechts in einer Schicht ändert es manuell.</translation>
     </message>
 </context>
 <context>
@@ -11838,7 +11838,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Meldungen</translation>
     </message>
     <message>
-        <source>Nothing has been told yet.</source>
+        <source>No messages yet.</source>
         <translation>Noch keine Meldungen.</translation>
     </message>
 </context>
@@ -11884,7 +11884,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Fläche messen</translation>
     </message>
     <message>
-        <source>Move point of measurement</source>
+        <source>Move measurement point</source>
         <translation>Messpunkt verschieben</translation>
     </message>
     <message>
@@ -11900,12 +11900,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>In anderer Ebene messen</translation>
     </message>
     <message>
-        <source>Type scale of the image</source>
-        <translation>Maßstab des Bildes eingeben</translation>
+        <source>Enter image scale</source>
+        <translation>Bildmaßstab eingeben</translation>
     </message>
     <message>
         <source>Open an angiogram or a scan first.</source>
-        <translation>Zuerst ein Angiogramm oder einen Scan öffnen.</translation>
+        <translation>Öffnen Sie zuerst ein Angiogramm oder einen Scan.</translation>
     </message>
 </context>
 <context>
@@ -11927,20 +11927,20 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Table …</source>
+        <source>Table…</source>
         <translation>Tabelle …</translation>
     </message>
     <message>
-        <source>Where it is measured</source>
-        <translation>Wo gemessen wird</translation>
+        <source>Measurement basis</source>
+        <translation>Messbezug</translation>
     </message>
     <message>
-        <source>Lengths at the depth of the vessels, on the detector, or in pixels.</source>
-        <translation>Längen in der Tiefe der Gefäße, auf dem Detektor oder in Pixeln.</translation>
+        <source>Measures lengths at the depth of the vessels, on the detector, or in pixels.</source>
+        <translation>Misst Längen in der Tiefe der Gefäße, auf dem Detektor oder in Pixeln.</translation>
     </message>
     <message>
-        <source>Remove the chosen measurements: Delete</source>
-        <translation>Gewählte Messungen entfernen: Entf</translation>
+        <source>Removes the selected measurements (Delete)</source>
+        <translation>Entfernt die gewählten Messungen (Entf)</translation>
     </message>
     <message>
         <source>Writes all measurements with their basis as a CSV table.</source>
@@ -11959,7 +11959,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>in Pixeln</translation>
     </message>
     <message>
-        <source>by a typed scale</source>
+        <source>by entered scale</source>
         <translation>nach eingegebenem Maßstab</translation>
     </message>
     <message>
@@ -11967,16 +11967,16 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation> mm pro Pixel</translation>
     </message>
     <message>
-        <source>scale not typed</source>
+        <source>no scale entered</source>
         <translation>kein Maßstab eingegeben</translation>
     </message>
     <message>
-        <source>Scale of the image</source>
-        <translation>Maßstab des Bildes</translation>
+        <source>Image scale</source>
+        <translation>Bildmaßstab</translation>
     </message>
     <message>
-        <source>What a pixel measures in the patient, where it is known from elsewhere.</source>
-        <translation>Was ein Pixel im Patienten misst, wo es anderswoher bekannt ist.</translation>
+        <source>Size of a pixel in the patient, if known from another source.</source>
+        <translation>Größe eines Pixels im Patienten, falls aus anderer Quelle bekannt.</translation>
     </message>
     <message>
         <source>Measure</source>
@@ -11994,31 +11994,31 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::ui::MeasureTool</name>
     <message>
-        <source>Length: drag, or click both ends · points can be moved</source>
+        <source>Length: drag or click both ends · points can be moved</source>
         <translation>Länge: ziehen oder beide Enden anklicken · Punkte lassen sich verschieben</translation>
     </message>
     <message>
-        <source>Angle: click an end, the vertex, the other end · points can be moved</source>
+        <source>Angle: click one end, the vertex, the other end · points can be moved</source>
         <translation>Winkel: ein Ende, den Scheitel, das andere Ende anklicken · Punkte lassen sich verschieben</translation>
     </message>
     <message>
-        <source>Area: click around it; double click or Enter closes · points can be moved</source>
-        <translation>Fläche: ringsum klicken; Doppelklick oder Eingabe schließt · Punkte lassen sich verschieben</translation>
+        <source>Area: click along the outline; double-click or Enter closes it · points can be moved</source>
+        <translation>Fläche: Umriss klicken; Doppelklick oder Eingabe schließt · Punkte lassen sich verschieben</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::ProfileController</name>
     <message>
-        <source>Choose one branch, in the list or in a view.</source>
-        <translation>Einen Ast wählen, in der Liste oder in einer Ansicht.</translation>
+        <source>Select one branch, in the list or in a view.</source>
+        <translation>Wählen Sie einen Ast in der Liste oder in einer Ansicht.</translation>
     </message>
     <message>
         <source>Open the vessels first.</source>
-        <translation>Erst die Gefäße öffnen.</translation>
+        <translation>Öffnen Sie zuerst die Gefäße.</translation>
     </message>
     <message>
-        <source>Export measures of the branches</source>
-        <translation>Maße der Äste exportieren</translation>
+        <source>Export branch measurements</source>
+        <translation>Astmessungen exportieren</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
@@ -12040,16 +12040,16 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Entlang des Astes</translation>
     </message>
     <message>
-        <source>All branches …</source>
+        <source>All branches…</source>
         <translation>Alle Äste …</translation>
     </message>
     <message>
-        <source>Profile …</source>
+        <source>Profile…</source>
         <translation>Profil …</translation>
     </message>
     <message>
-        <source>Writes length, diameters, narrowing and bends of all branches as a CSV table.</source>
-        <translation>Schreibt Länge, Durchmesser, Verengung und Biegungen aller Äste als CSV-Tabelle.</translation>
+        <source>Writes length, diameters, stenosis and curvature of all branches as a CSV table.</source>
+        <translation>Schreibt Länge, Durchmesser, Stenose und Krümmung aller Äste als CSV-Tabelle.</translation>
     </message>
     <message>
         <source>Writes diameter and curvature along this branch as a CSV table.</source>
@@ -12064,11 +12064,11 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Mittlerer Durchmesser</translation>
     </message>
     <message>
-        <source>Least diameter</source>
-        <translation>Kleinster Durchmesser</translation>
+        <source>Min. diameter</source>
+        <translation>Min. Durchmesser</translation>
     </message>
     <message>
-        <source>Narrowest place</source>
+        <source>Narrowest point</source>
         <translation>Engste Stelle</translation>
     </message>
     <message>
@@ -12077,7 +12077,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
     <message>
         <source>Sharpest bend</source>
-        <translation>Stärkste Biegung</translation>
+        <translation>Stärkste Krümmung</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -12092,8 +12092,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Radius %1 mm</translation>
     </message>
     <message>
-        <source>Diameters are twice the radii of the tree; the narrowest place is told against the rest of the branch.</source>
-        <translation>Durchmesser sind die doppelten Radien des Gefäßbaums; die engste Stelle gilt gegen den Rest des Astes.</translation>
+        <source>Diameters are twice the radii of the tree; the narrowest point is relative to the rest of the branch.</source>
+        <translation>Durchmesser sind die doppelten Radien des Gefäßbaums; die engste Stelle gilt relativ zum Rest des Astes.</translation>
     </message>
 </context>
 <context>
@@ -12107,7 +12107,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>⌀ %1 mm</translation>
     </message>
     <message>
-        <source>bend %1/mm</source>
+        <source>curvature %1/mm</source>
         <translation>Krümmung %1/mm</translation>
     </message>
     <message>
@@ -12134,51 +12134,51 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Abspielen</translation>
     </message>
     <message>
-        <source>Stops at the frame that is shown. Esc goes back to the one before.</source>
-        <translation>Hält bei dem Bild, das zu sehen ist. Esc kehrt zum vorigen zurück.</translation>
+        <source>Stops at the frame shown. Esc returns to the frame before playback.</source>
+        <translation>Hält beim gezeigten Bild an. Esc kehrt zum Bild vor der Wiedergabe zurück.</translation>
     </message>
     <message>
         <source>Plays the run</source>
         <translation>Spielt die Serie ab</translation>
     </message>
     <message>
-        <source>At the end from the start again</source>
-        <translation>Am Ende von vorn</translation>
+        <source>Loop</source>
+        <translation>Endlosschleife</translation>
     </message>
     <message>
         <source>Back and forth</source>
-        <translation>Hin und her</translation>
+        <translation>Vor und zurück</translation>
     </message>
     <message>
         <source>Speed</source>
         <translation>Tempo</translation>
     </message>
     <message>
-        <source>%1 · %2/s</source>
-        <translation>%1 · %2/s</translation>
+        <source>%1 · %2 fps</source>
+        <translation>%1 · %2 fps</translation>
     </message>
     <message>
-        <source>The header does not say how fast the run was taken: 1× takes %1 frames a second</source>
-        <translation>Die Kopfdaten sagen nicht, wie schnell die Serie aufgenommen wurde: 1× nimmt %1 Bilder je Sekunde an</translation>
+        <source>The header gives no frame rate: 1× assumes %1 frames per second</source>
+        <translation>Die Kopfdaten nennen keine Bildrate: 1× nimmt %1 Bilder pro Sekunde an</translation>
     </message>
     <message>
-        <source>1×: as fast as the run was taken, %1 frames a second</source>
-        <translation>1×: so schnell, wie die Serie aufgenommen wurde, %1 Bilder je Sekunde</translation>
+        <source>1×: acquisition frame rate, %1 frames per second</source>
+        <translation>1×: Bildrate der Aufnahme, %1 Bilder pro Sekunde</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::MarkPanel</name>
     <message>
-        <source>Check point</source>
-        <translation>Prüfpunkt</translation>
+        <source>Target point</source>
+        <translation>Zielpunkt</translation>
     </message>
     <message>
         <source>Ostium ring</source>
         <translation>Ostiumring</translation>
     </message>
     <message>
-        <source>Seen here</source>
-        <translation>Hier zu sehen</translation>
+        <source>Mark in image</source>
+        <translation>Im Bild markieren</translation>
     </message>
     <message>
         <source>Arrow</source>
@@ -12189,51 +12189,51 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Text</translation>
     </message>
     <message>
-        <source>Check points and marks</source>
-        <translation>Prüfpunkte und Marken</translation>
+        <source>Target points and marks</source>
+        <translation>Zielpunkte und Markierungen</translation>
     </message>
     <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Table …</source>
+        <source>Table…</source>
         <translation>Tabelle …</translation>
     </message>
     <message>
-        <source>Remove the chosen marks: Delete</source>
-        <translation>Gewählte Marken entfernen: Entf</translation>
+        <source>Removes the selected marks (Delete)</source>
+        <translation>Entfernt die gewählten Markierungen (Entf)</translation>
     </message>
     <message>
-        <source>Writes all check points and rings with their errors as a CSV table.</source>
-        <translation>Schreibt alle Prüfpunkte und Ringe mit ihren Fehlern als CSV-Tabelle.</translation>
+        <source>Writes all target points and rings with their errors as a CSV table.</source>
+        <translation>Schreibt alle Zielpunkte und Ringe mit ihren Fehlern als CSV-Tabelle.</translation>
     </message>
     <message>
         <source>Marks</source>
-        <translation>Marken</translation>
+        <translation>Markierungen</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::MarkTool</name>
     <message>
-        <source>Check point: click the vessels, here, in 3-D or in a slice · points can be moved</source>
-        <translation>Prüfpunkt: auf die Gefäße klicken, hier, in 3-D oder in einer Schicht · Punkte lassen sich verschieben</translation>
+        <source>Target point: click the vessels, here, in 3-D or in a slice · points can be moved</source>
+        <translation>Zielpunkt: auf die Gefäße klicken, hier, in 3-D oder in einer Schicht · Punkte lassen sich verschieben</translation>
     </message>
     <message>
         <source>Ostium ring: click the vessels, here, in 3-D or in a slice · rings can be moved</source>
         <translation>Ostiumring: auf die Gefäße klicken, hier, in 3-D oder in einer Schicht · Ringe lassen sich verschieben</translation>
     </message>
     <message>
-        <source>Seen here: click where the chosen check point is seen, or drag it there</source>
-        <translation>Hier zu sehen: dorthin klicken, wo der gewählte Prüfpunkt zu sehen ist, oder ihn dorthin ziehen</translation>
+        <source>Mark in image: click where the selected target point appears, or drag it there</source>
+        <translation>Im Bild markieren: dorthin klicken, wo der gewählte Zielpunkt zu sehen ist, oder ihn dorthin ziehen</translation>
     </message>
     <message>
-        <source>Arrow: drag from its tail to its tip, then type · ends can be moved</source>
+        <source>Arrow: drag from tail to tip, then type · ends can be moved</source>
         <translation>Pfeil: vom Ende zur Spitze ziehen, dann schreiben · Enden lassen sich verschieben</translation>
     </message>
     <message>
-        <source>Text: click where it begins, then type · texts can be moved</source>
-        <translation>Text: klicken, wo er beginnt, dann schreiben · Texte lassen sich verschieben</translation>
+        <source>Text: click where it starts, then type · texts can be moved</source>
+        <translation>Text: Anfang anklicken, dann schreiben · Texte lassen sich verschieben</translation>
     </message>
     <message>
         <source>Text on the image</source>
@@ -12241,58 +12241,58 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
     <message>
         <source>Text, then Enter</source>
-        <translation>Text, dann Enter</translation>
+        <translation>Text, dann Eingabetaste</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::MarkController</name>
     <message>
         <source>Open the vessels first.</source>
-        <translation>Zuerst die Gefäße öffnen.</translation>
+        <translation>Öffnen Sie zuerst die Gefäße.</translation>
     </message>
     <message>
         <source>Open an angiogram first.</source>
-        <translation>Zuerst ein Angiogramm öffnen.</translation>
+        <translation>Öffnen Sie zuerst ein Angiogramm.</translation>
     </message>
     <message>
-        <source>Set check point</source>
-        <translation>Prüfpunkt setzen</translation>
+        <source>Add target point</source>
+        <translation>Zielpunkt hinzufügen</translation>
     </message>
     <message>
-        <source>Set ostium ring</source>
-        <translation>Ostiumring setzen</translation>
+        <source>Add ostium ring</source>
+        <translation>Ostiumring hinzufügen</translation>
     </message>
     <message>
-        <source>Set a check point on the vessels first.</source>
-        <translation>Zuerst einen Prüfpunkt auf die Gefäße setzen.</translation>
+        <source>Add a target point on the vessels first.</source>
+        <translation>Setzen Sie zuerst einen Zielpunkt auf die Gefäße.</translation>
     </message>
     <message>
-        <source>Say where a check point is seen</source>
-        <translation>Zeigen, wo ein Prüfpunkt zu sehen ist</translation>
+        <source>Mark target point in image</source>
+        <translation>Zielpunkt im Bild markieren</translation>
     </message>
     <message>
         <source>Draw arrow</source>
         <translation>Pfeil zeichnen</translation>
     </message>
     <message>
-        <source>Write text</source>
-        <translation>Text schreiben</translation>
+        <source>Add text</source>
+        <translation>Text hinzufügen</translation>
     </message>
     <message>
         <source>Move mark</source>
-        <translation>Marke verschieben</translation>
+        <translation>Markierung verschieben</translation>
     </message>
     <message>
         <source>Rename mark</source>
-        <translation>Marke umbenennen</translation>
+        <translation>Markierung umbenennen</translation>
     </message>
     <message>
         <source>Remove mark</source>
-        <translation>Marke entfernen</translation>
+        <translation>Markierung entfernen</translation>
     </message>
     <message>
-        <source>Places on the vessels with a name, and how far the pose puts them beside where they are seen; arrows and texts for pictures.</source>
-        <translation>Benannte Stellen auf den Gefäßen und wie weit die Lage sie neben das setzt, wo sie zu sehen sind; Pfeile und Texte für Bilder.</translation>
+        <source>Named points on the vessels and the distance between their projection and where they appear in the image; arrows and texts for exported images.</source>
+        <translation>Benannte Punkte auf den Gefäßen und der Abstand ihrer Projektion von der Stelle, an der sie im Bild zu sehen sind; Pfeile und Texte für exportierte Bilder.</translation>
     </message>
 </context>
 <context>
@@ -12310,16 +12310,16 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Text</translation>
     </message>
     <message>
-        <source>On frame %1 of this view, in every picture of it.</source>
-        <translation>Auf Bild %1 dieser Ansicht, in jedem Bild davon.</translation>
+        <source>On frame %1 of this view, in every exported image of it.</source>
+        <translation>Auf Bild %1 dieser Ansicht, in jedem exportierten Bild davon.</translation>
     </message>
     <message>
         <source>Ostium %1</source>
         <translation>Ostium %1</translation>
     </message>
     <message>
-        <source>Check point %1</source>
-        <translation>Prüfpunkt %1</translation>
+        <source>Target point %1</source>
+        <translation>Zielpunkt %1</translation>
     </message>
 </context>
 <context>
@@ -12329,57 +12329,57 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Ein Gefäß erfassen</translation>
     </message>
     <message>
-        <source>Traced: one vessel of %1 mm.</source>
-        <translation>Erfasst: ein Gefäß von %1 mm.</translation>
+        <source>Traced: one vessel, %1 mm.</source>
+        <translation>Erfasst: ein Gefäß, %1 mm.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::PathTool</name>
     <message>
-        <source>One vessel: click where it ends · Esc begins anew</source>
-        <translation>Ein Gefäß: klicken, wo es endet · Esc beginnt neu</translation>
+        <source>One vessel: click its end · Esc starts over</source>
+        <translation>Ein Gefäß: Ende anklicken · Esc beginnt von vorn</translation>
     </message>
     <message>
-        <source>One vessel: click where it begins, then where it ends</source>
-        <translation>Ein Gefäß: klicken, wo es beginnt, dann, wo es endet</translation>
+        <source>One vessel: click its start, then its end</source>
+        <translation>Ein Gefäß: Anfang anklicken, dann Ende</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::MaskController</name>
     <message>
-        <source>Stopped: the vessels are as they were</source>
-        <translation>Angehalten: die Gefäße sind wie zuvor</translation>
+        <source>Stopped: the vessels are unchanged</source>
+        <translation>Angehalten: Die Gefäße sind unverändert</translation>
     </message>
     <message>
-        <source>Tracing the mask … %1 %</source>
+        <source>Tracing the mask… %1 %</source>
         <translation>Maske wird erfasst … %1 %</translation>
     </message>
     <message>
         <source>Open a scan or a label image first.</source>
-        <translation>Zuerst einen Scan oder ein Labelbild öffnen.</translation>
+        <translation>Öffnen Sie zuerst einen Scan oder ein Labelbild.</translation>
     </message>
     <message>
         <source>A registration is running. Stop it to edit.</source>
         <translation>Eine Registrierung läuft. Zum Bearbeiten anhalten.</translation>
     </message>
     <message>
-        <source>Paint into the mask</source>
-        <translation>In die Maske malen</translation>
+        <source>Paint mask</source>
+        <translation>Maske malen</translation>
     </message>
     <message>
-        <source>Erase from the mask</source>
-        <translation>In der Maske radieren</translation>
+        <source>Erase mask</source>
+        <translation>Maske radieren</translation>
     </message>
     <message>
-        <source>Nothing of the mask lies there.</source>
-        <translation>Dort liegt nichts von der Maske.</translation>
+        <source>No mask there.</source>
+        <translation>Dort ist keine Maske.</translation>
     </message>
     <message>
         <source>Cut the mask</source>
         <translation>Maske schneiden</translation>
     </message>
     <message>
-        <source>Tracing the mask …</source>
+        <source>Tracing the mask…</source>
         <translation>Maske wird erfasst …</translation>
     </message>
     <message>
@@ -12399,8 +12399,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Erfasst: %1 Äste.</translation>
     </message>
     <message>
-        <source>Saved without the latest changes of the mask: trace the mask, then save again.</source>
-        <translation>Ohne die letzten Änderungen der Maske gespeichert: Maske erfassen, dann noch einmal speichern.</translation>
+        <source>Saved without the latest mask changes: trace the mask, then save again.</source>
+        <translation>Ohne die letzten Änderungen der Maske gespeichert: Erfassen Sie die Maske, dann speichern Sie noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -12414,15 +12414,15 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Radieren: ziehen, Strg malt</translation>
     </message>
     <message>
-        <source>Shift+wheel, + and − change the brush</source>
-        <translation>Umschalt+Rad, + und − ändern den Pinsel</translation>
+        <source>Shift+wheel, + and − change the brush size</source>
+        <translation>Umschalt+Rad, + und − ändern die Pinselgröße</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::MaskCutTool</name>
     <message>
-        <source>Scissors: draw around what goes · Shift keeps what lies inside</source>
-        <translation>Schere: umfahren, was entfällt · Umschalt behält, was innen liegt</translation>
+        <source>Scissors: draw around the region to remove · Shift keeps the inside</source>
+        <translation>Schere: zu entfernenden Bereich umfahren · Umschalt behält das Innere</translation>
     </message>
 </context>
 <context>
@@ -12440,8 +12440,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Schere</translation>
     </message>
     <message>
-        <source>Ball, through the slices beside</source>
-        <translation>Kugel, durch Nachbarschichten</translation>
+        <source>3-D brush</source>
+        <translation>3-D-Pinsel</translation>
     </message>
     <message>
         <source>Paint only above the threshold</source>
@@ -12452,40 +12452,40 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Maske erfassen</translation>
     </message>
     <message>
-        <source>Save mask …</source>
-        <translation>Maske sichern …</translation>
+        <source>Save mask…</source>
+        <translation>Maske speichern …</translation>
     </message>
     <message>
         <source>Lumen mask</source>
         <translation>Gefäßmaske</translation>
     </message>
     <message>
-        <source>Makes the vessels anew from the mask as it is.</source>
-        <translation>Bildet die Gefäße neu aus der Maske, wie sie ist.</translation>
+        <source>Recreates the vessels from the current mask.</source>
+        <translation>Erzeugt die Gefäße neu aus der aktuellen Maske.</translation>
     </message>
     <message>
         <source>Writes the mask as a label image.</source>
         <translation>Schreibt die Maske als Labelbild.</translation>
     </message>
     <message>
-        <source>this slice alone</source>
-        <translation>nur diese Schicht</translation>
+        <source>this slice</source>
+        <translation>diese Schicht</translation>
     </message>
     <message>
-        <source>slices beside it</source>
+        <source>neighboring slices</source>
         <translation>Nachbarschichten</translation>
     </message>
     <message>
-        <source>whole depth</source>
-        <translation>ganze Tiefe</translation>
+        <source>all slices</source>
+        <translation>alle Schichten</translation>
     </message>
     <message>
         <source>Mask over the slices</source>
         <translation>Maske über den Schichten</translation>
     </message>
     <message>
-        <source>How strong the mask is shown over the slices.</source>
-        <translation>Wie kräftig die Maske über den Schichten liegt.</translation>
+        <source>Sets the opacity of the mask over the slices.</source>
+        <translation>Stellt die Deckkraft der Maske über den Schichten ein.</translation>
     </message>
     <message>
         <source>Opacity</source>
@@ -12500,47 +12500,47 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Pinselradius</translation>
     </message>
     <message>
-        <source>How deep scissors cut</source>
-        <translation>Wie tief die Schere schneidet</translation>
+        <source>Scissors depth</source>
+        <translation>Tiefe der Schere</translation>
     </message>
     <message>
         <source>Depth on both sides of the slice</source>
         <translation>Tiefe beiderseits der Schicht</translation>
     </message>
     <message>
-        <source>Tracing the mask …</source>
+        <source>Tracing the mask…</source>
         <translation>Maske wird erfasst …</translation>
     </message>
     <message>
-        <source>1 change of the mask is not in the vessels yet: trace the mask.</source>
-        <translation>1 Änderung der Maske fehlt den Gefäßen noch: Maske erfassen.</translation>
+        <source>1 mask change is not in the vessels yet: trace the mask.</source>
+        <translation>1 Änderung der Maske ist noch nicht in den Gefäßen: Erfassen Sie die Maske.</translation>
     </message>
     <message>
-        <source>%1 changes of the mask are not in the vessels yet: trace the mask.</source>
-        <translation>%1 Änderungen der Maske fehlen den Gefäßen noch: Maske erfassen.</translation>
+        <source>%1 mask changes are not in the vessels yet: trace the mask.</source>
+        <translation>%1 Änderungen der Maske sind noch nicht in den Gefäßen: Erfassen Sie die Maske.</translation>
     </message>
     <message>
-        <source>The vessels come from a mask edited by hand.</source>
-        <translation>Die Gefäße stammen aus einer von Hand bearbeiteten Maske.</translation>
+        <source>The vessels come from a manually edited mask.</source>
+        <translation>Die Gefäße stammen aus einer manuell bearbeiteten Maske.</translation>
     </message>
     <message>
         <source>Paint and cut, then trace the mask. Each stroke can be undone.</source>
-        <translation>Malen und schneiden, dann die Maske erfassen. Jeder Strich lässt sich rückgängig machen.</translation>
+        <translation>Malen und schneiden Sie, dann erfassen Sie die Maske. Jeder Strich lässt sich rückgängig machen.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::SliceMeasureTool</name>
     <message>
-        <source>Length: drag, or click both ends · points can be moved</source>
+        <source>Length: drag or click both ends · points can be moved</source>
         <translation>Länge: ziehen oder beide Enden anklicken · Punkte lassen sich verschieben</translation>
     </message>
     <message>
-        <source>Angle: click an end, the vertex, the other end · points can be moved</source>
+        <source>Angle: click one end, the vertex, the other end · points can be moved</source>
         <translation>Winkel: ein Ende, den Scheitel, das andere Ende anklicken · Punkte lassen sich verschieben</translation>
     </message>
     <message>
-        <source>Area: click around it; double click or Enter closes · points can be moved</source>
-        <translation>Fläche: ringsum klicken; Doppelklick oder Eingabe schließt · Punkte lassen sich verschieben</translation>
+        <source>Area: click along the outline; double-click or Enter closes it · points can be moved</source>
+        <translation>Fläche: Umriss klicken; Doppelklick oder Eingabe schließt · Punkte lassen sich verschieben</translation>
     </message>
 </context>
 <context>
@@ -12573,30 +12573,30 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::ui::ColumnRail</name>
     <message>
-        <source>Unfold the column: %1</source>
-        <translation>Spalte aufklappen: %1</translation>
+        <source>Expand panel: %1</source>
+        <translation>Bereich ausklappen: %1</translation>
     </message>
     <message>
-        <source>Unfold: %1</source>
-        <translation>Aufklappen: %1</translation>
+        <source>Expand: %1</source>
+        <translation>Ausklappen: %1</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::FoldButton</name>
     <message>
-        <source>Fold the column: %1</source>
-        <translation>Spalte einklappen: %1</translation>
+        <source>Collapse panel: %1</source>
+        <translation>Bereich einklappen: %1</translation>
     </message>
     <message>
-        <source>Fold: %1</source>
+        <source>Collapse: %1</source>
         <translation>Einklappen: %1</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::ScanBar</name>
     <message>
-        <source>How the scan is shown behind the vessels</source>
-        <translation>Wie der Scan hinter den Gefäßen gezeigt wird</translation>
+        <source>Display of the scan behind the vessels</source>
+        <translation>Darstellung des Scans hinter den Gefäßen</translation>
     </message>
     <message>
         <source>Opacity of the scan</source>
@@ -12606,7 +12606,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::app::RecentController</name>
     <message>
-        <source>Clear the list</source>
+        <source>Clear list</source>
         <translation>Liste leeren</translation>
     </message>
 </context>
@@ -12617,12 +12617,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Bereit</translation>
     </message>
     <message>
-        <source>Could not open the folder</source>
-        <translation>Der Ordner ließ sich nicht öffnen</translation>
+        <source>The folder could not be opened</source>
+        <translation>Der Ordner konnte nicht geöffnet werden</translation>
     </message>
     <message>
-        <source>Looking through %1 …</source>
-        <translation>%1 wird durchgesehen …</translation>
+        <source>Searching %1…</source>
+        <translation>%1 wird durchsucht …</translation>
     </message>
     <message>
         <source>Stopped after %1 of %2 files.</source>
@@ -12633,24 +12633,24 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Gelesene Dateien: %1.</translation>
     </message>
     <message>
-        <source>The folder holds more than could be listed: choose the folder of one study.</source>
-        <translation>Der Ordner enthält mehr, als sich auflisten ließ: bitte den Ordner einer Studie wählen.</translation>
+        <source>The folder holds too many files to list: choose the folder of a single study.</source>
+        <translation>Der Ordner enthält zu viele Dateien für die Liste: Wählen Sie den Ordner einer einzelnen Studie.</translation>
     </message>
     <message>
-        <source>The DICOMDIR is of no use (%1): the files themselves were read.</source>
-        <translation>Das DICOMDIR ist nicht zu gebrauchen (%1): die Dateien selbst wurden gelesen.</translation>
+        <source>The DICOMDIR is unusable (%1): the files themselves were read.</source>
+        <translation>Das DICOMDIR ist unbrauchbar (%1): Die Dateien selbst wurden gelesen.</translation>
     </message>
     <message>
-        <source>Files that the DICOMDIR lists and that are missing: %1.</source>
-        <translation>Dateien, die das DICOMDIR nennt und die fehlen: %1.</translation>
+        <source>Files listed in the DICOMDIR but missing: %1.</source>
+        <translation>Im DICOMDIR aufgeführte, aber fehlende Dateien: %1.</translation>
     </message>
     <message>
-        <source>The DICOMDIR lists %1 series; 1 more file lies beside it.</source>
-        <translation>Das DICOMDIR nennt %1 Serien; daneben liegt 1 weitere Datei.</translation>
+        <source>The DICOMDIR lists %1 series; 1 more file is not listed.</source>
+        <translation>Das DICOMDIR nennt %1 Serien; 1 weitere Datei ist nicht aufgeführt.</translation>
     </message>
     <message>
-        <source>The DICOMDIR lists %1 series; %2 more files lie beside it.</source>
-        <translation>Das DICOMDIR nennt %1 Serien; daneben liegen %2 weitere Dateien.</translation>
+        <source>The DICOMDIR lists %1 series; %2 more files are not listed.</source>
+        <translation>Das DICOMDIR nennt %1 Serien; %2 weitere Dateien sind nicht aufgeführt.</translation>
     </message>
 </context>
 <context>
@@ -12660,8 +12660,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Patient %1 (Identität verborgen)</translation>
     </message>
     <message>
-        <source>Without name</source>
-        <translation>Ohne Namen</translation>
+        <source>No name</source>
+        <translation>Kein Name</translation>
     </message>
     <message>
         <source>ID %1</source>
@@ -12673,7 +12673,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
     <message>
         <source>accession %1</source>
-        <translation>Auftrag %1</translation>
+        <translation>Auftragsnr. %1</translation>
     </message>
     <message>
         <source>Study without date or description</source>
@@ -12692,26 +12692,26 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>%1 Bilder/s</translation>
     </message>
     <message>
-        <source>Files that the DICOMDIR lists and that are missing: %1.</source>
-        <translation>Dateien, die das DICOMDIR nennt und die fehlen: %1.</translation>
+        <source>Files listed in the DICOMDIR but missing: %1.</source>
+        <translation>Im DICOMDIR aufgeführte, aber fehlende Dateien: %1.</translation>
     </message>
     <message>
-        <source>Not all files were read: which part of the series this is is known then.</source>
-        <translation>Nicht alle Dateien wurden gelesen: Welcher Teil der Serie dies ist, steht erst dann fest.</translation>
+        <source>Not all files have been read yet, so the part of the series is still unknown.</source>
+        <translation>Noch wurden nicht alle Dateien gelesen; welcher Teil der Serie dies ist, steht daher noch nicht fest.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::RecentList</name>
     <message>
-        <source>No recent case has this in its name or folder.</source>
-        <translation>Kein Fall der Liste hat das in Namen oder Ordner.</translation>
+        <source>No recent case matches in name or folder.</source>
+        <translation>Kein letzter Fall stimmt in Name oder Ordner überein.</translation>
     </message>
     <message>
-        <source>Small pictures</source>
-        <translation>Kleine Bilder</translation>
+        <source>Thumbnails</source>
+        <translation>Vorschaubilder</translation>
     </message>
     <message>
-        <source>Clear the list</source>
+        <source>Clear list</source>
         <translation>Liste leeren</translation>
     </message>
     <message>
@@ -12719,12 +12719,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Letzte Fälle durchsuchen</translation>
     </message>
     <message>
-        <source>Keeps a small picture of each recent case in the program&apos;s cache folder.</source>
-        <translation>Behält ein kleines Bild jedes Falls der Liste im Cache-Ordner des Programms.</translation>
+        <source>Stores a thumbnail of each recent case in the program&apos;s cache folder.</source>
+        <translation>Speichert ein Vorschaubild jedes letzten Falls im Cache-Ordner des Programms.</translation>
     </message>
     <message>
-        <source>Forgets these cases and removes their pictures, pinned ones stay; so do the files.</source>
-        <translation>Vergisst diese Fälle und entfernt ihre Bilder; angeheftete bleiben, die Dateien auch.</translation>
+        <source>Removes these cases and their thumbnails from the list. Pinned cases and all files are kept.</source>
+        <translation>Entfernt diese Fälle und ihre Vorschaubilder aus der Liste. Angeheftete Fälle und alle Dateien bleiben erhalten.</translation>
     </message>
     <message>
         <source>%1 (missing)</source>
@@ -12747,12 +12747,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>%1 anheften</translation>
     </message>
     <message>
-        <source>Remove from the list; the file stays</source>
-        <translation>Aus der Liste nehmen; die Datei bleibt</translation>
+        <source>Remove from the list; the file is kept</source>
+        <translation>Aus der Liste entfernen; die Datei bleibt erhalten</translation>
     </message>
     <message>
         <source>Remove %1 from the list</source>
-        <translation>%1 aus der Liste nehmen</translation>
+        <translation>%1 aus der Liste entfernen</translation>
     </message>
 </context>
 <context>
@@ -12810,8 +12810,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Ansichten: %1</translation>
     </message>
     <message>
-        <source>Tick the scan with the vessels and the runs, or double-click one.</source>
-        <translation>Die Aufnahme mit den Gefäßen und die Läufe ankreuzen, oder eine Zeile doppelt anklicken.</translation>
+        <source>Select the scan with the vessels and the runs, or double-click one.</source>
+        <translation>Wählen Sie den Scan mit den Gefäßen und die Serien aus, oder doppelklicken Sie auf eine Zeile.</translation>
     </message>
 </context>
 <context>
@@ -12841,7 +12841,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Slices or rate</source>
+        <source>Spacing, rate</source>
         <translation>Abstand, Rate</translation>
     </message>
     <message>
@@ -12856,8 +12856,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Bereit</translation>
     </message>
     <message>
-        <source>Written: %1</source>
-        <translation>Geschrieben: %1</translation>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
     </message>
     <message>
         <source>Could not export</source>
@@ -12872,8 +12872,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Öffnen Sie zuerst Gefäße und ein Angiogramm.</translation>
     </message>
     <message>
-        <source>Something else is under way. Let it end first.</source>
-        <translation>Etwas anderes läuft gerade. Warten Sie, bis es endet.</translation>
+        <source>Another task is running. Wait for it to finish.</source>
+        <translation>Eine andere Aufgabe läuft. Warten Sie, bis sie beendet ist.</translation>
     </message>
     <message>
         <source>Export movie</source>
@@ -12888,31 +12888,31 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>MP4-Filme (*.mp4)</translation>
     </message>
     <message>
-        <source>Writing the movie …</source>
+        <source>Writing the movie…</source>
         <translation>Der Film wird geschrieben …</translation>
     </message>
     <message>
         <source>Frames %1 to %2, back and forth</source>
-        <translation>Bilder %1 bis %2, hin und zurück</translation>
+        <translation>Bilder %1 bis %2, vor und zurück</translation>
     </message>
     <message>
         <source>Frames %1 to %2</source>
         <translation>Bilder %1 bis %2</translation>
     </message>
     <message>
-        <source>the pose of this frame in all of them</source>
-        <translation>in allen die Lage dieses Bildes</translation>
+        <source>pose of this frame for all</source>
+        <translation>Lage dieses Bildes für alle</translation>
     </message>
     <message>
-        <source>each with its followed pose</source>
+        <source>each with its tracked pose</source>
         <translation>jedes mit seiner verfolgten Lage</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::ReportController</name>
     <message>
-        <source>There is nothing to report yet. Open vessels and an angiogram first.</source>
-        <translation>Noch nichts zu berichten. Zuerst Gefäße und ein Angiogramm öffnen.</translation>
+        <source>Nothing to report yet. Open vessels and an angiogram first.</source>
+        <translation>Noch nichts zu berichten. Öffnen Sie zuerst Gefäße und ein Angiogramm.</translation>
     </message>
     <message>
         <source>Report template</source>
@@ -12942,24 +12942,24 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::ui::MovieDialog</name>
     <message>
-        <source>pictures a second</source>
-        <translation>Bilder je Sekunde</translation>
+        <source>frames per second</source>
+        <translation>Bilder pro Sekunde</translation>
     </message>
     <message>
-        <source>Residual colours with their scale</source>
+        <source>Residual colors with scale</source>
         <translation>Abweichungsfarben mit Skala</translation>
     </message>
     <message>
-        <source>Patient identity in the pictures</source>
-        <translation>Identität des Patienten in den Bildern</translation>
+        <source>Patient identity in the frames</source>
+        <translation>Patientenidentität in den Bildern</translation>
     </message>
     <message>
-        <source>Texts in English</source>
-        <translation>Texte auf Englisch</translation>
+        <source>English labels</source>
+        <translation>Englische Beschriftung</translation>
     </message>
     <message>
-        <source>Export …</source>
-        <translation>Exportieren …</translation>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
     </message>
     <message>
         <source>Export movie</source>
@@ -12970,24 +12970,24 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>MP4, für Abspielprogramme und Folien</translation>
     </message>
     <message>
-        <source>GIF, for pages; starts again by itself</source>
-        <translation>GIF, für Seiten; beginnt von selbst von vorn</translation>
+        <source>GIF, for web pages; loops automatically</source>
+        <translation>GIF, für Webseiten; läuft in Endlosschleife</translation>
     </message>
     <message>
-        <source>Every picture says “Not for clinical use”, whose pose it shows, and whether that is trusted.</source>
-        <translation>Jedes Bild sagt „Nicht für den klinischen Einsatz“, wessen Lage es zeigt und ob ihr zu trauen ist.</translation>
+        <source>Each frame is labeled “Not for clinical use” with the source of its pose and whether the pose is reliable.</source>
+        <translation>Jedes Bild trägt den Hinweis „Nicht für den klinischen Einsatz“, die Herkunft der Lage und ob sie verlässlich ist.</translation>
     </message>
     <message>
-        <source>The overlay through the run</source>
-        <translation>Die Überlagerung durch die Serie</translation>
+        <source>Overlay through the run</source>
+        <translation>Überlagerung über die Serie</translation>
     </message>
     <message>
-        <source>How the registration converged</source>
-        <translation>Wie die Registrierung zum Ziel kam</translation>
+        <source>Convergence of the registration</source>
+        <translation>Konvergenz der Registrierung</translation>
     </message>
     <message>
-        <source>The vessels alone, turning once</source>
-        <translation>Die Gefäße allein, einmal gedreht</translation>
+        <source>Vessels only, one full rotation</source>
+        <translation>Nur Gefäße, eine volle Drehung</translation>
     </message>
     <message>
         <source>Movie</source>
@@ -13010,31 +13010,31 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>%1 pictures, %2 s, %3 × %4 px</source>
+        <source>%1 frames, %2 s, %3 × %4 px</source>
         <translation>%1 Bilder, %2 s, %3 × %4 px</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::ReportDialog</name>
     <message>
-        <source>Built-in one</source>
+        <source>Use built-in</source>
         <translation>Eingebaute</translation>
     </message>
     <message>
-        <source>Patient identity on the report</source>
-        <translation>Name des Patienten im Bericht</translation>
+        <source>Patient identity in the report</source>
+        <translation>Patientenidentität im Bericht</translation>
     </message>
     <message>
         <source>Export report</source>
         <translation>Bericht exportieren</translation>
     </message>
     <message>
-        <source>Reports are passed on. Without identity they name nobody.</source>
-        <translation>Berichte werden weitergegeben. Ohne Identität nennen sie niemanden.</translation>
+        <source>Leave off before sharing: the report is then anonymous.</source>
+        <translation>Vor der Weitergabe ausgeschaltet lassen: Der Bericht ist dann anonym.</translation>
     </message>
     <message>
-        <source>A template is a page of HTML with your letterhead and logo. Save the built-in one and change the copy: it tells how.</source>
-        <translation>Eine Vorlage ist eine HTML-Seite mit Ihrem Briefkopf und Logo. Die eingebaute speichern und die Kopie ändern: Sie sagt, wie.</translation>
+        <source>Templates are HTML pages with your letterhead and logo. Save a copy of the built-in template and edit it; instructions are inside.</source>
+        <translation>Vorlagen sind HTML-Seiten mit Ihrem Briefkopf und Logo. Speichern Sie eine Kopie der eingebauten Vorlage und bearbeiten Sie sie; die Anleitung steht darin.</translation>
     </message>
     <message>
         <source>Template</source>
@@ -13045,38 +13045,38 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Patient</translation>
     </message>
     <message>
-        <source>Choose …</source>
-        <translation>Wählen …</translation>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
     </message>
     <message>
-        <source>Save a copy …</source>
+        <source>Save a copy…</source>
         <translation>Kopie speichern …</translation>
     </message>
     <message>
-        <source>The built-in template, to be changed</source>
-        <translation>Die eingebaute Vorlage, um sie zu ändern</translation>
+        <source>Saves the built-in template for editing</source>
+        <translation>Speichert die eingebaute Vorlage zum Bearbeiten</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Export …</source>
-        <translation>Exportieren …</translation>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
     </message>
     <message>
-        <source>built in</source>
+        <source>built-in</source>
         <translation>eingebaut</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::DicomDialog</name>
     <message>
-        <source>Picture of the overlay (Secondary Capture)</source>
-        <translation>Bild der Überlagerung (Secondary Capture)</translation>
+        <source>Overlay image (Secondary Capture)</source>
+        <translation>Überlagerungsbild (Secondary Capture)</translation>
     </message>
     <message>
-        <source>Pictures of the run (Secondary Capture)</source>
+        <source>Images of the run (Secondary Capture)</source>
         <translation>Bilder der Serie (Secondary Capture)</translation>
     </message>
     <message>
@@ -13100,81 +13100,81 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Messungen (Structured Report)</translation>
     </message>
     <message>
-        <source>Patient identity in pictures and report</source>
-        <translation>Name des Patienten in Bildern und Bericht</translation>
+        <source>Patient identity in images and report</source>
+        <translation>Patientenidentität in Bildern und Bericht</translation>
     </message>
     <message>
-        <source>Export …</source>
-        <translation>Exportieren …</translation>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
     </message>
     <message>
         <source>Export DICOM objects</source>
         <translation>DICOM-Objekte exportieren</translation>
     </message>
     <message>
-        <source>A Spatial Registration is a rigid matrix: it cannot hold the perspective camera, which is written beside it as camera.json.</source>
-        <translation>Eine Spatial Registration ist eine starre Matrix: Die perspektivische Kamera kann sie nicht enthalten; diese wird als camera.json daneben geschrieben.</translation>
+        <source>A Spatial Registration holds only a rigid matrix. The perspective camera is written to camera.json next to it.</source>
+        <translation>Eine Spatial Registration enthält nur eine starre Matrix. Die perspektivische Kamera wird daneben in camera.json geschrieben.</translation>
     </message>
     <message>
-        <source>Every object names the patient in its header, as its image does, whatever its pictures show. Each is a new instance in the study of its image.</source>
-        <translation>Jedes Objekt nennt im Kopf den Patienten wie sein Bild, was auch immer seine Bilder zeigen. Jedes ist eine neue Instanz in der Studie seines Bildes.</translation>
+        <source>DICOM headers contain the patient&apos;s identity even if the images do not show it. Each object is a new instance in the study of its image.</source>
+        <translation>DICOM-Kopfdaten enthalten die Patientenidentität, auch wenn die Bilder sie nicht zeigen. Jedes Objekt ist eine neue Instanz in der Studie seines Bildes.</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Choose archive …</source>
-        <translation>Archiv wählen …</translation>
+        <source>Choose PACS…</source>
+        <translation>PACS wählen …</translation>
     </message>
     <message>
-        <source>Send to archive</source>
-        <translation>An Archiv senden</translation>
+        <source>Send to PACS</source>
+        <translation>An PACS senden</translation>
     </message>
     <message>
-        <source>A Spatial Registration is a rigid matrix: it cannot hold the perspective camera, which stands in its private elements. The file camera.json is not sent.</source>
-        <translation>Eine Spatial Registration ist eine starre Matrix: Sie kann die perspektivische Kamera nicht enthalten, die in ihren privaten Elementen steht. Die Datei camera.json wird nicht gesendet.</translation>
+        <source>A Spatial Registration holds only a rigid matrix. The perspective camera is stored in its private elements. The file camera.json is not sent.</source>
+        <translation>Eine Spatial Registration enthält nur eine starre Matrix. Die perspektivische Kamera steht in ihren privaten Elementen. Die Datei camera.json wird nicht gesendet.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::DicomController</name>
     <message>
         <source>There is nothing to export yet. Open a vessel tree and an angiogram first.</source>
-        <translation>Es gibt noch nichts zu exportieren. Zuerst einen Gefäßbaum und ein Angiogramm öffnen.</translation>
+        <translation>Es gibt noch nichts zu exportieren. Öffnen Sie zuerst einen Gefäßbaum und ein Angiogramm.</translation>
     </message>
     <message>
         <source>Folder for the DICOM objects</source>
         <translation>Ordner für die DICOM-Objekte</translation>
     </message>
     <message>
-        <source>There is nothing to send yet. Open a vessel tree and an angiogram first.</source>
-        <translation>Es gibt noch nichts zu senden. Öffnen Sie zuerst einen Gefäßbaum und ein Angiogramm.</translation>
+        <source>Nothing to send yet. Open a vessel tree and an angiogram first.</source>
+        <translation>Noch nichts zu senden. Öffnen Sie zuerst einen Gefäßbaum und ein Angiogramm.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::PackController</name>
     <message>
-        <source>There is nothing to pack yet. Open a vessel tree and an angiogram first.</source>
-        <translation>Noch gibt es nichts zu packen. Zuerst einen Gefäßbaum und ein Angiogramm öffnen.</translation>
+        <source>Nothing to share yet. Open a vessel tree and an angiogram first.</source>
+        <translation>Noch nichts weiterzugeben. Öffnen Sie zuerst einen Gefäßbaum und ein Angiogramm.</translation>
     </message>
     <message>
-        <source>Pack case for others</source>
-        <translation>Fall für andere packen</translation>
+        <source>Share case as ZIP</source>
+        <translation>Fall als ZIP weitergeben</translation>
     </message>
     <message>
-        <source>Archives (*.zip)</source>
-        <translation>Archive (*.zip)</translation>
+        <source>ZIP archives (*.zip)</source>
+        <translation>ZIP-Archive (*.zip)</translation>
     </message>
     <message>
-        <source>A case is being packed already. Let that end, or stop it.</source>
-        <translation>Es wird schon ein Fall gepackt. Abwarten oder stoppen.</translation>
+        <source>A case is already being packed. Wait for it to finish, or stop it.</source>
+        <translation>Es wird bereits ein Fall gepackt. Warten Sie das Ende ab, oder halten Sie es an.</translation>
     </message>
     <message>
         <source>Ready</source>
         <translation>Bereit</translation>
     </message>
     <message>
-        <source>Packing …</source>
+        <source>Packing…</source>
         <translation>Packe …</translation>
     </message>
     <message>
@@ -13185,35 +13185,35 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::ui::PackDialog</name>
     <message>
-        <source>Without identity</source>
-        <translation>Ohne Identität</translation>
+        <source>De-identify</source>
+        <translation>De-identifizieren</translation>
     </message>
     <message>
-        <source>Dates shifted instead of removed</source>
-        <translation>Daten verschoben statt entfernt</translation>
+        <source>Shift dates instead of removing them</source>
+        <translation>Datumsangaben verschieben statt entfernen</translation>
     </message>
     <message>
-        <source>Black out letters in the pictures</source>
-        <translation>Buchstaben in den Bildern schwärzen</translation>
+        <source>Mask burned-in text</source>
+        <translation>Eingebrannten Text maskieren</translation>
     </message>
     <message>
-        <source>Pack case for others</source>
-        <translation>Fall für andere packen</translation>
+        <source>Share case as ZIP</source>
+        <translation>Fall als ZIP weitergeben</translation>
     </message>
     <message>
-        <source>made up</source>
-        <translation>erfunden</translation>
+        <source>automatic</source>
+        <translation>automatisch</translation>
     </message>
     <message>
-        <source>Name instead</source>
-        <translation>Name stattdessen</translation>
+        <source>Pseudonym</source>
+        <translation>Pseudonym</translation>
     </message>
     <message>
-        <source>One archive with the case, its inputs and its results. Without identity: no names, IDs, dates, private elements and notes; UIDs are replaced. Names of branches stay. Look at every picture before you hand it on.</source>
-        <translation>Ein Archiv mit dem Fall, seinen Eingaben und Ergebnissen. Ohne Identität: keine Namen, IDs, Daten, privaten Elemente und Notizen; UIDs sind andere. Namen von Ästen bleiben. Vor dem Weitergeben jedes Bild ansehen.</translation>
+        <source>One archive with the case, its inputs and its results. De-identified: without names, IDs, dates, private elements and notes; UIDs are replaced. Branch names are kept. Review every image before sharing.</source>
+        <translation>Ein Archiv mit dem Fall, seinen Eingaben und Ergebnissen. De-identifiziert: ohne Namen, IDs, Datumsangaben, private Elemente und Notizen; UIDs werden ersetzt. Astnamen bleiben erhalten. Prüfen Sie vor der Weitergabe jedes Bild.</translation>
     </message>
     <message>
-        <source>Pack …</source>
+        <source>Pack…</source>
         <translation>Packen …</translation>
     </message>
     <message>
@@ -13228,20 +13228,20 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>leer</translation>
     </message>
     <message>
-        <source>The cache is empty. Objects dropped: %1.</source>
-        <translation>Der Zwischenspeicher ist leer. Verworfene Objekte: %1.</translation>
+        <source>Cache emptied. Objects deleted: %1.</source>
+        <translation>Zwischenspeicher geleert. Gelöschte Objekte: %1.</translation>
     </message>
     <message>
-        <source>Keep less than is there?</source>
-        <translation>Weniger behalten, als da ist?</translation>
+        <source>Reduce the cache below its current size?</source>
+        <translation>Zwischenspeicher unter die aktuelle Größe verkleinern?</translation>
     </message>
     <message>
-        <source>The cache holds %1. What was not used for the longest time is dropped until %2 are left.</source>
-        <translation>Der Zwischenspeicher enthält %1. Am längsten Unbenutztes wird verworfen, bis %2 übrig sind.</translation>
+        <source>The cache holds %1. The least recently used objects are deleted until %2 remain.</source>
+        <translation>Der Zwischenspeicher enthält %1. Die am längsten unbenutzten Objekte werden gelöscht, bis %2 übrig sind.</translation>
     </message>
     <message>
-        <source>Drop</source>
-        <translation>Verwerfen</translation>
+        <source>Delete</source>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -13252,31 +13252,31 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Zwischenspeicher leeren?</translation>
     </message>
     <message>
-        <source>All that was retrieved is dropped. Cases whose images lie there ask for them when they are opened; “Pack case for others” keeps case and images together.</source>
-        <translation>Alles Abgerufene wird verworfen. Fälle, deren Bilder dort liegen, fragen beim Öffnen danach; „Fall für andere packen“ hält Fall und Bilder zusammen.</translation>
+        <source>All retrieved objects are deleted. Cases whose images are in the cache ask for them when opened. “Share case as ZIP” keeps case and images together.</source>
+        <translation>Alle abgerufenen Objekte werden gelöscht. Fälle, deren Bilder im Zwischenspeicher liegen, fragen beim Öffnen danach. „Fall als ZIP weitergeben“ hält Fall und Bilder zusammen.</translation>
     </message>
     <message>
         <source>Empty</source>
         <translation>Leeren</translation>
     </message>
     <message>
-        <source>Emptying the cache …</source>
+        <source>Emptying the cache…</source>
         <translation>Zwischenspeicher wird geleert …</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::ArchiveController</name>
     <message>
-        <source>what arrived on port %1</source>
-        <translation>was an Port %1 ankam</translation>
+        <source>objects received on port %1</source>
+        <translation>an Port %1 empfangene Objekte</translation>
     </message>
     <message>
-        <source>Objects that arrived: %1</source>
-        <translation>Angekommene Objekte: %1</translation>
+        <source>Objects received: %1</source>
+        <translation>Empfangene Objekte: %1</translation>
     </message>
     <message>
-        <source>Nothing arrived yet</source>
-        <translation>Noch nichts angekommen</translation>
+        <source>Nothing received yet</source>
+        <translation>Noch nichts empfangen</translation>
     </message>
 </context>
 <context>
@@ -13286,12 +13286,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Angehalten.</translation>
     </message>
     <message>
-        <source>Asking %1 …</source>
-        <translation>%1 wird gefragt …</translation>
+        <source>Contacting %1…</source>
+        <translation>%1 wird kontaktiert …</translation>
     </message>
     <message>
-        <source>%1 answers, and lets this program in.</source>
-        <translation>%1 antwortet und lässt dieses Programm ein.</translation>
+        <source>%1 responded and accepted the connection.</source>
+        <translation>%1 hat geantwortet und die Verbindung angenommen.</translation>
     </message>
 </context>
 <context>
@@ -13301,24 +13301,24 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Angehalten.</translation>
     </message>
     <message>
-        <source>Search, choose studies or series, then retrieve them.</source>
-        <translation>Suchen, Studien oder Serien wählen, dann abrufen.</translation>
+        <source>Search, select studies or series, then retrieve them.</source>
+        <translation>Suchen Sie, wählen Sie Studien oder Serien aus, und rufen Sie sie ab.</translation>
     </message>
     <message>
-        <source>“%1” is no date. Write year, month and day: 2024-01-31.</source>
-        <translation>„%1“ ist kein Datum. Schreiben Sie Jahr, Monat und Tag: 2024-01-31.</translation>
+        <source>“%1” is not a date. Enter year, month and day: 2024-01-31.</source>
+        <translation>„%1“ ist kein Datum. Geben Sie Jahr, Monat und Tag ein: 2024-01-31.</translation>
     </message>
     <message>
-        <source>Searching in %1 …</source>
+        <source>Searching %1…</source>
         <translation>%1 wird durchsucht …</translation>
     </message>
     <message>
-        <source>%1 holds no such study. Ask for less: a shorter name, more days, any modality.</source>
-        <translation>%1 enthält keine solche Studie. Verlangen Sie weniger: einen kürzeren Namen, mehr Tage, jede Modalität.</translation>
+        <source>%1 has no matching study. Broaden the search: a shorter name, more days, any modality.</source>
+        <translation>%1 enthält keine passende Studie. Erweitern Sie die Suche: kürzerer Name, mehr Tage, beliebige Modalität.</translation>
     </message>
     <message>
-        <source>Search to see what %1 holds.</source>
-        <translation>Suchen Sie, um zu sehen, was %1 enthält.</translation>
+        <source>Search to list the studies on %1.</source>
+        <translation>Suchen Sie, um die Studien auf %1 aufzulisten.</translation>
     </message>
     <message>
         <source>1 study found.</source>
@@ -13329,23 +13329,23 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>%1 Studien gefunden.</translation>
     </message>
     <message>
-        <source>Choose studies, or unfold one for its series; several with Ctrl.</source>
-        <translation>Studien wählen oder eine für ihre Serien aufklappen; mehrere mit Strg.</translation>
+        <source>Select studies, or expand one to select its series; Ctrl selects several.</source>
+        <translation>Wählen Sie Studien, oder klappen Sie eine auf, um ihre Serien zu wählen; Strg wählt mehrere.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::ArchiveNodes</name>
     <message>
-        <source>There is an archive of this name already. Choose another name.</source>
-        <translation>Ein Archiv dieses Namens gibt es schon. Wählen Sie einen anderen Namen.</translation>
+        <source>A PACS with this name already exists. Choose another name.</source>
+        <translation>Ein PACS mit diesem Namen gibt es bereits. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>Remove %1 from the list?</source>
         <translation>%1 aus der Liste entfernen?</translation>
     </message>
     <message>
-        <source>The archive itself and what was retrieved from it stay.</source>
-        <translation>Das Archiv selbst und was daraus abgerufen wurde bleiben.</translation>
+        <source>The PACS itself and the objects retrieved from it are kept.</source>
+        <translation>Das PACS selbst und die daraus abgerufenen Objekte bleiben erhalten.</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -13359,11 +13359,11 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::app::ArchiveRetrieval</name>
     <message>
-        <source>Asking %1 …</source>
-        <translation>%1 wird gefragt …</translation>
+        <source>Contacting %1…</source>
+        <translation>%1 wird kontaktiert …</translation>
     </message>
     <message>
-        <source>Stopping …</source>
+        <source>Stopping…</source>
         <translation>Wird angehalten …</translation>
     </message>
     <message>
@@ -13379,22 +13379,22 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Studie %1 von %2: %3</translation>
     </message>
     <message>
-        <source>%1 of %2 objects are here.</source>
-        <translation>%1 von %2 Objekten sind hier.</translation>
+        <source>%1 of %2 objects were retrieved.</source>
+        <translation>%1 von %2 Objekten wurden abgerufen.</translation>
     </message>
     <message>
-        <source>Retrieve again to get the others.</source>
-        <translation>Rufen Sie noch einmal ab, um die übrigen zu bekommen.</translation>
+        <source>Retrieve again to get the rest.</source>
+        <translation>Rufen Sie noch einmal ab, um die übrigen zu erhalten.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::ArchiveSender</name>
     <message>
-        <source>Stopping …</source>
+        <source>Stopping…</source>
         <translation>Wird angehalten …</translation>
     </message>
     <message>
-        <source>Making the objects …</source>
+        <source>Creating the objects…</source>
         <translation>Objekte werden erzeugt …</translation>
     </message>
     <message>
@@ -13402,8 +13402,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Gesendet: %1 von %2 Objekten, %3</translation>
     </message>
     <message>
-        <source>%1 has all objects: %2 (%3).</source>
-        <translation>%1 hat alle Objekte: %2 (%3).</translation>
+        <source>%1 received all objects: %2 (%3).</source>
+        <translation>%1 hat alle Objekte erhalten: %2 (%3).</translation>
     </message>
     <message>
         <source>%1 of %2 objects arrived.</source>
@@ -13414,8 +13414,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Angehalten.</translation>
     </message>
     <message>
-        <source>Send again for the others.</source>
-        <translation>Senden Sie noch einmal für die übrigen.</translation>
+        <source>Send again to transfer the rest.</source>
+        <translation>Senden Sie noch einmal, um die übrigen zu übertragen.</translation>
     </message>
     <message>
         <source>Stopped. Nothing was sent.</source>
@@ -13425,8 +13425,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::app::ArchiveWords</name>
     <message>
-        <source>Without name</source>
-        <translation>Ohne Namen</translation>
+        <source>No name</source>
+        <translation>Kein Name</translation>
     </message>
     <message>
         <source>Patient %1 (identity hidden)</source>
@@ -13437,62 +13437,62 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Serie %1</translation>
     </message>
     <message>
-        <source>Faults beside this one: %1.</source>
-        <translation>Fehler außer diesem: %1.</translation>
+        <source>Other errors: %1.</source>
+        <translation>Weitere Fehler: %1.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::ArchiveDialog</name>
     <message>
-        <source>Open what came</source>
-        <translation>Angekommenes öffnen</translation>
+        <source>Open retrieved</source>
+        <translation>Abgerufene öffnen</translation>
     </message>
     <message>
         <source>Retrieve</source>
         <translation>Abrufen</translation>
     </message>
     <message>
-        <source>Open from archive</source>
-        <translation>Aus Archiv öffnen</translation>
+        <source>Query PACS</source>
+        <translation>PACS abfragen</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Choose from the objects that arrived</source>
-        <translation>Aus den angekommenen Objekten wählen</translation>
+        <source>Select from the received objects</source>
+        <translation>Aus den empfangenen Objekten auswählen</translation>
     </message>
     <message>
-        <source>Bring the chosen studies and series here, then choose which are vessels and which views</source>
-        <translation>Die gewählten Studien und Serien herholen, dann wählen, was Gefäße und was Ansichten sind</translation>
+        <source>Retrieves the selected studies and series; then choose the vessels and the views</source>
+        <translation>Ruft die gewählten Studien und Serien ab; wählen Sie danach Gefäße und Ansichten</translation>
     </message>
     <message>
-        <source>No archive is known yet. Add one: who runs it tells you host, port and AE title.</source>
-        <translation>Noch ist kein Archiv bekannt. Fügen Sie eines hinzu: Wer es betreibt, nennt Ihnen Host, Port und AE-Titel.</translation>
+        <source>No PACS configured. Add one (ask your PACS administrator for host, port and AE title).</source>
+        <translation>Kein PACS konfiguriert. Fügen Sie eines hinzu (Host, Port und AE-Titel nennt Ihnen Ihre PACS-Administration).</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::CacheLine</name>
     <message>
-        <source>Empty …</source>
+        <source>Empty…</source>
         <translation>Leeren …</translation>
     </message>
     <message>
-        <source>Most that the cache keeps</source>
-        <translation>So viel behält der Zwischenspeicher höchstens</translation>
+        <source>Maximum cache size</source>
+        <translation>Maximale Größe des Zwischenspeichers</translation>
     </message>
     <message>
-        <source>What was not used for the longest time is dropped first</source>
-        <translation>Am längsten Unbenutztes wird zuerst verworfen</translation>
+        <source>The least recently used objects are deleted first</source>
+        <translation>Die am längsten unbenutzten Objekte werden zuerst gelöscht</translation>
     </message>
     <message>
-        <source>Drop all that was retrieved</source>
-        <translation>Alles Abgerufene verwerfen</translation>
+        <source>Deletes all retrieved objects</source>
+        <translation>Löscht alle abgerufenen Objekte</translation>
     </message>
     <message>
-        <source>of at most</source>
-        <translation>von höchstens</translation>
+        <source>of max.</source>
+        <translation>von max.</translation>
     </message>
     <message>
         <source>Cache: %1</source>
@@ -13502,8 +13502,8 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::ui::MatchList</name>
     <message>
-        <source>Studies and series in the archive</source>
-        <translation>Studien und Serien im Archiv</translation>
+        <source>Studies and series in the PACS</source>
+        <translation>Studien und Serien im PACS</translation>
     </message>
     <message>
         <source>Patient</source>
@@ -13530,7 +13530,7 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Bilder</translation>
     </message>
     <message>
-        <source>Looking …</source>
+        <source>Searching…</source>
         <translation>Wird gesucht …</translation>
     </message>
 </context>
@@ -13541,67 +13541,67 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Verbindung testen</translation>
     </message>
     <message>
-        <source>Add …</source>
+        <source>Add…</source>
         <translation>Hinzufügen …</translation>
     </message>
     <message>
-        <source>Edit …</source>
+        <source>Edit…</source>
         <translation>Bearbeiten …</translation>
     </message>
     <message>
-        <source>Remove …</source>
+        <source>Remove…</source>
         <translation>Entfernen …</translation>
     </message>
     <message>
-        <source>Archive</source>
-        <translation>Archiv</translation>
+        <source>PACS</source>
+        <translation>PACS</translation>
     </message>
     <message>
-        <source>No archive yet</source>
-        <translation>Noch kein Archiv</translation>
+        <source>No PACS yet</source>
+        <translation>Noch kein PACS</translation>
     </message>
     <message>
-        <source>Ask whether the archive answers and lets us in</source>
-        <translation>Fragen, ob das Archiv antwortet und uns einlässt</translation>
+        <source>Checks whether the PACS responds and accepts this program</source>
+        <translation>Prüft, ob das PACS antwortet und dieses Programm zulässt</translation>
     </message>
     <message>
-        <source>Add an archive to the list; the command line uses the same list</source>
-        <translation>Ein Archiv zur Liste hinzufügen; die Befehlszeile benutzt dieselbe Liste</translation>
+        <source>Adds a PACS to the list; the command line uses the same list</source>
+        <translation>Fügt der Liste ein PACS hinzu; die Befehlszeile benutzt dieselbe Liste</translation>
     </message>
     <message>
-        <source>Host, port, titles, security</source>
-        <translation>Host, Port, Titel, Sicherheit</translation>
+        <source>Edits host, port, AE titles and security</source>
+        <translation>Bearbeitet Host, Port, AE-Titel und Sicherheit</translation>
     </message>
     <message>
-        <source>Take the archive from the list</source>
-        <translation>Das Archiv aus der Liste nehmen</translation>
+        <source>Removes the PACS from the list</source>
+        <translation>Entfernt das PACS aus der Liste</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::NodeDialog</name>
     <message>
-        <source>File with the authorization</source>
-        <translation>Datei mit der Berechtigung</translation>
+        <source>Authorization file</source>
+        <translation>Autorisierungsdatei</translation>
     </message>
     <message>
         <source>Encrypted (TLS)</source>
         <translation>Verschlüsselt (TLS)</translation>
     </message>
     <message>
-        <source>Certificates of authorities (PEM)</source>
-        <translation>Zertifikate der Aussteller (PEM)</translation>
+        <source>CA certificates (PEM)</source>
+        <translation>CA-Zertifikate (PEM)</translation>
     </message>
     <message>
-        <source>Our certificate (PEM)</source>
-        <translation>Unser Zertifikat (PEM)</translation>
+        <source>Own certificate (PEM)</source>
+        <translation>Eigenes Zertifikat (PEM)</translation>
     </message>
     <message>
-        <source>Key of our certificate (PEM)</source>
-        <translation>Schlüssel unseres Zertifikats (PEM)</translation>
+        <source>Private key of the own certificate (PEM)</source>
+        <translation>Privater Schlüssel des eigenen Zertifikats (PEM)</translation>
     </message>
     <message>
-        <source>Its certificate must be one of the host</source>
-        <translation>Sein Zertifikat muss das des Hosts sein</translation>
+        <source>Verify host name in certificate</source>
+        <translation>Hostnamen im Zertifikat prüfen</translation>
     </message>
     <message>
         <source>Security, DICOMweb and more</source>
@@ -13612,19 +13612,19 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Verbindung testen</translation>
     </message>
     <message>
-        <source>Add archive</source>
-        <translation>Archiv hinzufügen</translation>
+        <source>Add PACS</source>
+        <translation>PACS hinzufügen</translation>
     </message>
     <message>
-        <source>Edit archive</source>
-        <translation>Archiv bearbeiten</translation>
+        <source>Edit PACS</source>
+        <translation>PACS bearbeiten</translation>
     </message>
     <message>
-        <source>Ask who runs the archive for these, and have our AE title entered there.</source>
-        <translation>Fragen Sie, wer das Archiv betreibt, danach, und lassen Sie unseren AE-Titel dort eintragen.</translation>
+        <source>Ask your PACS administrator for these values, and have the calling AE title registered there.</source>
+        <translation>Erfragen Sie diese Angaben bei Ihrer PACS-Administration, und lassen Sie den rufenden AE-Titel dort eintragen.</translation>
     </message>
     <message>
-        <source>PACS of radiology</source>
+        <source>Radiology PACS</source>
         <translation>PACS der Radiologie</translation>
     </message>
     <message>
@@ -13632,60 +13632,60 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Name</translation>
     </message>
     <message>
-        <source>What you call it</source>
-        <translation>Wie Sie es nennen</translation>
+        <source>Name shown in this program</source>
+        <translation>In diesem Programm angezeigter Name</translation>
     </message>
     <message>
         <source>Host</source>
         <translation>Host</translation>
     </message>
     <message>
-        <source>Name or address of its computer; empty where it is asked by DICOMweb only</source>
-        <translation>Name oder Adresse seines Rechners; leer, wo es nur über DICOMweb gefragt wird</translation>
+        <source>Host name or IP address; empty if only DICOMweb is used</source>
+        <translation>Hostname oder IP-Adresse; leer, wenn nur DICOMweb benutzt wird</translation>
     </message>
     <message>
         <source>Port</source>
         <translation>Port</translation>
     </message>
     <message>
-        <source>104 or 11112 as a rule</source>
-        <translation>In der Regel 104 oder 11112</translation>
+        <source>Usually 104 or 11112</source>
+        <translation>Üblicherweise 104 oder 11112</translation>
     </message>
     <message>
-        <source>Its AE title</source>
-        <translation>Sein AE-Titel</translation>
+        <source>Called AE title</source>
+        <translation>Gerufener AE-Titel</translation>
     </message>
     <message>
-        <source>By which the archive wants to be called</source>
-        <translation>Unter dem das Archiv angesprochen werden will</translation>
+        <source>AE title of the PACS</source>
+        <translation>AE-Titel des PACS</translation>
     </message>
     <message>
-        <source>Our AE title</source>
-        <translation>Unser AE-Titel</translation>
+        <source>Calling AE title</source>
+        <translation>Rufender AE-Titel</translation>
     </message>
     <message>
-        <source>By which the archive knows this program</source>
-        <translation>Unter dem das Archiv dieses Programm kennt</translation>
+        <source>AE title by which the PACS knows this program</source>
+        <translation>AE-Titel, unter dem das PACS dieses Programm kennt</translation>
     </message>
     <message>
-        <source>Authorities</source>
-        <translation>Aussteller</translation>
+        <source>CA certificates</source>
+        <translation>CA-Zertifikate</translation>
     </message>
     <message>
-        <source>PEM file; empty: those that the system trusts</source>
-        <translation>PEM-Datei; leer: die, denen das System vertraut</translation>
+        <source>PEM file; empty: CAs trusted by the system</source>
+        <translation>PEM-Datei; leer: vom System als vertrauenswürdig eingestufte CAs</translation>
     </message>
     <message>
-        <source>Our certificate</source>
-        <translation>Unser Zertifikat</translation>
+        <source>Own certificate</source>
+        <translation>Eigenes Zertifikat</translation>
     </message>
     <message>
         <source>PEM file; empty: none</source>
         <translation>PEM-Datei; leer: keines</translation>
     </message>
     <message>
-        <source>Its key</source>
-        <translation>Sein Schlüssel</translation>
+        <source>Private key</source>
+        <translation>Privater Schlüssel</translation>
     </message>
     <message>
         <source>PEM file; only its path is stored</source>
@@ -13696,32 +13696,32 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>DICOMweb-Adresse</translation>
     </message>
     <message>
-        <source>Used where no host is given</source>
-        <translation>Benutzt, wo kein Host angegeben ist</translation>
+        <source>Used if no host is given</source>
+        <translation>Wird benutzt, wenn kein Host angegeben ist</translation>
     </message>
     <message>
         <source>Authorization</source>
-        <translation>Berechtigung</translation>
+        <translation>Autorisierung</translation>
     </message>
     <message>
-        <source>File whose first line is sent as the header Authorization; only its path is stored</source>
-        <translation>Datei, deren erste Zeile als Header Authorization gesendet wird; nur ihr Pfad wird gespeichert</translation>
+        <source>File whose first line is sent as the Authorization header; only its path is stored</source>
+        <translation>Datei, deren erste Zeile als Authorization-Header gesendet wird; nur ihr Pfad wird gespeichert</translation>
     </message>
     <message>
         <source>Port for C-MOVE</source>
         <translation>Port für C-MOVE</translation>
     </message>
     <message>
-        <source>Only where the archive does not offer C-GET: it sends to this port of ours. 0: not used</source>
-        <translation>Nur wo das Archiv kein C-GET anbietet: Es sendet an diesen Port von uns. 0: unbenutzt</translation>
+        <source>Only if the PACS does not support C-GET: it sends to this local port. 0: not used</source>
+        <translation>Nur wenn das PACS kein C-GET unterstützt: Es sendet an diesen lokalen Port. 0: unbenutzt</translation>
     </message>
     <message>
-        <source>Time for an answer</source>
-        <translation>Zeit für eine Antwort</translation>
+        <source>Response timeout</source>
+        <translation>Antwort-Timeout</translation>
     </message>
     <message>
-        <source>Afterwards the archive counts as dead</source>
-        <translation>Danach gilt das Archiv als tot</translation>
+        <source>After this time the PACS counts as unreachable</source>
+        <translation>Nach dieser Zeit gilt das PACS als nicht erreichbar</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -13754,40 +13754,40 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Empfangen an Port</translation>
     </message>
     <message>
-        <source>Look at them</source>
-        <translation>Ansehen</translation>
+        <source>Show objects</source>
+        <translation>Anzeigen</translation>
     </message>
     <message>
-        <source>Take what modalities and archives push to this computer, until switched off or the window closes</source>
-        <translation>Nehmen, was Modalitäten und Archive an diesen Rechner schicken, bis es ausgeschaltet wird oder das Fenster schließt</translation>
+        <source>Accepts objects that modalities and PACS push to this computer, until turned off or the window is closed</source>
+        <translation>Nimmt Objekte an, die Modalitäten und PACS an diesen Rechner senden, bis zum Ausschalten oder Schließen des Fensters</translation>
     </message>
     <message>
-        <source>Port to receive on</source>
-        <translation>Port zum Empfangen</translation>
+        <source>Receiving port</source>
+        <translation>Empfangsport</translation>
     </message>
     <message>
-        <source>AE title to receive as</source>
-        <translation>AE-Titel zum Empfangen</translation>
+        <source>Receiving AE title</source>
+        <translation>AE-Titel für den Empfang</translation>
     </message>
     <message>
-        <source>Callers must use this AE title</source>
-        <translation>Anrufer müssen diesen AE-Titel benutzen</translation>
+        <source>Calling applications must use this called AE title</source>
+        <translation>Aufrufende Anwendungen müssen diesen gerufenen AE-Titel benutzen</translation>
     </message>
     <message>
-        <source>Choose from what came</source>
-        <translation>Aus dem Angekommenen wählen</translation>
+        <source>Select from the received objects</source>
+        <translation>Aus den empfangenen Objekten auswählen</translation>
     </message>
     <message>
         <source>as AE title</source>
         <translation>als AE-Titel</translation>
     </message>
     <message>
-        <source>Security …</source>
+        <source>Security…</source>
         <translation>Sicherheit …</translation>
     </message>
     <message>
-        <source>Who may call this port, and encryption (TLS)</source>
-        <translation>Wer diesen Port anrufen darf, und Verschlüsselung (TLS)</translation>
+        <source>Sets who may connect to this port, and encryption (TLS)</source>
+        <translation>Legt fest, wer sich mit diesem Port verbinden darf, und die Verschlüsselung (TLS)</translation>
     </message>
 </context>
 <context>
@@ -13797,24 +13797,24 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Meier, oder *mei*</translation>
     </message>
     <message>
-        <source>Beginning of the name; * and ? stand for any letters</source>
-        <translation>Anfang des Namens; * und ? stehen für beliebige Zeichen</translation>
+        <source>Start of the name; * and ? are wildcards</source>
+        <translation>Anfang des Namens; * und ? sind Platzhalter</translation>
     </message>
     <message>
-        <source>The patient&apos;s ID; * and ? stand for any letters</source>
-        <translation>Die ID des Patienten; * und ? stehen für beliebige Zeichen</translation>
+        <source>Patient ID; * and ? are wildcards</source>
+        <translation>Patienten-ID; * und ? sind Platzhalter</translation>
     </message>
     <message>
         <source>2024-01-31</source>
         <translation>2024-01-31</translation>
     </message>
     <message>
-        <source>Studies of this day and later; empty: from the beginning</source>
-        <translation>Studien von diesem Tag an; leer: von Anfang an</translation>
+        <source>Studies from this date on; empty: no limit</source>
+        <translation>Studien ab diesem Datum; leer: unbegrenzt</translation>
     </message>
     <message>
-        <source>Studies of this day and earlier; empty: until today</source>
-        <translation>Studien bis zu diesem Tag; leer: bis heute</translation>
+        <source>Studies up to this date; empty: until today</source>
+        <translation>Studien bis zu diesem Datum; leer: bis heute</translation>
     </message>
     <message>
         <source>Search</source>
@@ -13826,11 +13826,11 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
     <message>
         <source>XA: angiograms, CT: scans</source>
-        <translation>XA: Angiogramme, CT: Schichtbilder</translation>
+        <translation>XA: Angiogramme, CT: Scans</translation>
     </message>
     <message>
-        <source>List the studies of the archive to which all of this applies</source>
-        <translation>Die Studien des Archivs auflisten, auf die alles zutrifft</translation>
+        <source>Lists the studies that match all criteria</source>
+        <translation>Listet die Studien auf, die allen Kriterien entsprechen</translation>
     </message>
     <message>
         <source>Patient&apos;s name</source>
@@ -13864,20 +13864,20 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Senden</translation>
     </message>
     <message>
-        <source>Send to archive</source>
-        <translation>An Archiv senden</translation>
+        <source>Send to PACS</source>
+        <translation>An PACS senden</translation>
     </message>
     <message>
-        <source>The objects are made once. Sending them again after a fault sends the same ones, so that none is in the archive twice.</source>
-        <translation>Die Objekte werden einmal erzeugt. Wird nach einem Fehler noch einmal gesendet, gehen dieselben, damit keines zweimal im Archiv liegt.</translation>
+        <source>The objects are created once. Sending again after an error sends the same objects, so none is stored twice.</source>
+        <translation>Die Objekte werden einmal erzeugt. Erneutes Senden nach einem Fehler sendet dieselben Objekte, sodass keines doppelt gespeichert wird.</translation>
     </message>
     <message>
-        <source>No archive is known yet. Add one: who runs it tells you host, port and AE title.</source>
-        <translation>Noch ist kein Archiv bekannt. Fügen Sie eines hinzu: Wer es betreibt, nennt Ihnen Host, Port und AE-Titel.</translation>
+        <source>No PACS configured. Add one (ask your PACS administrator for host, port and AE title).</source>
+        <translation>Kein PACS konfiguriert. Fügen Sie eines hinzu (Host, Port und AE-Titel nennt Ihnen Ihre PACS-Administration).</translation>
     </message>
     <message>
-        <source>The objects go to %1 when you send them.</source>
-        <translation>Die Objekte gehen an %1, wenn Sie sie senden.</translation>
+        <source>The objects are sent to %1 when you press Send.</source>
+        <translation>Die Objekte werden an %1 gesendet, wenn Sie Senden drücken.</translation>
     </message>
 </context>
 <context>
@@ -13891,62 +13891,62 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Fortschritt</translation>
     </message>
     <message>
-        <source>End it; what is whole is kept</source>
-        <translation>Beenden; was ganz da ist, bleibt</translation>
+        <source>Stops; complete objects are kept</source>
+        <translation>Hält an; vollständige Objekte bleiben erhalten</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::DeidentifyController</name>
     <message>
-        <source>Taking identity out: %1 %</source>
-        <translation>Identität wird entfernt: %1 %</translation>
+        <source>De-identifying: %1 %</source>
+        <translation>De-Identifizierung: %1 %</translation>
     </message>
     <message>
-        <source>Files are being written already. Let that end, or stop it.</source>
-        <translation>Es werden schon Dateien geschrieben. Abwarten oder stoppen.</translation>
+        <source>Files are already being written. Wait for it to finish, or stop it.</source>
+        <translation>Es werden bereits Dateien geschrieben. Warten Sie das Ende ab, oder halten Sie es an.</translation>
     </message>
     <message>
         <source>Files to de-identify</source>
-        <translation>Dateien ohne Identität schreiben</translation>
+        <translation>Dateien zum De-Identifizieren</translation>
     </message>
     <message>
         <source>Folder to de-identify</source>
-        <translation>Ordner ohne Identität schreiben</translation>
+        <translation>Ordner zum De-Identifizieren</translation>
     </message>
     <message>
-        <source>Folder to write to</source>
-        <translation>Ordner, in den geschrieben wird</translation>
+        <source>Output folder</source>
+        <translation>Ausgabeordner</translation>
     </message>
     <message>
-        <source>Taking identity out …</source>
-        <translation>Identität wird entfernt …</translation>
+        <source>De-identifying…</source>
+        <translation>De-Identifizierung …</translation>
     </message>
     <message>
         <source>Ready</source>
         <translation>Bereit</translation>
     </message>
     <message>
-        <source>Written without identity: %1, in %2.</source>
-        <translation>Ohne Identität geschrieben: %1, in %2.</translation>
+        <source>De-identified files: %1, in %2.</source>
+        <translation>De-identifizierte Dateien: %1, in %2.</translation>
     </message>
     <message>
-        <source>%1 files were written without identity, %2 were not, for the reasons below. What was written lies in %3.</source>
-        <translation>%1 Dateien wurden ohne Identität geschrieben, %2 nicht; die Gründe stehen unten. Das Geschriebene liegt in %3.</translation>
+        <source>%1 files were de-identified, %2 were not, for the reasons below. The output is in %3.</source>
+        <translation>%1 Dateien wurden de-identifiziert, %2 nicht; die Gründe stehen unten. Die Ausgabe liegt in %3.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::PrivacyController</name>
     <message>
-        <source>No list and no pictures of recent cases, no names in the title, no folders remembered.</source>
-        <translation>Keine Liste und keine Bilder letzter Fälle, keine Namen im Titel, keine gemerkten Ordner.</translation>
+        <source>No list or thumbnails of recent cases, no names in the title bar, no remembered folders.</source>
+        <translation>Keine Liste und keine Vorschaubilder letzter Fälle, keine Namen in der Titelleiste, keine gemerkten Ordner.</translation>
     </message>
     <message>
         <source>Turn private mode on?</source>
         <translation>Privaten Modus einschalten?</translation>
     </message>
     <message>
-        <source>The list of recent cases, pinned ones too, their pictures and the folders and names remembered so far are forgotten for good. Nothing of the kind is kept until private mode is turned off. Automatic copies of unsaved work are still made, and removed when a case is closed.</source>
-        <translation>Die Liste der letzten Fälle, auch der angehefteten, ihre Bilder und die bisher gemerkten Ordner und Namen werden endgültig vergessen. Nichts dergleichen wird aufgehoben, bis der private Modus ausgeschaltet wird. Automatische Kopien ungesicherter Arbeit werden weiter angelegt und beim Schließen eines Falls entfernt.</translation>
+        <source>The list of recent cases, including pinned ones, their thumbnails, and the folders and names stored so far are deleted permanently. Nothing of this kind is stored until private mode is turned off. Automatic copies of unsaved work are still made, and are deleted when a case is closed.</source>
+        <translation>Die Liste der letzten Fälle, auch der angehefteten, ihre Vorschaubilder und die bisher gespeicherten Ordner und Namen werden endgültig gelöscht. Nichts dergleichen wird gespeichert, bis der private Modus ausgeschaltet wird. Automatische Kopien ungespeicherter Arbeit werden weiter angelegt und beim Schließen eines Falls gelöscht.</translation>
     </message>
     <message>
         <source>Turn on</source>
@@ -13960,20 +13960,20 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
 <context>
     <name>angiopose::app::AuditController</name>
     <message>
-        <source>One line for everything that is opened, saved and exported: when, by whom, with the SHA-256 of the files.</source>
-        <translation>Eine Zeile für alles, was geöffnet, gespeichert und exportiert wird: wann, von wem, mit der SHA-256 der Dateien.</translation>
+        <source>Logs one line for each file opened, saved or exported: time, user, and SHA-256 of the files.</source>
+        <translation>Protokolliert eine Zeile je geöffneter, gespeicherter oder exportierter Datei: Zeit, Benutzer und SHA-256 der Dateien.</translation>
     </message>
     <message>
         <source>Written to %1</source>
         <translation>Geschrieben in %1</translation>
     </message>
     <message>
-        <source>Keep an audit file</source>
-        <translation>Audit-Datei führen</translation>
+        <source>Write audit log</source>
+        <translation>Audit-Protokoll schreiben</translation>
     </message>
     <message>
-        <source>Audit files (*.jsonl)</source>
-        <translation>Audit-Dateien (*.jsonl)</translation>
+        <source>Audit logs (*.jsonl)</source>
+        <translation>Audit-Protokolle (*.jsonl)</translation>
     </message>
 </context>
 <context>
@@ -13983,23 +13983,23 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Supportpaket speichern</translation>
     </message>
     <message>
-        <source>Archives (*.zip)</source>
-        <translation>Archive (*.zip)</translation>
+        <source>ZIP archives (*.zip)</source>
+        <translation>ZIP-Archive (*.zip)</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::FaultBar</name>
     <message>
-        <source>Save support bundle …</source>
-        <translation>Supportpaket speichern …</translation>
+        <source>Save support bundle…</source>
+        <translation>Supportpaket speichern…</translation>
     </message>
     <message>
         <source>Dismiss</source>
         <translation>Ausblenden</translation>
     </message>
     <message>
-        <source>AngioPose ended by a fault last time. A note of where in the program, with nothing of the case in it, lies in %1.</source>
-        <translation>AngioPose wurde zuletzt durch einen Fehler beendet. Eine Notiz, wo im Programm das war, ohne etwas vom Fall, liegt in %1.</translation>
+        <source>AngioPose crashed last time. A report of where in the program it happened, without case data, is in %1.</source>
+        <translation>AngioPose ist zuletzt abgestürzt. Ein Bericht über die Stelle im Programm, ohne Falldaten, liegt in %1.</translation>
     </message>
 </context>
 <context>
@@ -14009,19 +14009,19 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Supportpaket speichern</translation>
     </message>
     <message>
-        <source>These texts go into the archive, and nothing else: no image, no vessels. Names, numbers, dates and paths that are known of the cases of this session and of this computer were taken out. Read them before you hand them on.</source>
-        <translation>Diese Texte kommen in das Archiv und sonst nichts: kein Bild, keine Gefäße. Namen, Nummern, Daten und Pfade, die von den Fällen dieser Sitzung und von diesem Computer bekannt sind, wurden entfernt. Lesen Sie sie, bevor Sie sie weitergeben.</translation>
+        <source>The archive contains only these texts: no images, no vessels. Known names, numbers, dates and paths of this session&apos;s cases and of this computer were removed. Review the texts before sharing.</source>
+        <translation>Das Archiv enthält nur diese Texte: keine Bilder, keine Gefäße. Bekannte Namen, Nummern, Datumsangaben und Pfade der Fälle dieser Sitzung und dieses Computers wurden entfernt. Prüfen Sie die Texte vor der Weitergabe.</translation>
     </message>
     <message>
-        <source>Texts of the bundle</source>
-        <translation>Texte des Pakets</translation>
+        <source>Texts in the bundle</source>
+        <translation>Texte im Paket</translation>
     </message>
     <message>
-        <source>The text as it is written</source>
-        <translation>Der Text, wie er geschrieben wird</translation>
+        <source>Text to be written</source>
+        <translation>Zu schreibender Text</translation>
     </message>
     <message>
-        <source>Save …</source>
+        <source>Save…</source>
         <translation>Speichern …</translation>
     </message>
     <message>
@@ -14036,12 +14036,12 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Dates shifted instead of removed</source>
-        <translation>Daten verschoben statt entfernt</translation>
+        <source>Shift dates instead of removing them</source>
+        <translation>Datumsangaben verschieben statt entfernen</translation>
     </message>
     <message>
-        <source>Black out letters in the pictures</source>
-        <translation>Buchstaben in den Bildern schwärzen</translation>
+        <source>Mask burned-in text</source>
+        <translation>Eingebrannten Text maskieren</translation>
     </message>
     <message>
         <source>Write</source>
@@ -14049,11 +14049,11 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
     </message>
     <message>
         <source>De-identify files</source>
-        <translation>Dateien ohne Identität</translation>
+        <translation>Dateien de-identifizieren</translation>
     </message>
     <message>
-        <source>DICOM images and objects, PNG, JPEG and TIFF are written anew without names, IDs, dates, private elements and texts; UIDs are replaced. Other files are refused, and which is said. Look at every picture before you hand it on.</source>
-        <translation>DICOM-Bilder und -Objekte, PNG, JPEG und TIFF werden neu geschrieben, ohne Namen, Nummern, Daten, private Elemente und Texte; UIDs werden ersetzt. Andere Dateien werden abgelehnt und genannt. Sehen Sie jedes Bild an, bevor Sie es weitergeben.</translation>
+        <source>DICOM images and objects, PNG, JPEG and TIFF are rewritten without names, IDs, dates, private elements and texts; UIDs are replaced. Other files are skipped and listed. Review every image before sharing.</source>
+        <translation>DICOM-Bilder und -Objekte, PNG, JPEG und TIFF werden neu geschrieben, ohne Namen, IDs, Datumsangaben, private Elemente und Texte; UIDs werden ersetzt. Andere Dateien werden übersprungen und aufgelistet. Prüfen Sie vor der Weitergabe jedes Bild.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -14064,32 +14064,32 @@ Unten: wie weit ein Schritt die Gefäße bewegte, quadratisches Mittel über all
         <translation>Dateien und Ordner</translation>
     </message>
     <message>
-        <source>Add files …</source>
+        <source>Add files…</source>
         <translation>Dateien hinzufügen …</translation>
     </message>
     <message>
-        <source>Add folder …</source>
+        <source>Add folder…</source>
         <translation>Ordner hinzufügen …</translation>
     </message>
     <message>
-        <source>made up</source>
-        <translation>erfunden</translation>
+        <source>automatic</source>
+        <translation>automatisch</translation>
     </message>
     <message>
         <source>a new or empty folder</source>
         <translation>ein neuer oder leerer Ordner</translation>
     </message>
     <message>
-        <source>Folder to write to</source>
-        <translation>Ordner, in den geschrieben wird</translation>
+        <source>Output folder</source>
+        <translation>Ausgabeordner</translation>
     </message>
     <message>
-        <source>Choose …</source>
-        <translation>Auswählen …</translation>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
     </message>
     <message>
-        <source>Name instead</source>
-        <translation>Name stattdessen</translation>
+        <source>Pseudonym</source>
+        <translation>Pseudonym</translation>
     </message>
     <message>
         <source>Write to</source>

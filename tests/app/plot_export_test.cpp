@@ -59,8 +59,7 @@ TEST(PlotExport, ShowsDistanceAndStepOfARunWithTheirUnits)
     const QByteArray svg = plotAsSvg(plot);
 
     EXPECT_FALSE(svg.contains("<image"));
-    for (const char* words :
-         {"median distance", "shift of the vessels in one step", "10 px", "1 mm", "step 1", ">12<"}) {
+    for (const char* words : {"median distance", "vessel shift per step", "10 px", "1 mm", "step 1", ">12<"}) {
         EXPECT_TRUE(svg.contains(words)) << words;
     }
     EXPECT_FALSE(empty.contains("px"));

@@ -16,7 +16,7 @@ TEST_F(WindowArchive, FirstOneIsAddedByKeysEditedAndRemoved)
 {
     ui::ArchiveDialog* dialog = opened();
     ASSERT_TRUE(dialog);
-    OpenWindow::clickButton(dialog, QStringLiteral("Add …"));
+    OpenWindow::clickButton(dialog, QStringLiteral("Add…"));
     const auto editors = dialog->findChildren<ui::NodeDialog*>();
     ASSERT_EQ(editors.size(), 1);
     QWidget* host = editors.front()->findChild<QWidget*>(QStringLiteral("nodeHost"));
@@ -32,7 +32,7 @@ TEST_F(WindowArchive, FirstOneIsAddedByKeysEditedAndRemoved)
     ASSERT_EQ(stored.value().nodes.size(), 1u);
     EXPECT_EQ(stored.value().nodes.front().host, "10.0.0.7");
 
-    OpenWindow::clickButton(dialog, QStringLiteral("Remove …"));
+    OpenWindow::clickButton(dialog, QStringLiteral("Remove…"));
     const auto questions = w.window.findChildren<QDialog*>(QStringLiteral("archiveRemoval"));
     ASSERT_EQ(questions.size(), 1);
     OpenWindow::clickButton(questions.front(), QStringLiteral("Remove"));
@@ -171,7 +171,7 @@ TEST_F(WindowArchive, StoppedRetrievalKeepsWhatCameAndOffersIt)
     const QString said = words(dialog->line());
     EXPECT_TRUE(said.startsWith(QStringLiteral("Stopped. 1 of 2 objects are here."))) << said.toStdString();
     for (const QPushButton* button : dialog->findChildren<QPushButton*>()) {
-        EXPECT_TRUE(button->text() != QStringLiteral("Open what came") || button->isVisible());
+        EXPECT_TRUE(button->text() != QStringLiteral("Open retrieved") || button->isVisible());
     }
     EXPECT_TRUE(test::halfFiles(folder.file("cache")).empty());
 }
@@ -236,7 +236,7 @@ TEST_F(WindowArchive, CacheIsLimitedAndEmptied)
     EXPECT_TRUE(isStored()) << test::readText(io::defaultNodeFile());
     EXPECT_TRUE(std::filesystem::exists(folder.file("cache/1.2/1.2.4/1.2.4.5.dcm")));
     size = dialog->findChild<QLabel*>(QStringLiteral("cacheSize"));
-    OpenWindow::clickButton(dialog, QStringLiteral("Empty …"));
+    OpenWindow::clickButton(dialog, QStringLiteral("Empty…"));
     const auto questions = w.window.findChildren<QDialog*>(QStringLiteral("cacheEmptying"));
     ASSERT_EQ(questions.size(), 1);
     OpenWindow::clickButton(questions.front(), QStringLiteral("Empty"));

@@ -68,7 +68,7 @@ TEST(WindowAuxiliary, AdvisesWhichBranchesPinThePose)
     ASSERT_TRUE(QTest::qWaitFor([&] { return !auxiliary.suggestion().empty(); }, test::patienceMs));
     EXPECT_LT(auxiliary.suggestion().size(), w.current().vessels.tree->branches.size());
 
-    OpenWindow::clickButton(auxiliary.dialog(), QStringLiteral("Choose these"));
+    OpenWindow::clickButton(auxiliary.dialog(), QStringLiteral("Use these"));
 
     std::vector<int> expected = auxiliary.suggestion();
     std::ranges::sort(expected);

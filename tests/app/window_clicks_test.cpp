@@ -170,7 +170,7 @@ TEST(WindowClicks, FromADiscToARegisteredCaseInTwelve)
     OpenWindow w;
     Hand hand(w);
 
-    hand.clickText(w.window.welcome(), QStringLiteral("Open folder or disc"));
+    hand.clickText(w.window.welcome(), QStringLiteral("Open DICOM folder/CD"));
     hand.answerFiles(QString::fromStdString(folder.file("")), QDialogButtonBox::Open);
     auto* browser = hand.dialog<ui::StudyBrowser>();
     ASSERT_TRUE(browser);

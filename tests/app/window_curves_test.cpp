@@ -96,7 +96,7 @@ TEST_F(WindowCurves, APoseOfARunIsNotCalledMovedByHandWhenTheTraceChanges)
         });
     };
     EXPECT_TRUE(QTest::qWaitFor([&] { return says(QStringLiteral("of an earlier run")); }, test::patienceMs));
-    EXPECT_FALSE(says(QStringLiteral("moved by hand")));
+    EXPECT_FALSE(says(QStringLiteral("moved manually")));
 }
 
 TEST_F(WindowCurves, TheBrushErasesAndEscapeTakesTheStrokeBack)
@@ -249,7 +249,7 @@ TEST_F(WindowCurves, ACatheterIsKeptApartFollowedAndSaved)
     ASSERT_EQ(apart->curves.size(), 1U);
     EXPECT_EQ(apart->curves.front().pointsPx, device.pointsPx);
     EXPECT_EQ(target()->curves.size(), traced.curves.size() - 1) << "what is registered to";
-    EXPECT_EQ(w.history().undoText(), QStringLiteral("Keep a catheter or wire apart"));
+    EXPECT_EQ(w.history().undoText(), QStringLiteral("Mark curve as catheter or wire"));
 
     const test::TemporaryFolder folder;
     const QString path = QString::fromStdString(folder.file("case.angiopose"));
@@ -263,7 +263,7 @@ TEST_F(WindowCurves, ACatheterIsKeptApartFollowedAndSaved)
 
     w.press(Qt::Key_E);
     const auto buttons = w.window.findChild<ui::CurveEditBar*>()->findChildren<QPushButton*>();
-    const auto follow = std::ranges::find(buttons, QStringLiteral("Follow the wire"), &QPushButton::text);
+    const auto follow = std::ranges::find(buttons, QStringLiteral("Track device"), &QPushButton::text);
     ASSERT_TRUE(follow != buttons.end() && (*follow)->isVisible());
     QTest::mouseClick(*follow, Qt::LeftButton);
     w.waitForRun();

@@ -50,7 +50,7 @@ TEST_F(WindowDicom, WritesWhatIsChosen)
     EXPECT_FALSE(boxes[5]->isEnabled()) << "the sample has no scan";
     EXPECT_FALSE(boxes[7]->isChecked()) << "identity is off, every time";
     boxes[1]->setChecked(false);   // pictures of a whole run take their time
-    OpenWindow::clickButton(dialog, QStringLiteral("Export …"));
+    OpenWindow::clickButton(dialog, QStringLiteral("Export…"));
     chooseFolder();
     EXPECT_TRUE(waitFor("camera.json"));   // the last one
     for (const char* name : {"overlay.dcm", "report.dcm", "presentation-state.dcm", "registration.dcm"}) {
@@ -82,7 +82,7 @@ TEST_F(WindowDicom, ExportsNothingWithoutAChoiceOrACase)
         box->setChecked(false);
     }
     for (const QPushButton* button : dialog->findChildren<QPushButton*>()) {
-        if (button->text() == QStringLiteral("Export …")) {
+        if (button->text() == QStringLiteral("Export…")) {
             EXPECT_FALSE(button->isEnabled());
         }
     }

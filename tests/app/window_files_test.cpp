@@ -100,7 +100,7 @@ TEST(WindowFiles, AskBeforeUnsavedChangesAreReplaced)
 
     w.openSample();
     ASSERT_EQ(w.dialogs("questionDialog").size(), 1);
-    OpenWindow::clickButton(w.dialogs("questionDialog").front(), QStringLiteral("Keep the open case"));
+    OpenWindow::clickButton(w.dialogs("questionDialog").front(), QStringLiteral("Keep current case"));
     EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, edited), 0.0);
 
     w.openSample();
@@ -191,7 +191,7 @@ void takeInsteadOfWhatIsOpen(OpenWindow& w)
     }
     for (const auto& [question, verb] : {std::pair{"scanQuestion", QStringLiteral("Trace its vessels")},
                                          std::pair{"viewQuestion", QStringLiteral("Replace the angiogram")},
-                                         std::pair{"patientQuestion", QStringLiteral("Open it all the same")}}) {
+                                         std::pair{"patientQuestion", QStringLiteral("Open anyway")}}) {
         for (QDialog* asked : w.dialogs(question)) {
             OpenWindow::clickButton(asked, verb);
             EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.controller.isLoading(); }, test::patienceMs));

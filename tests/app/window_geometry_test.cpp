@@ -64,7 +64,7 @@ TEST(WindowGeometry, AsksForThePixelSpacingThatTheHeaderLacks)
     w.drop({QString::fromStdString(test::dataFile("coronary-phantom-xa/tree/Centerlines.vtk").string()),
             QString::fromStdString(test::dataFile("coronary-phantom-xa/views-A/IM3.dcm").string())});
     ui::NumberField* spacing =
-        fieldNamed(w, QStringLiteral("Pixel pitch on the detector. Enter confirms a derived one."));
+        fieldNamed(w, QStringLiteral("Pixel spacing on the detector. Enter confirms a derived value."));
     ASSERT_TRUE(spacing);
     EXPECT_TRUE(spacing->property("asking").toBool());   // only derived, from the field of view
     EXPECT_EQ(w.current().shown().geometry.cArm.columnSpacingMm.origin, core::Origin::Derived);
@@ -103,7 +103,7 @@ TEST(WindowGeometry, SaysWhatContradictsAndTakesItBack)
     OpenWindow w;
     w.openSample();
     w.window.geometryPanel().setFolded(false);
-    ui::NumberField* sod = fieldNamed(w, QStringLiteral("Source to isocentre distance"));
+    ui::NumberField* sod = fieldNamed(w, QStringLiteral("Source-to-isocenter distance"));
     ASSERT_TRUE(sod);
     core::Case plain = w.current();
     plain.shown().geometry.cameraOverride.reset();

@@ -194,7 +194,7 @@ TEST_F(WindowMask, ShiftKeepsWhatLiesInside)
     lasso(BodyPlane::Axial, {0, 0, z}, 2.0, Qt::ShiftModifier);
     EXPECT_TRUE(isSetAt({0, 0, z}));
     EXPECT_FALSE(isSetAt({3.4, 0, z}));
-    EXPECT_TRUE(isSetAt({3, 0, z + 1})) << "this slice alone";
+    EXPECT_TRUE(isSetAt({3, 0, z + 1})) << "this slice";
 }
 
 TEST_F(WindowMask, TheScanCanBeTracedAgainAfterwards)

@@ -63,7 +63,7 @@ protected:
     void openAllTheSame()
     {
         ASSERT_TRUE(QTest::qWaitFor([this] { return w.dialogs("patientQuestion").size() == 1; }, test::patienceMs));
-        click(buttonCalled(w.dialogs("patientQuestion").front(), "Open it all the same"));
+        click(buttonCalled(w.dialogs("patientQuestion").front(), "Open anyway"));
     }
 
     void drop(const QString& path)
@@ -82,7 +82,7 @@ protected:
         ui::ExportDialog* choice = nullptr;
         ASSERT_TRUE(
             QTest::qWaitFor([&] { return (choice = w.window.findChild<ui::ExportDialog*>()); }, test::patienceMs));
-        click(buttonCalled(choice, "Export …"));
+        click(buttonCalled(choice, "Export…"));
         QFileDialog* files = nullptr;
         ASSERT_TRUE(QTest::qWaitFor([&] { return (files = w.window.findChild<QFileDialog*>()) && files->isVisible(); },
                                     test::patienceMs));

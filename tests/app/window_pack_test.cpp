@@ -45,7 +45,7 @@ TEST_F(WindowPack, SampleGoesWithoutIdentity)
     boxes[0]->setChecked(false);
     EXPECT_FALSE(boxes[1]->isEnabled());
     boxes[0]->setChecked(true);
-    OpenWindow::clickButton(dialog, QStringLiteral("Pack …"));
+    OpenWindow::clickButton(dialog, QStringLiteral("Pack…"));
     const std::string archive = folder.file("case.zip");
     chooseFile(archive);
     const auto isThere = [&archive] { return QFile::exists(QString::fromStdString(archive)); };
@@ -66,7 +66,7 @@ TEST_F(WindowPack, StopLeavesNothing)
     w.openSample();
     QDialog* dialog = asked();
     ASSERT_NE(dialog, nullptr);
-    OpenWindow::clickButton(dialog, QStringLiteral("Pack …"));
+    OpenWindow::clickButton(dialog, QStringLiteral("Pack…"));
     chooseFile(folder.file("case.zip"));
     ASSERT_TRUE(QTest::qWaitFor([this] { return w.controller.isBusy(); }, test::patienceMs));
     emit w.window.strip().stopRequested();

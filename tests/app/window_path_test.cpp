@@ -72,7 +72,7 @@ TEST_F(WindowPath, TwoClicksAddAMissedVesselAsOneStep)
 
 TEST_F(WindowPath, EscapeTakesTheFirstClickBackThenEndsTheMode)
 {
-    press<QPushButton>(QStringLiteral("One vessel by two clicks"));
+    press<QPushButton>(QStringLiteral("Trace between two points"));
     ASSERT_TRUE(model().tool());
     clickAt(missed.pointsInPatient.front());
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_Escape);

@@ -158,7 +158,7 @@ void bringIn(OpenWindow& w, const Study& study, WayIn way)
         case WayIn::ScanBeside:
             w.drop({study.file("one.angiopose")});
             w.drop({study.otherScan()});
-            answer(w, "scanQuestion", QStringLiteral("Show beside the vessels"));
+            answer(w, "scanQuestion", QStringLiteral("Show with the vessels"));
             break;
         case WayIn::ScanAndRunTogether:
             w.drop({study.scan(), study.file("other.dcm")});
@@ -181,12 +181,12 @@ TEST_P(AnotherPatient, IsAskedAboutHoweverTheFilesComeIn)
         bringIn(w, study, way);
         ASSERT_EQ(w.dialogs("patientQuestion").size(), 1);
         EXPECT_TRUE(core::findMismatch(w.current()).empty());   // nothing has come in unasked
-        answer(w, "patientQuestion", QStringLiteral("Do not open it"));
+        answer(w, "patientQuestion", QStringLiteral("Do not open"));
         EXPECT_TRUE(core::findMismatch(w.current()).empty());
 
         OpenWindow agreed;
         bringIn(agreed, study, way);
-        answer(agreed, "patientQuestion", QStringLiteral("Open it all the same"));
+        answer(agreed, "patientQuestion", QStringLiteral("Open anyway"));
         EXPECT_FALSE(core::findMismatch(agreed.current()).empty());
         EXPECT_FALSE(agreed.current().shown().isSamePatient);
     }
@@ -197,12 +197,12 @@ TEST(WindowPatient, WhoIsTheSameByTheUsersWordIsToldAndTrusted)
     const Study study(Trait::Number);
     OpenWindow w;
     bringIn(w, study, WayIn::CaseFile);
-    answer(w, "patientQuestion", QStringLiteral("It is the same patient"));
+    answer(w, "patientQuestion", QStringLiteral("Open as same patient"));
     EXPECT_FALSE(core::findMismatch(w.current()).empty());
     EXPECT_TRUE(std::ranges::all_of(w.current().views, &core::View::isSamePatient));
     w.drop({study.file("other.dcm")});
     answer(w, "viewQuestion", QStringLiteral("Add as a view"));
-    answer(w, "patientQuestion", QStringLiteral("Open it all the same"));
+    answer(w, "patientQuestion", QStringLiteral("Open anyway"));
     EXPECT_TRUE(std::ranges::none_of(w.current().views, &core::View::isSamePatient)) << "the last answer counts";
 }
 
@@ -215,7 +215,7 @@ TEST(WindowPatient, TheSamePatientIsNotAskedAbout)
     OpenWindow w;
     w.drop({study.file("one.angiopose")});
     w.drop({study.scan()});
-    answer(w, "scanQuestion", QStringLiteral("Show beside the vessels"));
+    answer(w, "scanQuestion", QStringLiteral("Show with the vessels"));
     EXPECT_TRUE(w.dialogs("patientQuestion").empty());
     EXPECT_TRUE(w.current().vessels.scan);
 }
@@ -239,7 +239,7 @@ TEST(WindowPatient, StandsOverTheCaseUntilOneKeyHidesWhoItIs)
     w.drop({study.file("one.angiopose")});
     EXPECT_EQ(barOf(w), QStringLiteral("Doe Jane ID 0815 · born 1950-01-02 · F (angiogram)"));
     w.drop({study.scan()});
-    answer(w, "scanQuestion", QStringLiteral("Show beside the vessels"));
+    answer(w, "scanQuestion", QStringLiteral("Show with the vessels"));
     EXPECT_TRUE(barOf(w).endsWith(QStringLiteral("(scan, angiogram)"))) << barOf(w).toStdString();
 
     w.press(Qt::Key_P, Qt::ShiftModifier);
@@ -250,12 +250,13 @@ TEST(WindowPatient, StandsOverTheCaseUntilOneKeyHidesWhoItIs)
 
     w.drop({study.file("other.dcm")});
     answer(w, "viewQuestion", QStringLiteral("Add as a view"));
-    answer(w, "patientQuestion", QStringLiteral("Open it all the same"));
-    EXPECT_TRUE(barOf(w).startsWith(QStringLiteral("Not the same patient in all inputs"))) << barOf(w).toStdString();
+    answer(w, "patientQuestion", QStringLiteral("Open anyway"));
+    EXPECT_TRUE(barOf(w).startsWith(QStringLiteral("The inputs belong to different patients")))
+        << barOf(w).toStdString();
     EXPECT_TRUE(barOf(w).contains(QStringLiteral("ID 0815")) && barOf(w).contains(QStringLiteral("ID 4711")));
     EXPECT_TRUE(barOf(w).contains(QStringLiteral("(scan, view 1)")) && barOf(w).contains(QStringLiteral("(view 2)")));
     w.press(Qt::Key_P, Qt::ShiftModifier);
-    EXPECT_TRUE(barOf(w).startsWith(QStringLiteral("Not the same patient in all inputs")));
+    EXPECT_TRUE(barOf(w).startsWith(QStringLiteral("The inputs belong to different patients")));
     EXPECT_FALSE(barOf(w).contains(QStringLiteral("4711")));
     w.press(Qt::Key_P, Qt::ShiftModifier);
 }
@@ -272,8 +273,8 @@ TEST(WindowPatient, AViewOfAnotherExaminationIsAskedAbout)
     w.drop({study.file("one.angiopose")});
     w.drop({study.file("later.dcm")});
     answer(w, "viewQuestion", QStringLiteral("Add as a view"));
-    answer(w, "patientQuestion", QStringLiteral("Open it all the same"));
-    EXPECT_TRUE(barOf(w).startsWith(QStringLiteral("The inputs do not belong together"))) << barOf(w).toStdString();
+    answer(w, "patientQuestion", QStringLiteral("Open anyway"));
+    EXPECT_TRUE(barOf(w).startsWith(QStringLiteral("The inputs do not match"))) << barOf(w).toStdString();
 }
 
 TEST(WindowPatient, WhatIsExportedSaysThatPatientsAreMixed)
@@ -281,7 +282,7 @@ TEST(WindowPatient, WhatIsExportedSaysThatPatientsAreMixed)
     const Study study(Trait::Number);
     OpenWindow w;
     w.drop({study.file("mixed.angiopose")});
-    answer(w, "patientQuestion", QStringLiteral("Open it all the same"));
+    answer(w, "patientQuestion", QStringLiteral("Open anyway"));
     w.waitForJudgement();
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("overlay.png"));

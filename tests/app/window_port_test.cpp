@@ -38,7 +38,7 @@ protected:
 
     ui::PortDialog* security() const
     {
-        OpenWindow::clickButton(dialog, QStringLiteral("Security …"));
+        OpenWindow::clickButton(dialog, QStringLiteral("Security…"));
         const auto shown = dialog->findChildren<ui::PortDialog*>();
         EXPECT_EQ(shown.size(), 1);
         return shown.isEmpty() ? nullptr : shown.front();

@@ -92,12 +92,12 @@ TEST_F(WindowPoseFiles, AskWhoseCameraCountsWhereTheyBringAnother)
     EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, before), 0.0);
 
     w.drop({path("other.yml")});
-    OpenWindow::clickButton(w.dialogs("cameraQuestion").front(), QStringLiteral("Take the pose alone"));
+    OpenWindow::clickButton(w.dialogs("cameraQuestion").front(), QStringLiteral("Use pose only"));
     EXPECT_FALSE(w.current().shown().geometry.cameraOverride);
     expectTaken();
 
     w.drop({path("other.yml")});
-    OpenWindow::clickButton(w.dialogs("cameraQuestion").front(), QStringLiteral("Take pose and camera"));
+    OpenWindow::clickButton(w.dialogs("cameraQuestion").front(), QStringLiteral("Use pose and camera"));
     ASSERT_TRUE(w.current().shown().geometry.cameraOverride);
     EXPECT_NEAR(w.current().shown().geometry.cameraOverride->fx, other.fx, 1e-9);
     expectTaken();

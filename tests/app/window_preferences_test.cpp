@@ -62,9 +62,9 @@ TEST_F(WindowPreferences, AKeyIsChangedInTheSheetAndHoldsInTheNextWindow)
         OpenWindow w;
         const OpenSheet open(w);
         ASSERT_TRUE(open.list);
-        open.listenFor("Invert grey values");
+        open.listenFor("Invert grayscale");
         QTest::keyClick(open.list, Qt::Key_F4);
-        EXPECT_EQ(open.lineOf("Invert grey values")->text(0), QStringLiteral("F4"));
+        EXPECT_EQ(open.lineOf("Invert grayscale")->text(0), QStringLiteral("F4"));
         open.sheet->close();
         w.press(Qt::Key_F4);
         EXPECT_TRUE(w.window.actions()[ui::Command::Invert]->isChecked());
@@ -80,7 +80,7 @@ TEST_F(WindowPreferences, AKeyOfAnotherCommandIsTakenOnlyWhenPressedTwice)
 {
     OpenWindow w;
     const OpenSheet open(w);
-    open.listenFor("Invert grey values");
+    open.listenFor("Invert grayscale");
     QTest::keyClick(open.list, Qt::Key_N);
     EXPECT_TRUE(open.sheet->isListening());
     EXPECT_EQ(w.window.actions()[ui::Command::Nudge]->shortcut(), QKeySequence(Qt::Key_N));
@@ -88,7 +88,7 @@ TEST_F(WindowPreferences, AKeyOfAnotherCommandIsTakenOnlyWhenPressedTwice)
     EXPECT_EQ(w.window.actions()[ui::Command::Invert]->shortcut(), QKeySequence(Qt::Key_N));
     EXPECT_TRUE(w.window.actions()[ui::Command::Nudge]->shortcut().isEmpty());
 
-    OpenWindow::clickButton(open.sheet, QStringLiteral("Reset all keys"));
+    OpenWindow::clickButton(open.sheet, QStringLiteral("Reset all shortcuts"));
     EXPECT_EQ(w.window.actions()[ui::Command::Invert]->shortcut(), QKeySequence(Qt::Key_I));
     EXPECT_EQ(w.window.actions()[ui::Command::Nudge]->shortcut(), QKeySequence(Qt::Key_N));
 }
@@ -97,7 +97,7 @@ TEST_F(WindowPreferences, EscKeepsTheOldKeyAndKeysThatAreNeededAreRefused)
 {
     OpenWindow w;
     const OpenSheet open(w);
-    open.listenFor("Invert grey values");
+    open.listenFor("Invert grayscale");
     QTest::keyClick(open.list, Qt::Key_H);
     EXPECT_TRUE(open.sheet->isListening());
     QTest::keyClick(open.list, Qt::Key_Escape);

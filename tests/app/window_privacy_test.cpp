@@ -156,7 +156,7 @@ TEST_F(WindowPrivacy, SupportBundleIsShownAndNamesNobody)
     for (const char* secret : {"PLANTED", "Unheardof"}) {
         EXPECT_FALSE(all.contains(QLatin1String(secret))) << secret << " in " << all.toStdString();
     }
-    OpenWindow::clickButton(dialog, QStringLiteral("Save …"));
+    OpenWindow::clickButton(dialog, QStringLiteral("Save…"));
     w.saveAs(ofTest(folder.file("bundle.zip")));
 }
 

@@ -205,7 +205,7 @@ TEST(WindowRecent, PicturesAreSwitchedOff)
     }
     OpenWindow w;
     for (QCheckBox* box : w.window.findChildren<QCheckBox*>()) {
-        if (box->text() == QStringLiteral("Small pictures")) {
+        if (box->text() == QStringLiteral("Thumbnails")) {
             QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
         }
     }

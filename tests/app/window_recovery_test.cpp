@@ -109,7 +109,7 @@ TEST(WindowRecovery, DeletesOnlyWhatWasChosen)
     dialog->findChild<QTreeWidget*>()->setCurrentItem(itemOf(*dialog, QStringLiteral("Head phantom (not saved)")));
     OpenWindow::clickButton(dialog, QStringLiteral("Delete"));
     EXPECT_FALSE(QFile::exists(CrashedSessions::copyOf(2)));
-    OpenWindow::clickButton(dialog, QStringLiteral("Decide later"));
+    OpenWindow::clickButton(dialog, QStringLiteral("Not now"));
     EXPECT_TRUE(QFile::exists(CrashedSessions::copyOf(1)));
 }
 

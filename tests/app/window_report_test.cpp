@@ -37,7 +37,7 @@ protected:
         if (identity == ui::Choice::On) {
             QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
         }
-        OpenWindow::clickButton(dialog, QStringLiteral("Export …"));
+        OpenWindow::clickButton(dialog, QStringLiteral("Export…"));
         const QString path = folder.filePath(QString::fromLatin1(name));
         w.saveAs(path);
         QFile file(path);
@@ -93,7 +93,7 @@ TEST_F(WindowReport, TellsTheFiguresOfTheFrameItShows)
     const QByteArray page = written("other.html");
     EXPECT_TRUE(page.contains(words(here.value().metrics.medianMm)));
     EXPECT_FALSE(page.contains(words(thereMm)));
-    EXPECT_TRUE(page.contains(QStringLiteral("frame %1; picture and figures are of frame %2")
+    EXPECT_TRUE(page.contains(QStringLiteral("frame %1; image and values are from frame %2")
                                   .arg(foundIn + 1)
                                   .arg(w.current().shown().frame + 1)
                                   .toUtf8()));
@@ -111,7 +111,7 @@ TEST_F(WindowReport, CallsTheStartPoseSo)
 {
     w.openSample();
     w.waitForJudgement();
-    EXPECT_TRUE(written("start.html").contains("none: this is the start pose"));
+    EXPECT_TRUE(written("start.html").contains("none: this is the initial pose"));
 }
 
 TEST_F(WindowReport, IsAPdfAndJudgesAPoseSetByHand)
@@ -120,7 +120,7 @@ TEST_F(WindowReport, IsAPdfAndJudgesAPoseSetByHand)
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right);
     ASSERT_FALSE(w.current().shown().result);
-    EXPECT_TRUE(written("moved.html").contains("pose set by hand"));
+    EXPECT_TRUE(written("moved.html").contains("pose set manually"));
     const QByteArray page = written("report.pdf");
     EXPECT_TRUE(page.startsWith("%PDF"));
     EXPECT_GT(page.size(), 20000) << "the pictures are in it";
@@ -176,7 +176,7 @@ protected:
         file.write(html);
         file.close();
         ui::ReportDialog* dialog = asked();
-        OpenWindow::clickButton(dialog, QStringLiteral("Choose …"));
+        OpenWindow::clickButton(dialog, QStringLiteral("Choose…"));
         auto* files = dialog->findChild<QFileDialog*>();
         ASSERT_TRUE(files);
         files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
@@ -221,7 +221,7 @@ TEST_F(WindowReportTemplate, WhatACaseIsCalledFillsInNothing)
 TEST_F(WindowReportTemplate, TheBuiltInOneIsSavedToBeChanged)
 {
     ui::ReportDialog* dialog = asked();
-    OpenWindow::clickButton(dialog, QStringLiteral("Save a copy …"));
+    OpenWindow::clickButton(dialog, QStringLiteral("Save a copy…"));
     const QString path = folder.filePath(QStringLiteral("mine.html"));
     w.saveAs(path);
     dialog->close();
@@ -265,7 +265,7 @@ TEST_F(WindowReportTemplate, WhatMustBeSaidCannotBeLeftOut)
 TEST_F(WindowReportTemplate, AReportWithoutItsTemplateIsNotWrittenAndSaysWhy)
 {
     settings::reportTemplate.write(folder.filePath(QStringLiteral("gone.html")));
-    OpenWindow::clickButton(asked(), QStringLiteral("Export …"));
+    OpenWindow::clickButton(asked(), QStringLiteral("Export…"));
     const QString path = folder.filePath(QStringLiteral("report.html"));
     QFileDialog* files = nullptr;
     ASSERT_TRUE(

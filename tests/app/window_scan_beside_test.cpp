@@ -51,7 +51,7 @@ protected:
 
 TEST_F(WindowScanBeside, IsShownInSlicesWithTheVesselsThatAreThere)
 {
-    answer(QStringLiteral("Show beside the vessels"));
+    answer(QStringLiteral("Show with the vessels"));
     ASSERT_TRUE(w.current().vessels.scan);
     EXPECT_EQ(w.current().vessels.tree, before);
     EXPECT_TRUE(w.current().vessels.file.path.ends_with("tree.csv"));

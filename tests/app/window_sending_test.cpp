@@ -21,7 +21,7 @@ protected:
         const auto dialogs = w.dialogs("dicomDialog");
         EXPECT_EQ(dialogs.size(), 1);
         dialogs.front()->findChildren<QCheckBox*>()[1]->setChecked(false);   // pictures of a run take their time
-        OpenWindow::clickButton(dialogs.front(), QStringLiteral("Choose archive …"));
+        OpenWindow::clickButton(dialogs.front(), QStringLiteral("Choose PACS…"));
         ui::SendDialog* dialog = nullptr;
         const auto isThere = [&] {
             const auto shown = w.dialogs("archiveSendDialog");

@@ -142,7 +142,7 @@ TEST(WindowSideBySide, PosesThatAreIndependentStayAndSaySo)
     const ui::PaneTitle& title = w.images().pane(0).title();
     EXPECT_EQ(title.note(), QStringLiteral("moves along"));
     w.setTogether(false);
-    EXPECT_EQ(title.note(), QStringLiteral("pose of its own"));
+    EXPECT_EQ(title.note(), QStringLiteral("independent pose"));
     const core::RigidTransform before = w.poseOf(1);
     const QPoint to = w.drag({30, 16});
     EXPECT_GT(test::distance(w.image().cameraFromPatient(), w.poseOf(0)), 0.5);

@@ -80,7 +80,7 @@ TEST_F(WindowSlices, MakeRoomForAnAngiogramThatIsOpened)
         QTest::qWaitFor([this] { return w.current().shown().angiogram || w.dialogs("patientQuestion").size() == 1; },
                         test::patienceMs));
     for (QDialog* question : w.dialogs("patientQuestion")) {   // the scan is another patient's
-        test::OpenWindow::clickButton(question, QStringLiteral("Open it all the same"));
+        test::OpenWindow::clickButton(question, QStringLiteral("Open anyway"));
     }
     ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().shown().angiogram != nullptr; }, test::patienceMs));
     QApplication::processEvents();

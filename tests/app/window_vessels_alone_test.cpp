@@ -59,7 +59,7 @@ TEST_F(WindowVesselsAlone, AreOfferedAsCenterlinesWhereACaseCannotBeSaved)
     w.press(Qt::Key_S, Qt::ControlModifier);
     ASSERT_EQ(w.dialogs("vesselsQuestion").size(), 1);
     EXPECT_TRUE(w.dialogs("messageDialog").isEmpty());
-    OpenWindow::clickButton(w.dialogs("vesselsQuestion").front(), QStringLiteral("Save the vessels …"));
+    OpenWindow::clickButton(w.dialogs("vesselsQuestion").front(), QStringLiteral("Save vessels…"));
     const auto kept = io::readVesselTree(nameThem().toStdString());
     ASSERT_TRUE(kept) << kept.error().message;
     EXPECT_EQ(kept.value().branches.size(), 2U);
@@ -93,7 +93,7 @@ TEST_F(WindowVesselsAlone, AreSavedWhenTheWindowIsClosed)
     deleteABranch();
     w.window.close();
     ASSERT_EQ(w.dialogs("closeQuestion").size(), 1);
-    OpenWindow::clickButton(w.dialogs("closeQuestion").front(), QStringLiteral("Save the vessels and close"));
+    OpenWindow::clickButton(w.dialogs("closeQuestion").front(), QStringLiteral("Save vessels and close"));
     nameThem();
     EXPECT_TRUE(QTest::qWaitFor([this] { return !w.window.isVisible(); }, test::patienceMs));
 }

@@ -349,7 +349,7 @@ TEST(WindowViews, AViewThatHasMovedIsLookedForAndTheCaseOpensWithout)
     again.drop({path});
     const auto dialogs = again.dialogs("missingInputs");
     ASSERT_EQ(dialogs.size(), 1);
-    OpenWindow::clickButton(dialogs.front(), QStringLiteral("Open without"));
+    OpenWindow::clickButton(dialogs.front(), QStringLiteral("Open anyway"));
     EXPECT_TRUE(QTest::qWaitFor([&] { return again.current().shown().angiogram != nullptr; }, test::patienceMs));
     ASSERT_EQ(again.current().views.size(), 2U);   // kept in the case, though not seen
     EXPECT_FALSE(again.current().views[1].angiogram);

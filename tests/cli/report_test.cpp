@@ -69,7 +69,7 @@ TEST_F(CliReport, IsAPageWithPicturesVerdictAndAuthor)
     const std::string page = readText(in("report.html"));
     EXPECT_EQ(countOf(page, "data:image/png;base64,"), 2U) << "the overlay and the program's mark";
     EXPECT_GT(page.size(), 200000U) << "the overlay is large enough for print";
-    for (const char* wanted : {">Trustworthy<", "Before: start pose", "After: registered", "Colours: distance",
+    for (const char* wanted : {">Trustworthy<", "Before: initial pose", "After: registered", "Colours: distance",
                                "Median distance", "Ada &lt;MD&gt;", "identity hidden", "Not for clinical use"}) {
         EXPECT_NE(page.find(wanted), std::string::npos) << wanted;
     }
@@ -105,7 +105,7 @@ TEST_F(CliReport, OfAPoseThatIsNotToBeTrustedSaysSoAndEndsWith4)
     EXPECT_NE(start.messages.find("not trustworthy"), std::string::npos) << start.messages;
     const std::string page = readText(in("start.html"));
     EXPECT_NE(page.find(">Not trustworthy<"), std::string::npos);
-    EXPECT_EQ(page.find("Before: start pose"), std::string::npos) << "one picture: it is the start pose";
+    EXPECT_EQ(page.find("Before: initial pose"), std::string::npos) << "one picture: it is the start pose";
 
     ASSERT_EQ(runCli({"simulate", "--seed", "4", "--branches", "8", "--output", in("other")}).exitCode, 0);
     fs::copy_file(in("other/tree.vtp"), in("demo/tree.vtp"), fs::copy_options::overwrite_existing);

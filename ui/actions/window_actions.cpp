@@ -87,7 +87,7 @@ std::vector<KeyLine> WindowActions::keySheet(const MousePreset& mouse) const
     for (const MenuRows& menu : CommandTable::menus()) {
         for (const CommandRow& row : menu.commands) {
             QAction* action = actions_.at(row.command);
-            lines.push_back({tr("In the whole window"),
+            lines.push_back({tr("Anywhere in the window"),
                              QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText),
                              CommandTable::tr(row.text), action});
         }

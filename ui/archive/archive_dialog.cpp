@@ -28,11 +28,11 @@ ArchiveDialog::ArchiveDialog(QWidget* parent)
       line_(new TransferLine),
       cache_(new CacheLine),
       receive_(new ReceiveLine),
-      part_(new QPushButton(tr("Open what came"))),
+      part_(new QPushButton(tr("Open retrieved"))),
       retrieve_(new QPushButton(tr("Retrieve")))
 {
     setObjectName(QStringLiteral("archiveDialog"));
-    setWindowTitle(tr("Open from archive"));
+    setWindowTitle(tr("Query PACS"));
     setAttribute(Qt::WA_DeleteOnClose);
     resizeOnScreen(*this, archiveDialogSize);
     auto* layout = new QVBoxLayout(this);
@@ -54,11 +54,10 @@ QLayout* ArchiveDialog::makeButtons()
 {
     auto* close = new QPushButton(tr("Close"));
     part_->setProperty("role", "link");
-    part_->setToolTip(tr("Choose from the objects that arrived"));
+    part_->setToolTip(tr("Select from the received objects"));
     part_->hide();
     retrieve_->setProperty("role", "primary");
-    retrieve_->setToolTip(
-        tr("Bring the chosen studies and series here, then choose which are vessels and which views"));
+    retrieve_->setToolTip(tr("Retrieves the selected studies and series; then choose the vessels and the views"));
     auto* row = new QHBoxLayout;
     row->addWidget(cache_, 1);
     row->addWidget(part_);
@@ -82,7 +81,8 @@ void ArchiveDialog::showState()
     fields_->setSearchEnabled(isFree && hasNode);
     retrieve_->setEnabled(isFree && hasNode && !list_->selectedItems().isEmpty());
     if (list_->topLevelItemCount() == 0 && !hasNode) {
-        list_->setEmptyWords(tr("No archive is known yet. Add one: who runs it tells you host, port and AE title."));
+        list_->setEmptyWords(
+            tr("No PACS configured. Add one (ask your PACS administrator for host, port and AE title)."));
     }
 }
 

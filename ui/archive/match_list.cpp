@@ -41,7 +41,7 @@ public:
 MatchList::MatchList(QWidget* parent) : QTreeWidget(parent)
 {
     setObjectName(QStringLiteral("archiveMatches"));
-    setAccessibleName(tr("Studies and series in the archive"));
+    setAccessibleName(tr("Studies and series in the PACS"));
     setHeaderLabels({tr("Patient"), tr("ID"), tr("Date"), tr("Modality"), tr("Description"), tr("Images")});
     headerItem()->setTextAlignment(MatchImages, Qt::AlignRight | Qt::AlignVCenter);
     setSelectionMode(ExtendedSelection);
@@ -77,7 +77,7 @@ void MatchList::fill(QTreeWidgetItem& item, const MatchRow& row)
 void MatchList::addPlaceholder(QTreeWidgetItem& study)
 {
     auto* waiting = new QTreeWidgetItem(&study);
-    waiting->setText(What, tr("Looking …"));
+    waiting->setText(What, tr("Searching…"));
     waiting->setFlags(Qt::NoItemFlags);
 }
 

@@ -80,12 +80,12 @@ NodeDialog::NodeDialog(const ArchiveEntry& entry, Purpose purpose, QWidget* pare
       title_(new QLineEdit),
       ownTitle_(new QLineEdit),
       webUrl_(new QLineEdit),
-      authorization_(new PathField(tr("File with the authorization"))),
+      authorization_(new PathField(tr("Authorization file"))),
       isTls_(new QCheckBox(tr("Encrypted (TLS)"))),
-      ca_(new PathField(tr("Certificates of authorities (PEM)"))),
-      certificate_(new PathField(tr("Our certificate (PEM)"))),
-      key_(new PathField(tr("Key of our certificate (PEM)"))),
-      checksHost_(new QCheckBox(tr("Its certificate must be one of the host"))),
+      ca_(new PathField(tr("CA certificates (PEM)"))),
+      certificate_(new PathField(tr("Own certificate (PEM)"))),
+      key_(new PathField(tr("Private key of the own certificate (PEM)"))),
+      checksHost_(new QCheckBox(tr("Verify host name in certificate"))),
       receivePort_(new NumberField({0.0, 65535.0, 0, {}, 1.0})),
       answerSeconds_(new NumberField({1.0, 600.0, 0, QStringLiteral("s"), 1.0})),
       more_(new QPushButton(tr("Security, DICOMweb and more"))),
@@ -93,7 +93,7 @@ NodeDialog::NodeDialog(const ArchiveEntry& entry, Purpose purpose, QWidget* pare
       test_(new QPushButton(tr("Test connection")))
 {
     setObjectName(QStringLiteral("archiveNodeDialog"));
-    setWindowTitle(purpose == Purpose::Add ? tr("Add archive") : tr("Edit archive"));
+    setWindowTitle(purpose == Purpose::Add ? tr("Add PACS") : tr("Edit PACS"));
     setAttribute(Qt::WA_DeleteOnClose);
     further_ = makeFurther();
     more_->setProperty("role", "link");
@@ -112,7 +112,8 @@ NodeDialog::NodeDialog(const ArchiveEntry& entry, Purpose purpose, QWidget* pare
     connect(line_, &TransferLine::busyChanged, test_, &QWidget::setDisabled);
     alignNames(*this);
     fill(entry);
-    line_->showHint(tr("Ask who runs the archive for these, and have our AE title entered there."));
+    line_->showHint(
+        tr("Ask your PACS administrator for these values, and have the calling AE title registered there."));
 }
 
 void NodeDialog::addRow(QFormLayout& form, const QString& name, QWidget* field, const QString& tip)
@@ -133,18 +134,18 @@ QFormLayout* NodeDialog::makeAddress()
     name_->setMaxLength(maxNameLetters);
     title_->setMaxLength(maxAeLetters);
     ownTitle_->setMaxLength(maxAeLetters);
-    name_->setPlaceholderText(tr("PACS of radiology"));
+    name_->setPlaceholderText(tr("Radiology PACS"));
     host_->setPlaceholderText(QStringLiteral("pacs.example.org"));
     host_->setMinimumWidth(nodeFieldWidth);
     port_->setFixedWidth(90);
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(14);
     form->setVerticalSpacing(10);
-    addRow(*form, tr("Name"), name_, tr("What you call it"));
-    addRow(*form, tr("Host"), host_, tr("Name or address of its computer; empty where it is asked by DICOMweb only"));
-    addRow(*form, tr("Port"), port_, tr("104 or 11112 as a rule"));
-    addRow(*form, tr("Its AE title"), title_, tr("By which the archive wants to be called"));
-    addRow(*form, tr("Our AE title"), ownTitle_, tr("By which the archive knows this program"));
+    addRow(*form, tr("Name"), name_, tr("Name shown in this program"));
+    addRow(*form, tr("Host"), host_, tr("Host name or IP address; empty if only DICOMweb is used"));
+    addRow(*form, tr("Port"), port_, tr("Usually 104 or 11112"));
+    addRow(*form, tr("Called AE title"), title_, tr("AE title of the PACS"));
+    addRow(*form, tr("Calling AE title"), ownTitle_, tr("AE title by which the PACS knows this program"));
     return form;
 }
 
@@ -159,16 +160,16 @@ QWidget* NodeDialog::makeFurther()
     receivePort_->setFixedWidth(90);
     answerSeconds_->setFixedWidth(90);
     form->addRow(QString(), isTls_);
-    addRow(*form, tr("Authorities"), ca_, tr("PEM file; empty: those that the system trusts"));
-    addRow(*form, tr("Our certificate"), certificate_, tr("PEM file; empty: none"));
-    addRow(*form, tr("Its key"), key_, tr("PEM file; only its path is stored"));
+    addRow(*form, tr("CA certificates"), ca_, tr("PEM file; empty: CAs trusted by the system"));
+    addRow(*form, tr("Own certificate"), certificate_, tr("PEM file; empty: none"));
+    addRow(*form, tr("Private key"), key_, tr("PEM file; only its path is stored"));
     form->addRow(QString(), checksHost_);
-    addRow(*form, tr("DICOMweb address"), webUrl_, tr("Used where no host is given"));
+    addRow(*form, tr("DICOMweb address"), webUrl_, tr("Used if no host is given"));
     addRow(*form, tr("Authorization"), authorization_,
-           tr("File whose first line is sent as the header Authorization; only its path is stored"));
+           tr("File whose first line is sent as the Authorization header; only its path is stored"));
     addRow(*form, tr("Port for C-MOVE"), receivePort_,
-           tr("Only where the archive does not offer C-GET: it sends to this port of ours. 0: not used"));
-    addRow(*form, tr("Time for an answer"), answerSeconds_, tr("Afterwards the archive counts as dead"));
+           tr("Only if the PACS does not support C-GET: it sends to this local port. 0: not used"));
+    addRow(*form, tr("Response timeout"), answerSeconds_, tr("After this time the PACS counts as unreachable"));
     further->hide();
     return further;
 }

@@ -32,9 +32,9 @@ PortDialog::PortDialog(const PortEntry& entry, QWidget* parent)
       titles_(new QLineEdit),
       hosts_(new QLineEdit),
       isTls_(new QCheckBox(tr("Encrypted (TLS)"))),
-      certificate_(new PathField(tr("Our certificate (PEM)"))),
-      key_(new PathField(tr("Key of our certificate (PEM)"))),
-      ca_(new PathField(tr("Certificates trusted (PEM)"))),
+      certificate_(new PathField(tr("Own certificate (PEM)"))),
+      key_(new PathField(tr("Private key of the own certificate (PEM)"))),
+      ca_(new PathField(tr("Trusted certificates (PEM)"))),
       line_(new TransferLine)
 {
     setObjectName(QStringLiteral("archivePortDialog"));
@@ -48,7 +48,7 @@ PortDialog::PortDialog(const PortEntry& entry, QWidget* parent)
     layout->addLayout(makeButtons());
     connect(isTls_, &QCheckBox::toggled, this, &PortDialog::showState);
     fill(entry);
-    line_->showHint(tr("With TLS, callers must show a certificate that checks, and so do we."));
+    line_->showHint(tr("With TLS, both the calling application and this program must present a valid certificate."));
 }
 
 QFormLayout* PortDialog::makeForm()
@@ -65,14 +65,15 @@ QFormLayout* PortDialog::makeForm()
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(14);
     form->setVerticalSpacing(10);
-    addPortRow(*form, tr("AE titles that may call"), titles_, tr("With commas between them; empty: any"));
-    addPortRow(*form, tr("Addresses that may call"), hosts_,
-               tr("IP addresses with commas between them, as 10.0.0.7; empty: any"));
+    addPortRow(*form, tr("Allowed calling AE titles"), titles_, tr("Separated by commas; empty: any"));
+    addPortRow(*form, tr("Allowed addresses"), hosts_,
+               tr("IP addresses separated by commas, such as 10.0.0.7; empty: any"));
     form->addRow(QString(), isTls_);
-    addPortRow(*form, tr("Our certificate"), certificate_, tr("PEM file that callers see"));
-    addPortRow(*form, tr("Its key"), key_, tr("PEM file; only its path is stored"));
-    addPortRow(*form, tr("Certificates trusted"), ca_,
-               tr("PEM file by which those of callers are checked; empty: those that the system trusts"));
+    addPortRow(*form, tr("Own certificate"), certificate_, tr("PEM file shown to callers"));
+    addPortRow(*form, tr("Private key"), key_, tr("PEM file; only its path is stored"));
+    addPortRow(*form, tr("Trusted certificates"), ca_,
+               tr("PEM file used to verify the certificates of calling applications; empty: certificates trusted by "
+                  "the system"));
     return form;
 }
 

@@ -22,29 +22,29 @@ ReceiveLine::ReceiveLine(QWidget* parent)
       on_(new QCheckBox(tr("Receive on port"))),
       port_(new NumberField({1.0, 65535.0, 0, {}, 1.0})),
       title_(new QLineEdit),
-      security_(new QPushButton(tr("Security …"))),
+      security_(new QPushButton(tr("Security…"))),
       words_(roleLabel("label")),
-      open_(new QPushButton(tr("Look at them")))
+      open_(new QPushButton(tr("Show objects")))
 {
     on_->setObjectName(QStringLiteral("receiveSwitch"));
     on_->setToolTip(
-        tr("Take what modalities and archives push to this computer, until switched off or the window closes"));
+        tr("Accepts objects that modalities and PACS push to this computer, until turned off or the window is closed"));
     port_->setObjectName(QStringLiteral("receivePort"));
-    port_->setAccessibleName(tr("Port to receive on"));
+    port_->setAccessibleName(tr("Receiving port"));
     port_->setFixedWidth(90);
     title_->setObjectName(QStringLiteral("receiveTitle"));
-    title_->setAccessibleName(tr("AE title to receive as"));
-    title_->setToolTip(tr("Callers must use this AE title"));
+    title_->setAccessibleName(tr("Receiving AE title"));
+    title_->setToolTip(tr("Calling applications must use this called AE title"));
     title_->setMaxLength(maxTitleLetters);
     title_->setFixedWidth(170);
     security_->setObjectName(QStringLiteral("receiveSecurity"));
     security_->setAutoDefault(false);
-    security_->setToolTip(tr("Who may call this port, and encryption (TLS)"));
+    security_->setToolTip(tr("Sets who may connect to this port, and encryption (TLS)"));
     words_->setObjectName(QStringLiteral("receiveWords"));
     words_->setTextFormat(Qt::PlainText);   // calling AE titles are untrusted text
     words_->setWordWrap(true);
     open_->setAutoDefault(false);
-    open_->setToolTip(tr("Choose from what came"));
+    open_->setToolTip(tr("Select from the received objects"));
     open_->hide();
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -95,16 +95,16 @@ CacheLine::CacheLine(QWidget* parent)
     : QWidget(parent),
       size_(roleLabel("label")),
       limit_(new NumberField({0.1, 100000.0, 1, QStringLiteral("GB"), 1.0})),
-      empty_(new QPushButton(tr("Empty …")))
+      empty_(new QPushButton(tr("Empty…")))
 {
     size_->setObjectName(QStringLiteral("cacheSize"));
     limit_->setObjectName(QStringLiteral("cacheLimit"));
-    limit_->setAccessibleName(tr("Most that the cache keeps"));
-    limit_->setToolTip(tr("What was not used for the longest time is dropped first"));
+    limit_->setAccessibleName(tr("Maximum cache size"));
+    limit_->setToolTip(tr("The least recently used objects are deleted first"));
     limit_->setFixedWidth(110);
     empty_->setAutoDefault(false);
-    empty_->setToolTip(tr("Drop all that was retrieved"));
-    auto* label = roleLabel("label", tr("of at most"));
+    empty_->setToolTip(tr("Deletes all retrieved objects"));
+    auto* label = roleLabel("label", tr("of max."));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(size_);

@@ -38,10 +38,10 @@ QLineEdit* searchField(const QString& placeholder, const QString& tip)
 
 SearchFields::SearchFields(QWidget* parent)
     : QWidget(parent),
-      name_(searchField(tr("Meier, or *mei*"), tr("Beginning of the name; * and ? stand for any letters"))),
-      id_(searchField(QString(), tr("The patient's ID; * and ? stand for any letters"))),
-      from_(searchField(tr("2024-01-31"), tr("Studies of this day and later; empty: from the beginning"))),
-      to_(searchField(tr("2024-01-31"), tr("Studies of this day and earlier; empty: until today"))),
+      name_(searchField(tr("Meier, or *mei*"), tr("Start of the name; * and ? are wildcards"))),
+      id_(searchField(QString(), tr("Patient ID; * and ? are wildcards"))),
+      from_(searchField(tr("2024-01-31"), tr("Studies from this date on; empty: no limit"))),
+      to_(searchField(tr("2024-01-31"), tr("Studies up to this date; empty: until today"))),
       modality_(new QComboBox),
       search_(new QPushButton(tr("Search")))
 {
@@ -50,7 +50,7 @@ SearchFields::SearchFields(QWidget* parent)
         modality_->addItem(QLatin1String(modality), QLatin1String(modality));
     }
     modality_->setToolTip(tr("XA: angiograms, CT: scans"));
-    search_->setToolTip(tr("List the studies of the archive to which all of this applies"));
+    search_->setToolTip(tr("Lists the studies that match all criteria"));
     search_->setObjectName(QStringLiteral("archiveSearch"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

@@ -22,19 +22,19 @@ NodeBar::NodeBar(QWidget* parent)
     : QWidget(parent),
       nodes_(new QComboBox),
       test_(new QPushButton(tr("Test connection"))),
-      add_(new QPushButton(tr("Add …"))),
-      edit_(new QPushButton(tr("Edit …"))),
-      remove_(new QPushButton(tr("Remove …")))
+      add_(new QPushButton(tr("Add…"))),
+      edit_(new QPushButton(tr("Edit…"))),
+      remove_(new QPushButton(tr("Remove…")))
 {
     nodes_->setObjectName(QStringLiteral("archiveNodes"));
-    nodes_->setAccessibleName(tr("Archive"));
+    nodes_->setAccessibleName(tr("PACS"));
     nodes_->setMinimumWidth(220);
-    nodes_->setPlaceholderText(tr("No archive yet"));
-    test_->setToolTip(tr("Ask whether the archive answers and lets us in"));
-    add_->setToolTip(tr("Add an archive to the list; the command line uses the same list"));
-    edit_->setToolTip(tr("Host, port, titles, security"));
-    remove_->setToolTip(tr("Take the archive from the list"));
-    auto* label = roleLabel("label", tr("Archive"));
+    nodes_->setPlaceholderText(tr("No PACS yet"));
+    test_->setToolTip(tr("Checks whether the PACS responds and accepts this program"));
+    add_->setToolTip(tr("Adds a PACS to the list; the command line uses the same list"));
+    edit_->setToolTip(tr("Edits host, port, AE titles and security"));
+    remove_->setToolTip(tr("Removes the PACS from the list"));
+    auto* label = roleLabel("label", tr("PACS"));
     label->setBuddy(nodes_);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -92,12 +92,11 @@ SendDialog::SendDialog(QWidget* parent)
       send_(new QPushButton(tr("Send")))
 {
     setObjectName(QStringLiteral("archiveSendDialog"));
-    setWindowTitle(tr("Send to archive"));
+    setWindowTitle(tr("Send to PACS"));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumSize(sendDialogWidth, sendDialogHeight);
-    auto* hint =
-        roleLabel("hint", tr("The objects are made once. Sending them again after a fault sends the same ones, "
-                             "so that none is in the archive twice."));
+    auto* hint = roleLabel("hint", tr("The objects are created once. Sending again after an error sends the same "
+                                      "objects, so none is stored twice."));
     hint->setWordWrap(true);
     send_->setProperty("role", "primary");
     send_->setDefault(true);
@@ -131,8 +130,8 @@ void SendDialog::showState()
 void SendDialog::showNode()
 {
     line_->showHint(nodes_->node().isEmpty()
-                        ? tr("No archive is known yet. Add one: who runs it tells you host, port and AE title.")
-                        : tr("The objects go to %1 when you send them.").arg(nodes_->node()));
+                        ? tr("No PACS configured. Add one (ask your PACS administrator for host, port and AE title).")
+                        : tr("The objects are sent to %1 when you press Send.").arg(nodes_->node()));
     showState();
 }
 

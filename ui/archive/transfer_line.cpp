@@ -23,7 +23,7 @@ TransferLine::TransferLine(QWidget* parent)
     words_->setTextFormat(Qt::PlainText);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     stop_->setAutoDefault(false);
-    stop_->setToolTip(tr("End it; what is whole is kept"));
+    stop_->setToolTip(tr("Stops; complete objects are kept"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(10);

@@ -86,7 +86,7 @@ Section::Section(const char* name, const Words& title, Folding folding, QWidget*
         fold_->setProperty("role", "fold");
         fold_->setArrowType(Qt::DownArrow);
         fold_->setFocusPolicy(Qt::TabFocus);   // no focus rectangle after a click
-        withName(fold_, [title] { return tr("Fold %1").arg(title()); });
+        withName(fold_, [title] { return tr("Collapse or expand %1").arg(title()); });
         connect(fold_, &QToolButton::clicked, this, [this] { setFolded(!isFolded()); });
         title_->installEventFilter(this);
         hint_->installEventFilter(this);

@@ -42,7 +42,7 @@ QPushButton* anglesButton()
 SimulatedView::SimulatedView(QWidget* parent) : QWidget(parent)
 {
     setMinimumSize(190, 190);
-    withName(this, [] { return tr("The vessels from these angles"); });
+    withName(this, [] { return tr("Simulated view at these angles"); });
 }
 
 void SimulatedView::showVessels(std::shared_ptr<const core::VesselTree> tree, int branchId,
@@ -103,7 +103,7 @@ AngleDialog::AngleDialog(const GantryReach& reach, QWidget* parent)
     : QDialog(parent),
       title_(roleLabel("heading")),
       hint_(roleLabel("hint")),
-      takeOff_(new QCheckBox(tr("Only where it takes off, 10 mm around"))),
+      takeOff_(new QCheckBox(tr("Origin only (±10 mm)"))),
       plot_(new AngleMapPlot),
       view_(new SimulatedView),
       picked_(roleLabel("body")),
@@ -126,7 +126,7 @@ AngleDialog::AngleDialog(const GantryReach& reach, QWidget* parent)
     layout->addWidget(takeOff_);
     layout->addLayout(pictures, 1);
     layout->addWidget(
-        roleLabel("hint", tr("Blue: seen at full length and clear of other vessels. Amber: foreshortened or hidden.")));
+        roleLabel("hint", tr("Blue: visible at full length and free of overlap. Amber: foreshortened or overlapped.")));
     layout->addWidget(picked_);
     layout->addLayout(makeBest());
     layout->addLayout(makeReach(reach));
@@ -141,7 +141,7 @@ QLayout* AngleDialog::makeBest()
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
     row->addWidget(now_);
-    now_->setToolTip(tr("Where the gantry stood for this image."));
+    now_->setToolTip(tr("Gantry position of this image."));
     connect(now_, &QPushButton::clicked, this, [this] { emit picked(nowAt_->angles); });
     for (std::size_t i = 0; i < best_.size(); ++i) {
         best_[i] = anglesButton();
@@ -156,13 +156,13 @@ QLayout* AngleDialog::makeReach(const GantryReach& reach)
 {
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
-    row->addWidget(roleLabel("label", tr("The gantry reaches")));
+    row->addWidget(roleLabel("label", tr("Gantry limits")));
     const std::array names{"RAO", "LAO", "CAU", "CRA"};
     const std::array values{-reach.primary.fromDeg, reach.primary.toDeg, -reach.secondary.fromDeg,
                             reach.secondary.toDeg};
     for (std::size_t i = 0; i < reach_.size(); ++i) {
         reach_[i] = new NumberField({0.0, i < 2 ? 180.0 : 90.0, 0, QStringLiteral("°"), 5.0});
-        reach_[i]->setAccessibleName(tr("The gantry reaches") + QLatin1Char(' ') + QLatin1String(names[i]));
+        reach_[i]->setAccessibleName(tr("Gantry limits") + QLatin1Char(' ') + QLatin1String(names[i]));
         reach_[i]->showValue(values[i]);
         row->addWidget(roleLabel("label", QLatin1String(names[i])));
         row->addWidget(reach_[i]);
@@ -201,7 +201,7 @@ void AngleDialog::showMap(const std::optional<core::AngleMap>& map, const std::o
 void AngleDialog::showPicked(const core::AngleSuggestion& picked)
 {
     plot_->showPicked(picked.angles);
-    picked_->setText(tr("%1: foreshortened by %2 %, covered by other vessels %3 %")
+    picked_->setText(tr("%1: foreshortening %2 %, overlap %3 %")
                          .arg(angleWords(picked.angles), numberText(100.0 * picked.quality.foreshortening, 0),
                               numberText(100.0 * picked.quality.overlap, 0)));
 }

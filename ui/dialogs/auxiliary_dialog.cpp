@@ -39,9 +39,9 @@ AuxiliaryDialog::AuxiliaryDialog(QWidget* parent)
       generation_(new NumberField({0.0, 99.0, 0, {}, 1.0})),
       radius_(new NumberField({0.0, 50.0, 1, tr("mm"), 0.1})),
       byGeneration_(choiceButton(tr("Up to generation"), tr("Generation 0 begins at the root of the tree."))),
-      byRadius_(choiceButton(tr("At least this wide"), tr("By the median radius of a branch."))),
-      take_(choiceButton(tr("Choose these"), tr("Makes the suggested branches the auxiliary ones."))),
-      method_(choiceButton({}, tr("Its search alternates between the chosen branches and the whole tree.")))
+      byRadius_(choiceButton(tr("Radius at least"), tr("Uses the median radius of each branch."))),
+      take_(choiceButton(tr("Use these"), tr("Makes the suggested branches auxiliary."))),
+      method_(choiceButton({}, tr("This method alternates between the auxiliary branches and the whole tree.")))
 {
     setObjectName(QStringLiteral("auxiliaryDialog"));
     setWindowTitle(tr("Auxiliary branches"));
@@ -49,9 +49,9 @@ AuxiliaryDialog::AuxiliaryDialog(QWidget* parent)
     resize(auxiliaryDialogWidth, 1);   // height follows from the text, see showAdvice
     auto* words = wrapped("hint");
     words->setText(
-        tr("The alternating methods solve for these branches first, so choose what is filled, still and told "
-           "apart well. One image tells a branch only across its course: which ones pin which step of the "
-           "pose is computed here for the pose as it is."));
+        tr("The alternating methods solve for these branches first: choose opacified, stationary, clearly separated "
+           "branches. A view constrains a branch only perpendicular to its course; the table shows which branches "
+           "constrain each axis at the current pose."));
     auto* suggested = new QHBoxLayout;
     suggested->setSpacing(8);
     suggested->addWidget(suggestion_, 1);
@@ -80,7 +80,7 @@ QWidget* AuxiliaryDialog::makeTable()
     grid->setHorizontalSpacing(18);
     grid->setVerticalSpacing(4);
     grid->setColumnStretch(3, 1);
-    const std::array headings{tr("step"), tr("all branches"), tr("the chosen"), tr("pinned best by")};
+    const std::array headings{tr("axis"), tr("all branches"), tr("auxiliary"), tr("constrained by")};
     for (int column = 0; column < 4; ++column) {
         grid->addWidget(roleLabel("hint", headings[static_cast<std::size_t>(column)]), 0, column);
         for (int row = 0; row < 6; ++row) {
@@ -89,21 +89,22 @@ QWidget* AuxiliaryDialog::makeTable()
             grid->addWidget(cell, row + 1, column);
         }
     }
-    table->setToolTip(tr("± is one standard deviation expected of traced vessels with usual noise."));
+    table->setToolTip(tr("± is the standard deviation expected for traced vessels with typical noise."));
     return table;
 }
 
 QLayout* AuxiliaryDialog::makeWays()
 {
     generation_->setAccessibleName(tr("Last generation"));
-    radius_->setAccessibleName(tr("Smallest radius"));
+    radius_->setAccessibleName(tr("Minimum radius"));
     generation_->showValue(1.0);
     radius_->showValue(1.0);
     auto* lasso = choiceButton(withKey(tr("Lasso"), Command::Lasso),
-                               tipWithKey(tr("Draw around the branches on the image."), Command::Lasso));
-    auto* inView = choiceButton(withKey(tr("In view"), Command::AuxiliaryInView),
-                                tipWithKey(tr("The branches that lie wholly in the view."), Command::AuxiliaryInView));
-    auto* none = choiceButton(tr("None"), tr("Without chosen branches the nodes of the tree are used."));
+                               tipWithKey(tr("Draw around the branches in the image."), Command::Lasso));
+    auto* inView =
+        choiceButton(withKey(tr("In view"), Command::AuxiliaryInView),
+                     tipWithKey(tr("Selects the branches that lie completely in the view."), Command::AuxiliaryInView));
+    auto* none = choiceButton(tr("None"), tr("Without auxiliary branches, the nodes of the vessel tree are used."));
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(8);
@@ -138,9 +139,10 @@ void AuxiliaryDialog::showAdvice(const AuxiliaryAdvice& advice)
         cells_[row][3]->setText(step.pinnedBy);
         setRole(cells_[row][2], isKnown && step.stdOfChosen > 2.0 * step.stdOfAll ? "attention" : "body");
     }
-    suggestion_->setText(advice.suggestion.isEmpty()
-                             ? tr("Vessels, camera and pose are needed for a suggestion.")
-                             : tr("Suggested: %1. They tell nearly as much as all together.").arg(advice.suggestion));
+    suggestion_->setText(
+        advice.suggestion.isEmpty()
+            ? tr("A suggestion requires vessels, camera and pose.")
+            : tr("Suggested: %1. They are nearly as informative as all branches.").arg(advice.suggestion));
     take_->setEnabled(!advice.suggestion.isEmpty());
     preview_->setText(advice.preview);
     method_->setText(tr("Use %1 instead").arg(advice.otherMethod));
@@ -150,8 +152,8 @@ void AuxiliaryDialog::showAdvice(const AuxiliaryAdvice& advice)
         field->setEnabled(isPossible);
         field->setToolTip(isPossible ? QString() : whyNot);
     };
-    enable(byGeneration_, generation_, advice.generations > 0, tr("This tree knows no generations."));
-    enable(byRadius_, radius_, advice.largestRadiusMm.has_value(), tr("This tree knows no radii."));
+    enable(byGeneration_, generation_, advice.generations > 0, tr("This tree has no generation data."));
+    enable(byRadius_, radius_, advice.largestRadiusMm.has_value(), tr("This tree has no radii."));
     layout()->activate();
     if (const int needed = layout()->totalHeightForWidth(width()); needed > height()) {
         resize(width(), needed);   // wrapped labels do not report their height

@@ -26,8 +26,8 @@ BlindTrialDialog::BlindTrialDialog(const BlindTrialSetup& suggested, QWidget* pa
     : QDialog(parent),
       observer_(new QLineEdit(suggested.observer)),
       seed_(numberField(tr("Seed"), {0.0, 1e9, 0, {}, 1.0}, static_cast<double>(suggested.seed))),
-      rangeMm_(numberField(tr("Start shifted by up to"), {0.0, 200.0, 1, tr("mm"), 1.0}, suggested.rangeMm)),
-      rangeDeg_(numberField(tr("Start turned by up to"), {0.0, 90.0, 1, tr("°"), 1.0}, suggested.rangeDeg)),
+      rangeMm_(numberField(tr("Max. initial shift"), {0.0, 200.0, 1, tr("mm"), 1.0}, suggested.rangeMm)),
+      rangeDeg_(numberField(tr("Max. initial rotation"), {0.0, 90.0, 1, tr("°"), 1.0}, suggested.rangeDeg)),
       log_(new QLineEdit(suggested.logPath)),
       start_(new QPushButton(tr("Start trial")))
 {
@@ -55,8 +55,9 @@ BlindTrialDialog::BlindTrialDialog(const BlindTrialSetup& suggested, QWidget* pa
 QWidget* BlindTrialDialog::makeWords()
 {
     auto* words = roleLabel(
-        "body", tr("The vessels start at random around the pose as it is. Until Done all numbers, residual colours and "
-                   "earlier poses are out of sight; time and final pose go to the log, and the case stays as it is."));
+        "body",
+        tr("The vessels start at a random pose around the current one. Until you choose Done, all numbers, residual "
+           "colors and earlier poses are hidden. Time and final pose are logged; the case is unchanged."));
     words->setWordWrap(true);
     return words;
 }
@@ -68,8 +69,8 @@ QFormLayout* BlindTrialDialog::makeForm()
     form->setHorizontalSpacing(14);
     form->setVerticalSpacing(10);
     form->addRow(roleLabel("label", tr("Observer")), observer_);
-    form->addRow(roleLabel("label", tr("Start shifted by up to")), rangeMm_);
-    form->addRow(roleLabel("label", tr("Start turned by up to")), rangeDeg_);
+    form->addRow(roleLabel("label", tr("Max. initial shift")), rangeMm_);
+    form->addRow(roleLabel("label", tr("Max. initial rotation")), rangeDeg_);
     form->addRow(roleLabel("label", tr("Seed")), seed_);
     form->addRow(roleLabel("label", tr("Log")), makeLogRow());
     return form;
@@ -78,7 +79,7 @@ QFormLayout* BlindTrialDialog::makeForm()
 QHBoxLayout* BlindTrialDialog::makeLogRow()
 {
     log_->setAccessibleName(tr("Log"));
-    auto* choose = new QPushButton(tr("Choose …"));
+    auto* choose = new QPushButton(tr("Choose…"));
     choose->setAutoDefault(false);
     connect(choose, &QPushButton::clicked, this, &BlindTrialDialog::chooseLog);
     auto* row = new QHBoxLayout;
@@ -123,7 +124,7 @@ void BlindTrialDialog::updateButton()
 {
     const bool isComplete = !observer_->text().trimmed().isEmpty() && !log_->text().trimmed().isEmpty();
     start_->setEnabled(isComplete);
-    start_->setToolTip(isComplete ? QString() : tr("Observer and log are needed."));
+    start_->setToolTip(isComplete ? QString() : tr("Enter an observer and a log file."));
 }
 
 }   // namespace angiopose::ui

@@ -20,18 +20,18 @@ constexpr int inputListHeight = 130;
 
 PackDialog::PackDialog(QWidget* parent)
     : QDialog(parent),
-      nameless_(new QCheckBox(tr("Without identity"))),
-      shiftedDates_(new QCheckBox(tr("Dates shifted instead of removed"))),
-      blackedOut_(new QCheckBox(tr("Black out letters in the pictures"))),
+      nameless_(new QCheckBox(tr("De-identify"))),
+      shiftedDates_(new QCheckBox(tr("Shift dates instead of removing them"))),
+      blackedOut_(new QCheckBox(tr("Mask burned-in text"))),
       pseudonym_(new QLineEdit)
 {
     setObjectName(QStringLiteral("packDialog"));
-    setWindowTitle(tr("Pack case for others"));
+    setWindowTitle(tr("Share case as ZIP"));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(460);
     nameless_->setChecked(true);
     blackedOut_->setChecked(true);
-    pseudonym_->setPlaceholderText(tr("made up"));
+    pseudonym_->setPlaceholderText(tr("automatic"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
     layout->setSpacing(10);
@@ -39,15 +39,15 @@ PackDialog::PackDialog(QWidget* parent)
         layout->addWidget(box);
     }
     auto* form = new QFormLayout;
-    form->addRow(tr("Name instead"), pseudonym_);
+    form->addRow(tr("Pseudonym"), pseudonym_);
     layout->addLayout(form);
-    auto* hint =
-        roleLabel("hint", tr("One archive with the case, its inputs and its results. Without identity: no names, "
-                             "IDs, dates, private elements and notes; UIDs are replaced. Names of branches stay. "
-                             "Look at every picture before you hand it on."));
+    auto* hint = roleLabel(
+        "hint",
+        tr("One archive with the case, its inputs and its results. De-identified: without names, IDs, dates, private "
+           "elements and notes; UIDs are replaced. Branch names are kept. Review every image before sharing."));
     hint->setWordWrap(true);
     layout->addWidget(hint);
-    auto* pack = new QPushButton(tr("Pack …"));
+    auto* pack = new QPushButton(tr("Pack…"));
     layout->addLayout(dialogButtons(*this, tr("Cancel"), *pack));
     for (QWidget* further : std::initializer_list<QWidget*>{shiftedDates_, blackedOut_, pseudonym_}) {
         connect(nameless_, &QCheckBox::toggled, further, &QWidget::setEnabled);
@@ -66,8 +66,8 @@ DeidentifyDialog::DeidentifyDialog(QWidget* parent)
     : QDialog(parent),
       inputs_(new QListWidget),
       remove_(new QPushButton(tr("Remove"))),
-      shiftedDates_(new QCheckBox(tr("Dates shifted instead of removed"))),
-      blackedOut_(new QCheckBox(tr("Black out letters in the pictures"))),
+      shiftedDates_(new QCheckBox(tr("Shift dates instead of removing them"))),
+      blackedOut_(new QCheckBox(tr("Mask burned-in text"))),
       pseudonym_(new QLineEdit),
       output_(new QLineEdit),
       accept_(new QPushButton(tr("Write")))
@@ -77,9 +77,9 @@ DeidentifyDialog::DeidentifyDialog(QWidget* parent)
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(600);
     auto* hint = roleLabel(
-        "hint", tr("DICOM images and objects, PNG, JPEG and TIFF are written anew without names, IDs, "
-                   "dates, private elements and texts; UIDs are replaced. Other files are refused, and which is "
-                   "said. Look at every picture before you hand it on."));
+        "hint",
+        tr("DICOM images and objects, PNG, JPEG and TIFF are rewritten without names, IDs, dates, private elements and "
+           "texts; UIDs are replaced. Other files are skipped and listed. Review every image before sharing."));
     hint->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
@@ -99,8 +99,8 @@ QWidget* DeidentifyDialog::makeInputs()
     inputs_->setFixedHeight(inputListHeight);
     inputs_->setTextElideMode(Qt::ElideMiddle);
     inputs_->setProperty("role", "well");
-    auto* files = new QPushButton(tr("Add files …"));
-    auto* folder = new QPushButton(tr("Add folder …"));
+    auto* files = new QPushButton(tr("Add files…"));
+    auto* folder = new QPushButton(tr("Add folder…"));
     auto* buttons = new QHBoxLayout;
     for (QPushButton* button : {files, folder, remove_}) {
         button->setAutoDefault(false);
@@ -123,10 +123,10 @@ QWidget* DeidentifyDialog::makeInputs()
 QWidget* DeidentifyDialog::makeOptions()
 {
     blackedOut_->setChecked(true);
-    pseudonym_->setPlaceholderText(tr("made up"));
+    pseudonym_->setPlaceholderText(tr("automatic"));
     output_->setPlaceholderText(tr("a new or empty folder"));
-    output_->setAccessibleName(tr("Folder to write to"));
-    auto* choose = new QPushButton(tr("Choose …"));
+    output_->setAccessibleName(tr("Output folder"));
+    auto* choose = new QPushButton(tr("Choose…"));
     choose->setAutoDefault(false);
     auto* place = new QHBoxLayout;
     place->addWidget(output_, 1);
@@ -136,7 +136,7 @@ QWidget* DeidentifyDialog::makeOptions()
     form->setContentsMargins(0, 0, 0, 0);
     form->addRow(shiftedDates_);
     form->addRow(blackedOut_);
-    form->addRow(tr("Name instead"), pseudonym_);
+    form->addRow(tr("Pseudonym"), pseudonym_);
     form->addRow(tr("Write to"), place);
     connect(choose, &QPushButton::clicked, this, &DeidentifyDialog::outputWanted);
     connect(output_, &QLineEdit::textChanged, this, &DeidentifyDialog::showState);

@@ -33,11 +33,11 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
       widthLabel_(roleLabel("label", tr("Width"))),
       resolution_(new NumberField({10.0, 4800.0, 0, tr("dpi"), 50.0})),
       resulting_(roleLabel("hint")),
-      residuals_(new QCheckBox(tr("Residual colours with their scale"))),
-      identity_(new QCheckBox(tr("Patient identity in the picture"))),
-      english_(new QCheckBox(tr("Texts in English"))),
+      residuals_(new QCheckBox(tr("Residual colors with scale"))),
+      identity_(new QCheckBox(tr("Patient identity in the image"))),
+      english_(new QCheckBox(tr("English labels"))),
       cutout_(new QCheckBox(tr("Swipe or lens as in the window"))),
-      startBeside_(new QCheckBox(tr("Start pose beside it: before and after")))
+      startBeside_(new QCheckBox(tr("Side by side with initial pose")))
 {
     setObjectName(QStringLiteral("exportDialog"));
     setWindowTitle(tr("Export overlay"));
@@ -46,19 +46,19 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
     size_->addItems({tr("As in the window"), tr("1024 px wide"), tr("2048 px wide"), tr("Other width")});
     width_->showValue(1600.0);
     part_->setObjectName(QStringLiteral("exportPart"));
-    part_->addItems({tr("Vessels over the image"), tr("The image alone"), tr("Grey values of the image, 16 bit")});
+    part_->addItems({tr("Vessels over the image"), tr("Image only"), tr("16-bit gray values of the image")});
     format_->setObjectName(QStringLiteral("exportFormat"));
-    format_->addItems({tr("PNG, pixels"), tr("SVG, lines and texts"), tr("PDF, lines and texts")});
+    format_->addItems({tr("PNG (raster)"), tr("SVG (vector)"), tr("PDF (vector)")});
 
-    auto* notice = roleLabel("hint", tr("The picture says “Not for clinical use” (grey values of 16 bit in their text "
-                                        "fields alone) and carries inputs, method and pose."));
+    auto* notice = roleLabel("hint", tr("The image is labeled “Not for clinical use”; inputs, method and pose are "
+                                        "stored in its metadata. (16-bit: metadata only)"));
     notice->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
     layout->setSpacing(14);
     layout->addLayout(makeForm());
     layout->addWidget(notice);
-    layout->addLayout(dialogButtons(*this, tr("Cancel"), *new QPushButton(tr("Export …"))));
+    layout->addLayout(dialogButtons(*this, tr("Cancel"), *new QPushButton(tr("Export…"))));
     connect(size_, &QComboBox::currentIndexChanged, this, &ExportDialog::showSize);
     connect(part_, &QComboBox::currentIndexChanged, this, &ExportDialog::showPart);
     connect(resolution_, &NumberField::edited, this, &ExportDialog::showSize);
@@ -74,11 +74,11 @@ QFormLayout* ExportDialog::makeForm()
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(14);
     form->setVerticalSpacing(10);
-    form->addRow(roleLabel("label", tr("Picture")), part_);
+    form->addRow(roleLabel("label", tr("Content")), part_);
     form->addRow(roleLabel("label", tr("File")), format_);
     form->addRow(roleLabel("label", tr("Size")), size_);
     form->addRow(widthLabel_, width_);
-    form->addRow(roleLabel("label", tr("In print")), resolution_);
+    form->addRow(roleLabel("label", tr("Print resolution")), resolution_);
     for (QWidget* line :
          std::initializer_list<QWidget*>{resulting_, residuals_, startBeside_, cutout_, identity_, english_}) {
         form->addRow(QString(), line);
@@ -157,7 +157,7 @@ void ExportDialog::showSize()
     widthLabel_->setVisible(isCustom);
     const ExportChoice wanted = choice();
     if (wanted.part == PicturePart::Frame16) {
-        resulting_->setText(tr("as large as the frame"));
+        resulting_->setText(tr("same size as the frame"));
         return;
     }
     const double cmPerPx = 2.54 / wanted.dotsPerInch;
@@ -167,23 +167,23 @@ void ExportDialog::showSize()
             .arg(std::lround(wanted.widthPx * aspect_))
             .arg(numberText(cmPerPx * wanted.widthPx, 1), numberText(cmPerPx * wanted.widthPx * aspect_, 1));
     const bool isTwice = startBeside_->isChecked() && wanted.part == PicturePart::Overlay;
-    resulting_->setText(isTwice ? tr("twice %1").arg(size) : size);
+    resulting_->setText(isTwice ? tr("two images, %1 each").arg(size) : size);
 }
 
 DicomDialog::DicomDialog(const std::vector<DicomPart>& possible, DicomPurpose purpose, QWidget* parent)
     : QDialog(parent),
-      boxes_{new QCheckBox(tr("Picture of the overlay (Secondary Capture)")),
-             new QCheckBox(tr("Pictures of the run (Secondary Capture)")),
+      boxes_{new QCheckBox(tr("Overlay image (Secondary Capture)")),
+             new QCheckBox(tr("Images of the run (Secondary Capture)")),
              new QCheckBox(tr("Report (PDF)")),
              new QCheckBox(tr("Vessels as lines on the stored image (Presentation State)")),
              new QCheckBox(tr("Pose (Spatial Registration)")),
              new QCheckBox(tr("Vessels in the scan (Segmentation)")),
              new QCheckBox(tr("Measurements (Structured Report)"))},
-      identity_(new QCheckBox(tr("Patient identity in pictures and report"))),
-      export_(new QPushButton(purpose == DicomPurpose::Send ? tr("Choose archive …") : tr("Export …")))
+      identity_(new QCheckBox(tr("Patient identity in images and report"))),
+      export_(new QPushButton(purpose == DicomPurpose::Send ? tr("Choose PACS…") : tr("Export…")))
 {
     setObjectName(QStringLiteral("dicomDialog"));
-    setWindowTitle(purpose == DicomPurpose::Send ? tr("Send to archive") : tr("Export DICOM objects"));
+    setWindowTitle(purpose == DicomPurpose::Send ? tr("Send to PACS") : tr("Export DICOM objects"));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(460);
     auto* layout = new QVBoxLayout(this);
@@ -196,14 +196,13 @@ DicomDialog::DicomDialog(const std::vector<DicomPart>& possible, DicomPurpose pu
         layout->addWidget(boxes_[i]);
         connect(boxes_[i], &QCheckBox::toggled, this, &DicomDialog::showState);
     }
-    auto* rigid = roleLabel(
-        "hint", purpose == DicomPurpose::Send
-                    ? tr("A Spatial Registration is a rigid matrix: it cannot hold the perspective camera, which "
-                         "stands in its private elements. The file camera.json is not sent.")
-                    : tr("A Spatial Registration is a rigid matrix: it cannot hold the perspective camera, "
-                         "which is written beside it as camera.json."));
-    auto* passedOn = roleLabel("hint", tr("Every object names the patient in its header, as its image does, whatever "
-                                          "its pictures show. Each is a new instance in the study of its image."));
+    auto* rigid = roleLabel("hint", purpose == DicomPurpose::Send
+                                        ? tr("A Spatial Registration holds only a rigid matrix. The perspective camera "
+                                             "is stored in its private elements. The file camera.json is not sent.")
+                                        : tr("A Spatial Registration holds only a rigid matrix. The perspective camera "
+                                             "is written to camera.json next to it."));
+    auto* passedOn = roleLabel("hint", tr("DICOM headers contain the patient's identity even if the images do not show "
+                                          "it. Each object is a new instance in the study of its image."));
     layout->addSpacing(8);
     layout->addWidget(identity_);
     for (QLabel* hint : {rigid, passedOn}) {

@@ -27,13 +27,13 @@ QString headingOf(FitExample example)
         case FitExample::Right:
             return GoodFit::tr("Good: everything fits");
         case FitExample::Unopacified:
-            return GoodFit::tr("Good: branches unfilled");
+            return GoodFit::tr("Good: unopacified branches");
         case FitExample::Deformed:
             return GoodFit::tr("Good: vessels have moved");
         case FitExample::Shifted:
             return GoodFit::tr("Bad: shifted");
         case FitExample::Turned:
-            return GoodFit::tr("Bad: turned");
+            return GoodFit::tr("Bad: rotated");
         case FitExample::Tilted:
             break;
     }
@@ -44,19 +44,23 @@ QString sentenceOf(FitExample example)
 {
     switch (example) {
         case FitExample::Right:
-            return GoodFit::tr("Lines run in the middle of their vessels, blue all along, into the side branches too.");
+            return GoodFit::tr(
+                "Lines run along the middle of their vessels, blue throughout, including the side branches.");
         case FitExample::Unopacified:
-            return GoodFit::tr("Amber only where this frame shows no contrast; every filled vessel is blue.");
+            return GoodFit::tr(
+                "Amber only where there is no contrast agent in this frame; every opacified vessel is blue.");
         case FitExample::Deformed:
-            return GoodFit::tr("Small differences to both sides: beating and breathing. No rigid pose does better.");
+            return GoodFit::tr(
+                "Small deviations to both sides, from heartbeat and breathing. No rigid pose fits better.");
         case FitExample::Shifted:
-            return GoodFit::tr("All lines miss to the same side. Register again, or nudge with the arrows.");
+            return GoodFit::tr("All lines are off to the same side. Register again, or nudge with the arrow keys.");
         case FitExample::Turned:
-            return GoodFit::tr("Fits in the middle and misses more and more outwards: turned in the image plane.");
+            return GoodFit::tr(
+                "Fits in the middle and deviates more and more toward the edges: rotated in the image plane.");
         case FitExample::Tilted:
             break;
     }
-    return GoodFit::tr("The trunk fits, side branches point elsewhere: LAO/RAO or CRA/CAU are off.");
+    return GoodFit::tr("The trunk fits, but side branches point elsewhere: LAO/RAO or CRA/CAU is wrong.");
 }
 
 }   // namespace
@@ -64,7 +68,7 @@ QString sentenceOf(FitExample example)
 GoodFit::GoodFit(QWidget* parent) : QDialog(parent)
 {
     setObjectName(QStringLiteral("goodFit"));
-    setWindowTitle(tr("What a good fit looks like"));
+    setWindowTitle(tr("Examples of good and bad fits"));
     setAttribute(Qt::WA_DeleteOnClose);
     auto* pictures = new QWidget;
     auto* grid = new QGridLayout(pictures);
@@ -74,7 +78,7 @@ GoodFit::GoodFit(QWidget* parent) : QDialog(parent)
     for (int i = 0; i < fitExampleCount; ++i) {
         grid->addWidget(makeCell(static_cast<FitExample>(i)), i / 3, i % 3);
     }
-    auto* note = roleLabel("hint", tr("Simulated vessels. Blue lies on a vessel, amber 2 mm off or more."));
+    auto* note = roleLabel("hint", tr("Simulated vessels. Blue: on a vessel. Amber: 2 mm off or more."));
     auto* close = new QPushButton(tr("Close"));
     close->setProperty("role", "primary");
     close->setDefault(true);
@@ -102,7 +106,7 @@ GoodFit::GoodFit(QWidget* parent) : QDialog(parent)
 QWidget* GoodFit::makeCell(FitExample example)
 {
     auto* cell = new QWidget;
-    auto* picture = roleLabel("hint", tr("drawing …"));
+    auto* picture = roleLabel("hint", tr("drawing…"));
     picture->setFixedSize(picturePx, picturePx);
     picture->setAlignment(Qt::AlignCenter);
     picture->setAccessibleName(headingOf(example));

@@ -73,20 +73,20 @@ KeySheet::KeySheet(std::vector<KeyLine> lines, QWidget* parent)
     : QDialog(parent), search_(new QLineEdit), list_(new QTreeWidget), word_(roleLabel("hint"))
 {
     setObjectName(QStringLiteral("keySheet"));
-    setWindowTitle(tr("Keys"));
+    setWindowTitle(tr("Keyboard shortcuts"));
     setAttribute(Qt::WA_DeleteOnClose);
-    search_->setPlaceholderText(tr("Search keys and what they do"));
-    search_->setAccessibleName(tr("Search keys"));
+    search_->setPlaceholderText(tr("Search shortcuts and commands"));
+    search_->setAccessibleName(tr("Search shortcuts"));
     search_->setClearButtonEnabled(true);
     list_->setColumnCount(2);
     list_->setHeaderHidden(true);
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
-    list_->setAccessibleName(tr("Keys and what they do"));
+    list_->setAccessibleName(tr("Shortcuts and their commands"));
     list_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     list_->installEventFilter(this);
     word_->setWordWrap(true);
-    auto* reset = new QPushButton(tr("Reset all keys"));
+    auto* reset = new QPushButton(tr("Reset all shortcuts"));
     auto* close = new QPushButton(tr("Close"));
     close->setProperty("role", "primary");
     for (QPushButton* button : {reset, close}) {
@@ -141,8 +141,8 @@ void KeySheet::showMatching()
         heading->setFirstColumnSpanned(true);
     }
     list_->setCurrentItem(list_->topLevelItem(std::max(0, place)));
-    stopListening(list_->topLevelItemCount() == 0 ? tr("No key for “%1”.").arg(search_->text())
-                                                  : tr("Enter or double-click on a line takes a new key for it."));
+    stopListening(list_->topLevelItemCount() == 0 ? tr("No shortcut for “%1”.").arg(search_->text())
+                                                  : tr("Double-click a command or press Enter to assign a shortcut."));
 }
 
 const KeyLine* KeySheet::lineOf(const QTreeWidgetItem* item) const
@@ -163,13 +163,13 @@ void KeySheet::listenFor(QTreeWidgetItem* item)
 {
     const KeyLine* line = lineOf(item);
     if (!line || !line->action) {
-        stopListening(line ? tr("This key is fixed.") : QString());
+        stopListening(line ? tr("This shortcut is fixed.") : QString());
         return;
     }
     listening_ = line->action;
     warnedOf_ = {};
     setRole(word_, "attention");
-    word_->setText(tr("Press the new key for “%1”. Esc keeps the old one, Delete leaves none.").arg(line->effect));
+    word_->setText(tr("Press the new shortcut for “%1”. Esc keeps the old one, Delete removes it.").arg(line->effect));
 }
 
 void KeySheet::stopListening(const QString& word)
@@ -191,7 +191,7 @@ bool KeySheet::eventFilter(QObject* watched, QEvent* event)
         return true;
     }
     if (pressed->key() == Qt::Key_Escape) {
-        stopListening(tr("The old key stays."));
+        stopListening(tr("The old shortcut is kept."));
     } else if (pressed->key() == Qt::Key_Delete) {
         take({});
     } else {
@@ -204,19 +204,19 @@ void KeySheet::take(const QKeySequence& key)
 {
     const QString name = key.toString(QKeySequence::NativeText);
     if (isReserved(key)) {
-        word_->setText(tr("“%1” is needed elsewhere. Press another key.").arg(name));
+        word_->setText(tr("“%1” is reserved. Press another key.").arg(name));
         return;
     }
     const KeyLine* owner = key.isEmpty() ? nullptr : takenBy(key);
     if (owner && warnedOf_ != key) {
         warnedOf_ = key;
-        word_->setText(tr("“%1” belongs to “%2”. Press it again to take it from there, or press another key.")
+        word_->setText(tr("“%1” is assigned to “%2”. Press it again to reassign it, or press another key.")
                            .arg(name, owner->effect));
         return;
     }
     QAction* action = std::exchange(listening_, nullptr);
     emit keyChosen(action, key);
-    stopListening(key.isEmpty() ? tr("No key any more.") : tr("The key is “%1” now.").arg(name));
+    stopListening(key.isEmpty() ? tr("Shortcut removed.") : tr("The shortcut is now “%1”.").arg(name));
 }
 
 }   // namespace angiopose::ui

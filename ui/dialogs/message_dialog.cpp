@@ -132,7 +132,7 @@ MessageHistory::MessageHistory(const MessageLog& messages, QWidget* parent) : QD
     }
     auto* text = new QTextEdit;
     text->setReadOnly(true);
-    text->setPlaceholderText(tr("Nothing has been told yet."));
+    text->setPlaceholderText(tr("No messages yet."));
     text->setPlainText(lines.join(QLatin1Char('\n')));
     indentBehindTime(*text);
     text->moveCursor(QTextCursor::End);

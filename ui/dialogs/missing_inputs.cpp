@@ -18,21 +18,20 @@ MissingInputs::MissingInputs(const QString& caseName, const QStringList& missing
     : QDialog(parent),
       startFolder_(startFolder),
       open_(new QPushButton(tr("Open"))),
-      without_(new QPushButton(tr("Open without")))
+      without_(new QPushButton(tr("Open anyway")))
 {
     setObjectName(QStringLiteral("missingInputs"));
-    setWindowTitle(tr("Where are the inputs?"));
+    setWindowTitle(tr("Inputs not found"));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(missingInputsWidth);
-    auto* words = roleLabel(
-        "body", tr("“%1” refers to files that are not where they were, and a search beside it and among recent cases "
-                   "did not find them. The case itself is unharmed.")
-                    .arg(caseName));
+    auto* words = roleLabel("body", tr("“%1” refers to files that are no longer in their place. A search next to the "
+                                       "case and among recent cases did not find them. The case itself is undamaged.")
+                                        .arg(caseName));
     words->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
     layout->setSpacing(12);
-    layout->addWidget(roleLabel("heading", tr("Where are the inputs?")));
+    layout->addWidget(roleLabel("heading", tr("Inputs not found")));
     layout->addWidget(words);
     for (const QString& path : missing) {
         layout->addLayout(makeRow(path));
@@ -46,7 +45,7 @@ QLayout* MissingInputs::makeRow(const QString& wanted)
     auto* name = roleLabel("strong", file.fileName());
     auto* place = roleLabel("hint", tr("was in %1").arg(file.absolutePath()));
     place->setWordWrap(true);
-    auto* locateButton = new QPushButton(tr("Locate …"));
+    auto* locateButton = new QPushButton(tr("Locate…"));
     locateButton->setAccessibleName(tr("Locate %1").arg(file.fileName()));
     locateButton->setAutoDefault(false);
     auto* texts = new QVBoxLayout;
@@ -63,8 +62,8 @@ QLayout* MissingInputs::makeRow(const QString& wanted)
 
 QLayout* MissingInputs::makeButtons()
 {
-    auto* search = new QPushButton(tr("Search a folder …"));
-    search->setToolTip(tr("Looks in the folder and all below it, by name and by content."));
+    auto* search = new QPushButton(tr("Search a folder…"));
+    search->setToolTip(tr("Searches the folder and its subfolders by name and content."));
     search->setAutoDefault(false);
     auto* cancel = new QPushButton(tr("Cancel"));
     cancel->setAutoDefault(false);
@@ -78,7 +77,8 @@ QLayout* MissingInputs::makeButtons()
     buttons->addWidget(cancel);
     buttons->addWidget(without_);
     without_->setAutoDefault(false);
-    without_->setToolTip(tr("What is missing is a scan beside the vessels, or another view: the rest opens."));
+    without_->setToolTip(
+        tr("Only a scan in addition to the vessels, or another view, is missing. Everything else opens."));
     without_->hide();
     connect(without_, &QPushButton::clicked, this, [this] {
         accept();

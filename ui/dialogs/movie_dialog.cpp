@@ -29,12 +29,12 @@ MovieDialog::MovieDialog(MovieOffer offer, QWidget* parent)
       part_(new QComboBox),
       format_(new QComboBox),
       width_(new NumberField({64.0, 8192.0, 0, QStringLiteral("px"), 64.0})),
-      rate_(new NumberField({slowest, fastest, 1, tr("pictures a second"), 1.0})),
+      rate_(new NumberField({slowest, fastest, 1, tr("frames per second"), 1.0})),
       outcome_(roleLabel("hint")),
-      residuals_(new QCheckBox(tr("Residual colours with their scale"))),
-      identity_(new QCheckBox(tr("Patient identity in the pictures"))),
-      english_(new QCheckBox(tr("Texts in English"))),
-      export_(new QPushButton(tr("Export …")))
+      residuals_(new QCheckBox(tr("Residual colors with scale"))),
+      identity_(new QCheckBox(tr("Patient identity in the frames"))),
+      english_(new QCheckBox(tr("English labels"))),
+      export_(new QPushButton(tr("Export…")))
 {
     setObjectName(QStringLiteral("movieDialog"));
     setWindowTitle(tr("Export movie"));
@@ -46,9 +46,9 @@ MovieDialog::MovieDialog(MovieOffer offer, QWidget* parent)
     outcome_->setObjectName(QStringLiteral("movieOutcome"));
     outcome_->setWordWrap(true);
     fillParts();
-    format_->addItems({tr("MP4, for players and slides"), tr("GIF, for pages; starts again by itself")});
-    auto* notice = roleLabel("hint", tr("Every picture says “Not for clinical use”, whose pose it shows, and whether "
-                                        "that is trusted."));
+    format_->addItems({tr("MP4, for players and slides"), tr("GIF, for web pages; loops automatically")});
+    auto* notice = roleLabel("hint", tr("Each frame is labeled “Not for clinical use” with the source of its pose and "
+                                        "whether the pose is reliable."));
     notice->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
@@ -68,12 +68,12 @@ MovieDialog::MovieDialog(MovieOffer offer, QWidget* parent)
 void MovieDialog::fillParts()
 {
     if (offer_.hasRun) {
-        part_->addItem(tr("The overlay through the run"), static_cast<int>(MoviePart::Run));
+        part_->addItem(tr("Overlay through the run"), static_cast<int>(MoviePart::Run));
     }
     if (offer_.hasConvergence) {
-        part_->addItem(tr("How the registration converged"), static_cast<int>(MoviePart::Convergence));
+        part_->addItem(tr("Convergence of the registration"), static_cast<int>(MoviePart::Convergence));
     }
-    part_->addItem(tr("The vessels alone, turning once"), static_cast<int>(MoviePart::Turn));
+    part_->addItem(tr("Vessels only, one full rotation"), static_cast<int>(MoviePart::Turn));
 }
 
 QFormLayout* MovieDialog::makeForm()
@@ -128,7 +128,7 @@ void MovieDialog::showOutcome()
     const MovieChoice wanted = choice();
     residuals_->setVisible(wanted.part == MoviePart::Convergence);
     const MovieOffer::Outcome outcome = offer_.outcomeOf(wanted);
-    const QString length = tr("%1 pictures, %2 s, %3 × %4 px")
+    const QString length = tr("%1 frames, %2 s, %3 × %4 px")
                                .arg(outcome.pictures)
                                .arg(numberText(outcome.seconds, 1))
                                .arg(outcome.size.width())

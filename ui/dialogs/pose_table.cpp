@@ -86,13 +86,13 @@ PoseTable::PoseTable(QWidget* parent)
     : QDialog(parent),
       table_(new QTreeWidget),
       reference_(roleLabel("hint")),
-      run_(button(tr("Run"), tr("Runs the ticked methods one after the other from the pose as it is."))),
-      stop_(button(tr("Stop"), tr("Stops the running method and skips the rest; what is finished stays."))),
+      run_(button(tr("Run"), tr("Runs the selected methods one after another from the current pose."))),
+      stop_(button(tr("Stop"), tr("Stops the running method and skips the rest; finished results are kept."))),
       progress_(new QProgressBar),
       words_(roleLabel("hint")),
-      restore_(button(tr("Restore"), tr("Moves the vessels there; undo takes it back."))),
-      makeReference_(button(tr("Use as reference"), tr("Differences are told from this pose."))),
-      remove_(button(tr("Delete"), tr("Removes the snapshots; undo brings them back.")))
+      restore_(button(tr("Restore"), tr("Moves the vessels to this pose; undo reverts it."))),
+      makeReference_(button(tr("Use as reference"), tr("Shows differences relative to this pose."))),
+      remove_(button(tr("Delete"), tr("Deletes the snapshots; undo restores them.")))
 {
     setObjectName(QStringLiteral("poseTable"));
     setWindowTitle(tr("Compare poses"));
@@ -104,8 +104,8 @@ PoseTable::PoseTable(QWidget* parent)
     table_->setAlternatingRowColors(true);
     table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     table_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
-    table_->setHeaderLabels({tr("Pose"), tr("Method"), tr("median mm"), tr("95 % mm"), tr("covered %"),
-                             tr("Δ in plane mm"), tr("Δ depth mm"), tr("Δ turn °"), tr("run ms"), tr("Author"),
+    table_->setHeaderLabels({tr("Pose"), tr("Method"), tr("median mm"), tr("P95 mm"), tr("coverage %"),
+                             tr("Δ in-plane mm"), tr("Δ depth mm"), tr("Δ rot. °"), tr("time ms"), tr("Author"),
                              tr("When"), tr("Note")});
     for (int column = PoseMedian; column <= PoseTime; ++column) {
         table_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
@@ -141,7 +141,7 @@ PoseTable::PoseTable(QWidget* parent)
 
 QLayout* PoseTable::makeButtons()
 {
-    auto* exportTable = button(tr("Export CSV …"), tr("Writes the table with poses as matrices."));
+    auto* exportTable = button(tr("Export CSV…"), tr("Writes the table with the poses as matrices."));
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
     for (QPushButton* each : {restore_, makeReference_, remove_}) {
@@ -160,7 +160,7 @@ QWidget* PoseTable::makeMethods()
 {
     auto* section = new Section(
         "poseTable/methods", [] { return tr("Run several methods"); }, Folding::Foldable);
-    section->setHint(tr("each leaves its pose in the table; the case keeps its own"));
+    section->setHint(tr("Results are added to the table; the case is unchanged"));
     section->layout()->setContentsMargins(0, 4, 0, 0);
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(16);
@@ -195,7 +195,7 @@ void PoseTable::fillRow(QTreeWidgetItem& item, const PoseRow& row, bool isRefere
     const core::PoseSnapshot& snapshot = row.snapshot;
     item.setData(PoseName, poseIdRole, snapshot.id);
     item.setSizeHint(PoseNote, {0, table_->fontMetrics().height() + poseRowSpacing});   // the stretching column
-    item.setText(PoseName, snapshot.id == 0 ? tr("The pose as it is") : QString::fromStdString(snapshot.name));
+    item.setText(PoseName, snapshot.id == 0 ? tr("Current pose") : QString::fromStdString(snapshot.name));
     item.setText(PoseMethod, methodWords(snapshot.method));
     const auto& metrics = snapshot.metrics;
     setNumber(item, PoseMedian, metrics ? std::optional(metrics->medianMm) : std::nullopt, 2);
@@ -211,7 +211,7 @@ void PoseTable::fillRow(QTreeWidgetItem& item, const PoseRow& row, bool isRefere
     item.setText(PoseNote, QString::fromStdString(snapshot.note));
     if (metrics && !metrics->isTrustworthy) {
         item.setForeground(PoseMedian, toQColor(activePalette().attention));
-        item.setToolTip(PoseMedian, tr("This fit was not trustworthy."));
+        item.setToolTip(PoseMedian, tr("This registration is not reliable."));
     }
     if (isReference) {
         QFont strong = table_->font();
@@ -234,9 +234,9 @@ void PoseTable::showRows(const std::vector<PoseRow>& rows, int referenceId)
         fillRow(*item, row, row.snapshot.id == referenceId);
         item->setSelected(selected.contains(row.snapshot.id));
         if (row.snapshot.id == referenceId) {
-            reference_->setText(tr("Differences are told from “%1”, about the centre of the tree. Amber: not "
-                                   "trustworthy.")
-                                    .arg(item->text(PoseName)));
+            reference_->setText(
+                tr("Differences are relative to “%1”, about the center of the tree. Amber: not reliable.")
+                    .arg(item->text(PoseName)));
         }
     }
     table_->header()->setSortIndicator(isFirst ? -1 : table_->header()->sortIndicatorSection(),

@@ -34,12 +34,12 @@ PruneDialog::PruneDialog(std::function<int(const PruneLimits&)> countGone, QWidg
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
     layout->setSpacing(12);
-    layout->addWidget(roleLabel("heading", tr("Remove end branches that are")));
+    layout->addWidget(roleLabel("heading", tr("Remove terminal branches that are")));
     length_->setAccessibleName(tr("shorter than"));
-    radius_->setAccessibleName(tr("on average thinner than (radius)"));
+    radius_->setAccessibleName(tr("thinner than (mean radius)"));
     auto* form = new QFormLayout;
     form->addRow(tr("shorter than"), length_);
-    form->addRow(tr("on average thinner than (radius)"), radius_);
+    form->addRow(tr("thinner than (mean radius)"), radius_);
     layout->addLayout(form);
     count_->setMinimumWidth(320);
     layout->addWidget(count_);
@@ -70,10 +70,10 @@ void PruneDialog::showCount()
     limits_.minLengthMm = numberIn(*length_, limits_.minLengthMm);
     limits_.minRadiusMm = numberIn(*radius_, limits_.minRadiusMm);
     const int gone = countGone_(limits_);
-    count_->setText(gone < 0    ? tr("Nothing would be left. Lower the limits.")
-                    : gone == 0 ? tr("No branch goes.")
-                    : gone == 1 ? tr("1 branch goes.")
-                                : tr("%1 branches go.").arg(gone));
+    count_->setText(gone < 0    ? tr("No branch would remain. Lower the limits.")
+                    : gone == 0 ? tr("Nothing to remove.")
+                    : gone == 1 ? tr("1 branch will be removed.")
+                                : tr("%1 branches will be removed.").arg(gone));
     prune_->setEnabled(gone > 0);
 }
 

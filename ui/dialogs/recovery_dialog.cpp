@@ -26,10 +26,10 @@ RecoveryDialog::RecoveryDialog(const std::vector<RecoveryRow>& rows, QWidget* pa
     setWindowTitle(tr("Recover unsaved work?"));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(recoveryDialogWidth);
-    auto* words = roleLabel("body", tr("AngioPose ended unexpectedly. These cases had changes that were not saved; "
-                                       "recovering opens the copy and leaves the saved case as it is."));
+    auto* words = roleLabel("body", tr("AngioPose ended unexpectedly. These cases had unsaved changes. Recover opens "
+                                       "the copy and leaves the saved case unchanged."));
     words->setWordWrap(true);
-    auto* later = new QPushButton(tr("Decide later"));
+    auto* later = new QPushButton(tr("Not now"));
     later->setAutoDefault(false);
     discard_->setAutoDefault(false);
     recover_->setProperty("role", "primary");

@@ -15,8 +15,8 @@ namespace angiopose::ui {
 ReportDialog::ReportDialog(const ReportChoice& choice, QWidget* parent)
     : QDialog(parent),
       template_(new ElidedLabel("body")),
-      builtIn_(new QPushButton(tr("Built-in one"))),
-      identity_(new QCheckBox(tr("Patient identity on the report")))
+      builtIn_(new QPushButton(tr("Use built-in"))),
+      identity_(new QCheckBox(tr("Patient identity in the report")))
 {
     setObjectName(QStringLiteral("reportDialog"));
     setWindowTitle(tr("Export report"));
@@ -24,10 +24,10 @@ ReportDialog::ReportDialog(const ReportChoice& choice, QWidget* parent)
     setMinimumWidth(460);
     template_->setObjectName(QStringLiteral("reportTemplate"));
     identity_->setChecked(choice.identity == Choice::On);
-    auto* passedOn = roleLabel("hint", tr("Reports are passed on. Without identity they name nobody."));
+    auto* passedOn = roleLabel("hint", tr("Leave off before sharing: the report is then anonymous."));
     passedOn->setWordWrap(true);
-    auto* about = roleLabel("hint", tr("A template is a page of HTML with your letterhead and logo. Save the built-in "
-                                       "one and change the copy: it tells how."));
+    auto* about = roleLabel("hint", tr("Templates are HTML pages with your letterhead and logo. Save a copy of the "
+                                       "built-in template and edit it; instructions are inside."));
     about->setWordWrap(true);
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(14);
@@ -41,7 +41,7 @@ ReportDialog::ReportDialog(const ReportChoice& choice, QWidget* parent)
     layout->setContentsMargins(22, 20, 22, 16);
     layout->setSpacing(14);
     layout->addLayout(form);
-    layout->addLayout(dialogButtons(*this, tr("Cancel"), *new QPushButton(tr("Export …"))));
+    layout->addLayout(dialogButtons(*this, tr("Cancel"), *new QPushButton(tr("Export…"))));
     connect(builtIn_, &QPushButton::clicked, this, [this] { showTemplate({}); });
     connect(this, &QDialog::accepted, this, [this] { emit chosen(this->choice()); });
     showTemplate(choice.templatePath);
@@ -49,9 +49,9 @@ ReportDialog::ReportDialog(const ReportChoice& choice, QWidget* parent)
 
 QHBoxLayout* ReportDialog::makeTemplateButtons()
 {
-    auto* choose = new QPushButton(tr("Choose …"));
-    auto* copy = new QPushButton(tr("Save a copy …"));
-    copy->setToolTip(tr("The built-in template, to be changed"));
+    auto* choose = new QPushButton(tr("Choose…"));
+    auto* copy = new QPushButton(tr("Save a copy…"));
+    copy->setToolTip(tr("Saves the built-in template for editing"));
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
     for (QPushButton* button : {choose, builtIn_, copy}) {
@@ -66,7 +66,7 @@ QHBoxLayout* ReportDialog::makeTemplateButtons()
 void ReportDialog::showTemplate(const QString& path)
 {
     templatePath_ = path;
-    template_->showText(path.isEmpty() ? tr("built in") : QFileInfo(path).fileName());
+    template_->showText(path.isEmpty() ? tr("built-in") : QFileInfo(path).fileName());
     builtIn_->setEnabled(!path.isEmpty());
 }
 

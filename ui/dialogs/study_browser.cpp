@@ -183,7 +183,7 @@ void StudyBrowser::showChoice()
     const bool hasChoice = !parts.isEmpty();
     setRole(choice_, hasChoice ? "strong" : "hint");
     choice_->setText(hasChoice ? parts.join(QStringLiteral("   "))
-                               : tr("Tick the scan with the vessels and the runs, or double-click one."));
+                               : tr("Select the scan with the vessels and the runs, or double-click one."));
     const StudySeriesRow* current = list_->currentRow();
     const bool hasNotes = current && !current->notes.isEmpty();
     notes_->setText(hasNotes ? QStringLiteral("%1: %2").arg(current->description, joinedSentences(current->notes))

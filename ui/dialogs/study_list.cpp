@@ -65,7 +65,7 @@ StudyList::StudyList(QWidget* parent) : QTreeWidget(parent)
 {
     setAccessibleName(tr("Patients, studies and series"));
     setHeaderLabels(
-        {tr("Series"), tr("No."), tr("Modality"), tr("Images"), tr("Size"), tr("Slices or rate"), tr("Body part")});
+        {tr("Series"), tr("No."), tr("Modality"), tr("Images"), tr("Size"), tr("Spacing, rate"), tr("Body part")});
     setIconSize({pictureSize, pictureSize});
     setIndentation(18);
     setVerticalScrollMode(ScrollPerPixel);

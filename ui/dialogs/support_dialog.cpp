@@ -27,11 +27,11 @@ SupportDialog::SupportDialog(std::vector<SupportPart> parts, QWidget* parent)
     setAttribute(Qt::WA_DeleteOnClose);
     resize(820, 560);
     auto* words = roleLabel(
-        "body", tr("These texts go into the archive, and nothing else: no image, no vessels. Names, numbers, dates and "
-                   "paths that are known of the cases of this session and of this computer were taken out. Read them "
-                   "before you hand them on."));
+        "body",
+        tr("The archive contains only these texts: no images, no vessels. Known names, numbers, dates and paths of "
+           "this session's cases and of this computer were removed. Review the texts before sharing."));
     words->setWordWrap(true);
-    names_->setAccessibleName(tr("Texts of the bundle"));
+    names_->setAccessibleName(tr("Texts in the bundle"));
     names_->setFixedWidth(partNamesWidth);
     names_->setSpacing(2);
     names_->setProperty("role", "well");
@@ -39,7 +39,7 @@ SupportDialog::SupportDialog(std::vector<SupportPart> parts, QWidget* parent)
         names_->addItem(part.name);
     }
     text_->setReadOnly(true);
-    text_->setAccessibleName(tr("The text as it is written"));
+    text_->setAccessibleName(tr("Text to be written"));
     text_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     auto* middle = new QHBoxLayout;
     middle->setSpacing(10);
@@ -50,7 +50,7 @@ SupportDialog::SupportDialog(std::vector<SupportPart> parts, QWidget* parent)
     layout->setSpacing(12);
     layout->addWidget(words);
     layout->addLayout(middle, 1);
-    auto* save = new QPushButton(tr("Save …"));
+    auto* save = new QPushButton(tr("Save…"));
     layout->addLayout(dialogButtons(*this, tr("Cancel"), *save));
     connect(names_, &QListWidget::currentRowChanged, this, &SupportDialog::showPart);
     connect(this, &QDialog::accepted, this, &SupportDialog::saveRequested);

@@ -50,10 +50,10 @@ QString maskText(const RunState& state)
 {
     const core::SubtractionPlan& plan = state.treatment.plan;
     if (plan.interval) {
-        return AngiogramPanel::tr("%1 frames before each").arg(plan.interval->offset);
+        return AngiogramPanel::tr("%1 frames earlier").arg(plan.interval->offset);
     }
     if (state.maskFrames.empty()) {
-        return AngiogramPanel::tr("none found: mark them below");
+        return AngiogramPanel::tr("none found: set them below");
     }
     return plan.maskFrames.empty() ? AngiogramPanel::tr("%1 (automatic)").arg(framesText(state.maskFrames))
                                    : framesText(state.maskFrames);
@@ -67,18 +67,20 @@ AngiogramPanel::AngiogramPanel(QWidget* parent)
       window_(new NumberField(grayFormat(1e-6))),
       level_(new NumberField(grayFormat(-1e9))),
       subtract_(withText(new QCheckBox, [] { return withKey(tr("Subtract mask"), Command::Subtract); })),
-      composite_(withText(new QCheckBox, [] { return tr("Whole run in one picture"); })),
+      composite_(withText(new QCheckBox, [] { return tr("Peak-opacification image"); })),
       masks_(new ElidedLabel("label")),
       automaticMasks_(quietButton([] { return tr("Automatic"); },
-                                  [] { return tr("Choose the frames before the contrast medium arrives"); })),
+                                  [] { return tr("Choose the frames before the contrast agent arrives"); })),
       right_(new NumberField(shiftFormat())),
       down_(new NumberField(shiftFormat())),
-      automaticShift_(quietButton([] { return tr("Automatic"); }, [] { return tr("Find the shift of each frame"); })),
-      byHand_(quietButton([] { return tr("By hand"); },
-                          [] { return tipWithKey(tr("Move the mask with arrows or the mouse"), Command::ShiftMask); })),
+      automaticShift_(
+          quietButton([] { return tr("Automatic"); }, [] { return tr("Compute the shift of each frame"); })),
+      byHand_(quietButton(
+          [] { return tr("Manual"); },
+          [] { return tipWithKey(tr("Shift the mask with the arrow keys or the mouse"), Command::ShiftMask); })),
       relation_(new QComboBox),
       vessels_(new QComboBox),
-      defaults_(quietButton([] { return tr("Defaults"); }, [] { return tr("Trace as the program would by itself"); }))
+      defaults_(quietButton([] { return tr("Defaults"); }, [] { return tr("Restore the default tracing settings"); }))
 {
     buildBrightness();
     buildSubtraction();
@@ -100,9 +102,9 @@ void AngiogramPanel::edit(const Change& change, const Words& what)
 void AngiogramPanel::buildBrightness()
 {
     withTip(withName(window_, [] { return tr("Window"); }),
-            [] { return tr("Window W: how many grey values lie between black and white"); });
+            [] { return tr("Window W: number of gray values between black and white"); });
     withTip(withName(level_, [] { return tr("Level"); }),
-            [] { return tr("Level L: the grey value in the middle of them"); });
+            [] { return tr("Level L: gray value at the center of the window"); });
     for (NumberField* field : {window_, level_}) {
         field->setMinimumWidth(64);
         connect(field, &NumberField::edited, this, [this] {
@@ -133,18 +135,18 @@ void AngiogramPanel::showWindowLevel(double window, double level)
 void AngiogramPanel::buildSubtraction()
 {
     withTip(subtract_, [] {
-        return tipWithKey(tr("Take away what the mask frames show as well: bones and organs"), Command::Subtract);
+        return tipWithKey(tr("Removes structures that the mask frames also show, such as bones and organs"),
+                          Command::Subtract);
     });
-    withTip(composite_, [] {
-        return tipWithKey(tr("Every frame shows the darkest value of each pixel over the run"), Command::Composite);
-    });
+    withTip(composite_,
+            [] { return tipWithKey(tr("Shows the darkest value of each pixel over the run"), Command::Composite); });
     connect(subtract_, &QCheckBox::clicked, this, [this](bool on) {
         edit([on](core::RunTreatment& wanted) { wanted.isSubtracted = on; },
              [on] { return on ? tr("Subtract mask") : tr("Show native frames"); });
     });
     connect(composite_, &QCheckBox::clicked, this, [this](bool on) {
         edit([on](core::RunTreatment& wanted) { wanted.isComposite = on; },
-             [on] { return on ? tr("Whole run in one picture") : tr("One frame at a time"); });
+             [on] { return on ? tr("Peak-opacification image") : tr("One frame at a time"); });
     });
     connect(automaticMasks_, &QPushButton::clicked, this, [this] {
         edit(
@@ -156,13 +158,13 @@ void AngiogramPanel::buildSubtraction()
     });
     connect(automaticShift_, &QPushButton::clicked, this, [this] {
         edit([](core::RunTreatment& wanted) { wanted.plan.maskShiftPx.reset(); },
-             [] { return tr("Find the mask's shift"); });
+             [] { return tr("Find the mask shift"); });
     });
     connect(byHand_, &QPushButton::clicked, this, &AngiogramPanel::shiftByHandRequested);
     withName(right_, [] { return tr("Mask shift to the right"); });
     withName(down_, [] { return tr("Mask shift down"); });
-    withTip(right_, [] { return tr("How far the mask moves to the right, px"); });
-    withTip(down_, [] { return tr("How far the mask moves down, px"); });
+    withTip(right_, [] { return tr("Shifts the mask to the right, px"); });
+    withTip(down_, [] { return tr("Shifts the mask down, px"); });
     connect(right_, &NumberField::edited, this, &AngiogramPanel::editShift);
     connect(down_, &NumberField::edited, this, &AngiogramPanel::editShift);
 
@@ -193,20 +195,20 @@ void AngiogramPanel::buildSubtraction()
 void AngiogramPanel::editShift()
 {
     const Eigen::Vector2d shift(right_->value().value_or(0.0), down_->value().value_or(0.0));
-    edit([&shift](core::RunTreatment& wanted) { wanted.plan.maskShiftPx = shift; }, [] { return tr("Move the mask"); });
+    edit([&shift](core::RunTreatment& wanted) { wanted.plan.maskShiftPx = shift; }, [] { return tr("Pixel shift"); });
 }
 
 void AngiogramPanel::buildPixels()
 {
     speak(relation_, [this] { setWords(*relation_, {tr("linear"), tr("logarithmic")}); });
-    withTip(relation_, [] { return tr("How stored values relate to the X-ray intensity (0028,1040)"); });
+    withTip(relation_, [] { return tr("Relation of stored values to X-ray intensity (0028,1040)"); });
     withName(relation_, [] { return tr("Pixel values"); });
     speak(vessels_, [this] { setWords(*vessels_, {tr("dark"), tr("bright")}); });
-    withTip(vessels_, [] { return tr("Whether contrast medium is darker or brighter than the background"); });
+    withTip(vessels_, [] { return tr("Sets whether contrast agent is darker or brighter than the background"); });
     withName(vessels_, [] { return tr("Vessels"); });
     connect(relation_, &QComboBox::activated, this, [this](int index) {
         edit([index](core::RunTreatment& wanted) { wanted.plan.relation = static_cast<core::PixelRelation>(index); },
-             [] { return tr("Change the meaning of pixel values"); });
+             [] { return tr("Change the interpretation of pixel values"); });
     });
     connect(vessels_, &QComboBox::activated, this, [this](int index) {
         edit([index](core::RunTreatment& wanted) { wanted.polarity = static_cast<core::Polarity>(index); },
@@ -242,16 +244,16 @@ NumberField* AngiogramPanel::tracingRow(QGridLayout& grid, int row, const Words&
 NumberField* AngiogramPanel::lengthRow(QGridLayout& grid, int row)
 {
     auto* field = new NumberField({0.0, 1000.0, 0, QStringLiteral("px"), 5.0});
-    withName(field, [] { return tr("shortest vessel"); });
+    withName(field, [] { return tr("min. length"); });
     withTip(field,
-            [] { return tr("Isolated pieces shorter than this are left out; spurs shorter than a third of it too"); });
-    grid.addWidget(withText(roleLabel("label"), [] { return tr("shortest vessel"); }), row, 0);
+            [] { return tr("Removes isolated segments shorter than this, and spurs shorter than a third of it"); });
+    grid.addWidget(withText(roleLabel("label"), [] { return tr("min. length"); }), row, 0);
     grid.addWidget(field, row, 1);
     connect(field, &NumberField::edited, this, [this](double typed) {
         core::TraceOptions wanted = tracing_;
         wanted.minComponentLengthPx = static_cast<int>(std::lround(typed));
         wanted.minBranchLengthPx = static_cast<int>(std::lround(typed / 3.0));
-        emit tracingEdited(wanted, [] { return tr("Change %1").arg(tr("shortest vessel")); });
+        emit tracingEdited(wanted, [] { return tr("Change %1").arg(tr("min. length")); });
     });
     return field;
 }
@@ -264,17 +266,17 @@ void AngiogramPanel::buildTracing()
     grid->setColumnMinimumWidth(0, 84);
     grid->setColumnStretch(1, 1);
     sensitivity_ = tracingRow(
-        *grid, 0, [] { return tr("sensitivity"); }, [] { return tr("Above 1: fainter vessels are traced as well"); },
+        *grid, 0, [] { return tr("sensitivity"); }, [] { return tr("Above 1, fainter vessels are traced as well"); },
         {0.1, 10.0, 2, QString(), 0.1}, &core::TraceOptions::sensitivity);
     length_ = lengthRow(*grid, 1);
     widest_ = tracingRow(
-        *grid, 2, [] { return tr("widest radius"); }, [] { return tr("Radius of the widest vessel looked for"); },
+        *grid, 2, [] { return tr("max. radius"); }, [] { return tr("Radius of the widest vessel to trace"); },
         {1.5, 40.0, 1, QStringLiteral("px"), 0.5}, &core::TraceOptions::maxVesselRadiusPx);
     connect(defaults_, &QPushButton::clicked, this,
-            [this] { emit tracingEdited(core::TraceOptions{}, [] { return tr("Default tracing"); }); });
-    QPushButton* byHand = quietButton(
-        [] { return withKey(tr("Edit vessels"), Command::EditVessels); },
-        [] { return tipWithKey(tr("Leave out, erase, draw and cut traced curves"), Command::EditVessels); });
+            [this] { emit tracingEdited(core::TraceOptions{}, [] { return tr("Restore default tracing"); }); });
+    QPushButton* byHand =
+        quietButton([] { return withKey(tr("Edit vessels"), Command::EditVessels); },
+                    [] { return tipWithKey(tr("Exclude, erase, draw and cut traced curves"), Command::EditVessels); });
     connect(byHand, &QPushButton::clicked, this, &AngiogramPanel::editingRequested);
     auto* heading = new QHBoxLayout;
     heading->addWidget(withText(roleLabel("heading"), [] { return tr("Tracing"); }), 1);
@@ -302,9 +304,9 @@ void AngiogramPanel::showRun(const RunState& state)
     down_->showValue(shift ? std::optional(shift->y()) : std::nullopt);
     relation_->setCurrentIndex(static_cast<int>(treatment.plan.relation));
     vessels_->setCurrentIndex(static_cast<int>(state.polarity));
-    setHint(state.isComputing        ? tr("subtracting …")
+    setHint(state.isComputing        ? tr("subtracting…")
             : treatment.isSubtracted ? tr("subtracted")
-            : treatment.isComposite  ? tr("composite")
+            : treatment.isComposite  ? tr("min-IP")
                                      : tr("native"));
 }
 

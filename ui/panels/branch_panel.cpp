@@ -32,8 +32,7 @@ struct Order {
 
 /// Sort orders of the list; longest, widest and worst-fitting branches come first.
 constexpr std::array orders{
-    Order{QT_TRANSLATE_NOOP("angiopose::ui::BranchPanel", "as in the tree"), BranchModel::OrderRole,
-          Qt::AscendingOrder},
+    Order{QT_TRANSLATE_NOOP("angiopose::ui::BranchPanel", "in tree order"), BranchModel::OrderRole, Qt::AscendingOrder},
     Order{QT_TRANSLATE_NOOP("angiopose::ui::BranchPanel", "by name"), BranchModel::NameRole, Qt::AscendingOrder},
     Order{QT_TRANSLATE_NOOP("angiopose::ui::BranchPanel", "by length"), BranchModel::LengthRole, Qt::DescendingOrder},
     Order{QT_TRANSLATE_NOOP("angiopose::ui::BranchPanel", "by radius"), BranchModel::RadiusRole, Qt::DescendingOrder},
@@ -60,7 +59,7 @@ BranchPanel::BranchPanel(QWidget* parent)
       filterRow_(makeFilterRow()),
       adviceRow_(makeAdviceRow()),
       empty_(withText(roleLabel("hint"),
-                      [] { return tr("No vessels yet. Open a CT scan, a mask of vessels or a centreline."); }))
+                      [] { return tr("No vessels yet. Open a CT scan, a vessel mask or a centerline."); }))
 {
     auto* delegate = new BranchDelegate(this);
     shown_->setSourceModel(model_);
@@ -110,8 +109,8 @@ QWidget* BranchPanel::makeFilterRow()
     withName(filter_, [] { return tr("Find a branch"); });
     filter_->setClearButtonEnabled(true);
     order_->setSizeAdjustPolicy(QComboBox::AdjustToContents);   // fits the texts of every language
-    withName(order_, [] { return tr("Order of the branches"); });
-    withTip(order_, [] { return tr("Order of the branches"); });
+    withName(order_, [] { return tr("Branch order"); });
+    withTip(order_, [] { return tr("Branch order"); });
     speak(order_, [this] {
         QStringList words;
         for (const Order& order : orders) {
@@ -140,10 +139,10 @@ QWidget* BranchPanel::makeAdviceRow()
     advice_->setWordWrap(true);
     mend_ = withText(new QPushButton, [] { return tr("Join"); });
     mend_->setProperty("role", "link");
-    withTip(mend_, [] { return tipWithKey(tr("Closes the gap; undo opens it again."), Command::MendGap); });
+    withTip(mend_, [] { return tipWithKey(tr("Bridges the gap; undo reverts it."), Command::MendGap); });
     auto* show = withText(new QPushButton, [] { return tr("Show"); });
     show->setProperty("role", "link");
-    withTip(show, [] { return tr("Selects both branches and moves the cross-hair to the gap."); });
+    withTip(show, [] { return tr("Selects both branches and moves the crosshair to the gap."); });
     connect(mend_, &QPushButton::clicked, this, &BranchPanel::adviceTaken);
     connect(show, &QPushButton::clicked, this, &BranchPanel::adviceShown);
     connect(this, &BranchPanel::adviceMendable, show, &QWidget::setVisible);
@@ -279,13 +278,13 @@ void BranchPanel::showContextMenu(const QPoint& position)
     const std::set<int> affected = affectedBy(idAt(index));
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addAction(tr("Auxiliary on or off") + QLatin1Char('\t') + keyOf(Command::ToggleAuxiliary), this,
+    menu->addAction(tr("Toggle auxiliary") + QLatin1Char('\t') + keyOf(Command::ToggleAuxiliary), this,
                     [this, affected] { emit auxiliaryToggled(affected); });
     menu->addAction(tr("Exclude or include") + QLatin1Char('\t') + keyOf(Command::ToggleExcluded), this,
                     [this, affected] { emit excludedToggled(affected); });
     menu->addSeparator();
-    menu->addAction(tr("Only these auxiliary"), this, [this, affected] { emit onlyTheseAuxiliary(affected); });
-    menu->addAction(tr("No auxiliary branches (use the nodes)"), this, &BranchPanel::auxiliaryCleared);
+    menu->addAction(tr("Use only these as auxiliary"), this, [this, affected] { emit onlyTheseAuxiliary(affected); });
+    menu->addAction(tr("Clear auxiliary branches (use nodes)"), this, &BranchPanel::auxiliaryCleared);
     menu->addSeparator();
     menu->addActions(editActions_);
     QMenu* generations = menu->addMenu(tr("Generation"));

@@ -21,20 +21,23 @@ struct EditRow {
 
 constexpr std::array editRows{
     EditRow{CurveEdit::Remove, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Not a vessel"), "X",
-            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Click a curve to leave it out")},
+            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Click a curve to exclude it")},
     EditRow{CurveEdit::Apart, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Catheter"), "W",
-            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar",
-                              "Click a catheter or wire to keep it apart: it is no vessel, but can be followed")},
+            QT_TRANSLATE_NOOP(
+                "angiopose::ui::CurveEditBar",
+                "Click a catheter or guidewire to mark it as a device: it is not a vessel, but can be tracked")},
     EditRow{CurveEdit::Erase, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Erase"), "E",
-            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Brush over parts of curves")},
+            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Brush over the parts of curves to erase")},
     EditRow{CurveEdit::Draw, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Draw"), "D",
             QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Click along a vessel: the line follows it")},
     EditRow{CurveEdit::Cut, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Cut"), "C",
-            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Click where a curve is to fall in two")},
+            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Click where a curve should be split")},
     EditRow{CurveEdit::Box, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Box"), "B",
-            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Leave out what lies in a box; Ctrl: keep it alone")},
+            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar",
+                              "Exclude everything inside a box; Ctrl: keep only the inside")},
     EditRow{CurveEdit::Lasso, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Lasso"), "L",
-            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Leave out what lies in a lasso; Ctrl: keep it alone")},
+            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar",
+                              "Exclude everything inside a lasso; Ctrl: keep only the inside")},
 };
 
 QString withKey(const QString& text, const QString& key)
@@ -47,7 +50,7 @@ QString withKey(const QString& text, const QString& key)
 CurveEditBar::CurveEditBar(QWidget* parent)
     : QFrame(parent),
       count_(roleLabel("hint")),
-      followDevice_(withText(new QPushButton, [] { return tr("Follow the wire"); })),
+      followDevice_(withText(new QPushButton, [] { return tr("Track device"); })),
       traceAgain_(withText(new QPushButton, [] { return tr("Trace again"); }))
 {
     setProperty("role", "imageBar");
@@ -68,12 +71,13 @@ CurveEditBar::CurveEditBar(QWidget* parent)
         edits->addWidget(button);
         buttons_[row.edit] = button;
     }
-    withTip(followDevice_,
-            [] { return tr("Find the way of the tree that the catheter or wire takes (method Wire or catheter)"); });
+    withTip(followDevice_, [] {
+        return tr("Find the path through the tree that the catheter or guidewire takes (method Wire or catheter)");
+    });
     followDevice_->setProperty("role", "quiet");
     connect(followDevice_, &QPushButton::clicked, this, &CurveEditBar::followRequested);
     withTip(traceAgain_,
-            [] { return tr("Forget the edits of this frame and trace it automatically; undo brings them back"); });
+            [] { return tr("Discard the edits of this frame and trace it automatically; undo restores them"); });
     traceAgain_->setProperty("role", "quiet");
     connect(traceAgain_, &QPushButton::clicked, this, &CurveEditBar::traceAgainRequested);
     auto* done = withText(new QPushButton, [] { return withKey(tr("Done"), QStringLiteral("Esc")); });
@@ -115,7 +119,7 @@ void CurveEditBar::sayCounts()
     const QString curves = suspects > 0 ? tr("%1 curves, %2 suspect (S)").arg(count).arg(suspects)
                            : count == 1 ? tr("1 curve")
                                         : tr("%1 curves").arg(count);
-    count_->setText(devices > 0 ? tr("%1, %2 apart").arg(curves).arg(devices) : curves);
+    count_->setText(devices > 0 ? tr("%1, devices: %2").arg(curves).arg(devices) : curves);
 }
 
 void CurveEditBar::setEdited(bool edited)

@@ -15,7 +15,7 @@ FaultBar::FaultBar(QWidget* parent) : QWidget(parent), words_(roleLabel("label")
     setAttribute(Qt::WA_StyledBackground);
     words_->setWordWrap(true);
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto* bundle = withText(new QPushButton, [] { return tr("Save support bundle …"); });
+    auto* bundle = withText(new QPushButton, [] { return tr("Save support bundle…"); });
     auto* close = withText(new QPushButton, [] { return tr("Dismiss"); });
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(14, 6, 14, 6);
@@ -39,8 +39,7 @@ void FaultBar::showFault(const QString& dumpPath)
 void FaultBar::sayWhere()
 {
     words_->setText(
-        tr("AngioPose ended by a fault last time. A note of where in the program, with nothing of the case in it, "
-           "lies in %1.")
+        tr("AngioPose crashed last time. A report of where in the program it happened, without case data, is in %1.")
             .arg(dumpPath_));
 }
 

@@ -17,7 +17,7 @@ QString originWord(core::Origin origin)
         case core::Origin::Derived:
             return GeometryPanel::tr("derived");
         case core::Origin::User:
-            return GeometryPanel::tr("typed");
+            return GeometryPanel::tr("entered");
         case core::Origin::Assumed:
             return GeometryPanel::tr("assumed");
         case core::Origin::Missing:
@@ -51,13 +51,13 @@ GeometryPanel::GeometryPanel(QWidget* parent)
       shownFrom_(new QComboBox),
       shownFromOrigin_(roleLabel("hint")),
       seldom_(new Section(
-          "geometry/seldom", [] { return tr("Roll, centre, isocentre"); }, Folding::Foldable)),
+          "geometry/seldom", [] { return tr("Roll, principal point, isocenter"); }, Folding::Foldable)),
       header_(new Section(
-          "geometry/header", [] { return tr("What the header says"); }, Folding::Foldable)),
+          "geometry/header", [] { return tr("DICOM header values"); }, Folding::Foldable)),
       headerText_(roleLabel("hint")),
       camera_(roleLabel("label")),
       notes_(roleLabel("attentionBox")),
-      assume_(withText(new QPushButton, [] { return tr("Assume usual values"); })),
+      assume_(withText(new QPushButton, [] { return tr("Use typical values"); })),
       dropOverride_(withText(new QPushButton, [] { return tr("Use distances and spacing instead"); }))
 {
     auto* usual = makeGrid();
@@ -73,7 +73,8 @@ GeometryPanel::GeometryPanel(QWidget* parent)
     for (QPushButton* button : {assume_, dropOverride_}) {
         button->setProperty("role", "quiet");
     }
-    withTip(assume_, [] { return tr("SID 1000 mm, SOD 750 mm, pixel 0.3 mm, angles 0°: only for what is missing."); });
+    withTip(assume_,
+            [] { return tr("SID 1000 mm, SOD 750 mm, pixel 0.3 mm, angles 0°: fills in missing values only."); });
     connect(assume_, &QPushButton::clicked, this, &GeometryPanel::assumeMissing);
     connect(dropOverride_, &QPushButton::clicked, this, &GeometryPanel::cameraOverrideDropped);
 
@@ -112,7 +113,7 @@ void GeometryPanel::addRow(GeometryValue value, QGridLayout* grid)
     Row& made = row(value);
     made = {new NumberField(kind.format), roleLabel("hint")};
     withName(made.field, [&kind] { return tr(kind.help); });
-    speak(made.field, [field = made.field] { field->setPlaceholderText(tr("type it")); });
+    speak(made.field, [field = made.field] { field->setPlaceholderText(tr("enter value")); });
     for (QWidget* widget : {static_cast<QWidget*>(label), static_cast<QWidget*>(made.field)}) {
         withTip(widget, [&kind] { return tr(kind.help); });
     }
@@ -127,17 +128,17 @@ void GeometryPanel::addRow(GeometryValue value, QGridLayout* grid)
 
 void GeometryPanel::addShownFrom(QGridLayout* grid)
 {
-    speak(shownFrom_, [this] { setWords(*shownFrom_, {tr("as from the detector"), tr("mirrored")}); });
-    withName(shownFrom_, [] { return tr("Side that the image is shown from"); });
+    speak(shownFrom_, [this] { setWords(*shownFrom_, {tr("from the detector"), tr("mirrored")}); });
+    withName(shownFrom_, [] { return tr("Viewing side of the image"); });
     withTip(shownFrom_, [] {
         return tr(
-            "Angiograms are shown as seen from the detector. A mirrored export shows left and right "
-            "exchanged: the projection is mirrored with it, the vessels never are.");
+            "Angiograms are shown as seen from the detector. A mirrored export swaps left and right: the projection is "
+            "mirrored with the image, the vessels never are.");
     });
     connect(shownFrom_, &QComboBox::activated, this, [this](int index) {
         core::CArm cArm = state_.cArm;
         cArm.mirrored = {index == 1, core::Origin::User, "chosen in the window"};
-        emit edited(cArm, [] { return tr("side of the image"); });
+        emit edited(cArm, [] { return tr("viewing side"); });
     });
     const int line = grid->rowCount();
     grid->addWidget(withText(roleLabel("label"), [] { return tr("image"); }), line, 0);
@@ -158,7 +159,7 @@ void GeometryPanel::showGeometry(const GeometryState& state)
     dropOverride_->setVisible(camera.has_value() && core::cameraFromCArm(state.cArm, camera->width, camera->height));
     if (camera) {
         const QString side = camera->fx < 0.0 ? tr("seen from the detector") : tr("mirrored");
-        camera_->setText(tr("Camera from the case file: f %1 px, centre %2, %3 px, %4.")
+        camera_->setText(tr("Camera from the case file: f %1 px, principal point %2, %3 px, %4.")
                              .arg(numberText(std::abs(camera->fx), 1))
                              .arg(numberText(camera->cx, 1))
                              .arg(numberText(camera->cy, 1))
@@ -218,14 +219,16 @@ void GeometryPanel::showNotes()
     }
     if (state_.cArm.columnSpacingMm.origin == core::Origin::Derived && !state_.cameraOverride) {
         notes << tr(
-            "The header gives no pixel spacing; this one is derived. Press Enter in it to confirm, or type it.");
+            "The header gives no pixel spacing; this value is derived. Press Enter in the field to confirm it, or "
+            "enter another value.");
     }
     if (state_.cArm.mirrored.value.value_or(false) && !state_.cameraOverride) {
-        notes << tr("The image is taken as mirrored (%1): check that left and right are where they belong.")
+        notes << tr("The image is assumed to be mirrored (%1). Check left and right.")
                      .arg(originWord(state_.cArm.mirrored.origin));
     }
     if (state_.turnedDeg.norm() > 0.0) {
-        notes << tr("The gantry turns during this run: at this frame by %1° LAO/RAO and %2° CRA/CAU since the first.")
+        notes << tr("The gantry rotates during this run: by %1° LAO/RAO and %2° CRA/CAU from the first frame to this "
+                    "one.")
                      .arg(numberText(state_.turnedDeg.x(), 1))
                      .arg(numberText(state_.turnedDeg.y(), 1));
     }

@@ -32,7 +32,7 @@ HeaderBar::HeaderBar(QWidget* parent)
     showRestOf(*menuBar_);
     auto* notice = withText(roleLabel("attention"), [] { return tr("Not for clinical use"); });
     notice->setObjectName(QStringLiteral("clinicalNotice"));
-    withTip(notice, [] { return tr("AngioPose is a research program, not a medical device."); });
+    withTip(notice, [] { return tr("AngioPose is research software, not a medical device."); });
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(14, 4, 14, 4);

@@ -23,24 +23,24 @@ LandmarkPanel::LandmarkPanel(QWidget* parent)
           "landmarks", [] { return tr("Landmarks"); }, Folding::Foldable, parent),
       list_(new QListWidget),
       verdict_(roleLabel("hint")),
-      mode_(withText(new QPushButton, [] { return withKey(tr("Click pairs"), Command::Landmarks); })),
-      place_(withText(new QPushButton, [] { return tr("Place vessels"); })),
+      mode_(withText(new QPushButton, [] { return withKey(tr("Pick pairs"), Command::Landmarks); })),
+      place_(withText(new QPushButton, [] { return tr("Compute pose"); })),
       remove_(withText(new QPushButton, [] { return tr("Remove"); }))
 {
     list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    withName(list_, [] { return tr("Landmarks and how far each is off"); });
+    withName(list_, [] { return tr("Landmarks and their residuals"); });
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->installEventFilter(this);
     verdict_->setWordWrap(true);
     mode_->setCheckable(true);
     withTip(mode_, [] {
-        return tipWithKey(tr("A place on the vessels in 3-D (or a slice), then the same place in the image."),
+        return tipWithKey(tr("Click a point on the vessels in 3-D (or a slice), then the same point in the image."),
                           Command::Landmarks);
     });
     withTip(place_, [] {
-        return tr("Find the start pose from the pairs: Enter while clicking. Undo brings the old one back.");
+        return tr("Computes the initial pose from the pairs (Enter while clicking). Undo restores the previous one.");
     });
-    withTip(remove_, [] { return tr("Remove the chosen pairs: Delete"); });
+    withTip(remove_, [] { return tr("Removes the selected pairs (Delete)"); });
     remove_->setProperty("role", "quiet");
     connect(place_, &QPushButton::clicked, this, &LandmarkPanel::poseRequested);
     connect(remove_, &QPushButton::clicked, this, &LandmarkPanel::removeSelected);
@@ -92,7 +92,7 @@ void LandmarkPanel::showLandmarks(const LandmarkState& state)
 
 void LandmarkPanel::showKeys()
 {
-    setHint(count_ == 0 ? tr("%1: click pairs, then place").arg(keyOf(Command::Landmarks))
+    setHint(count_ == 0 ? tr("%1: click pairs, then compute").arg(keyOf(Command::Landmarks))
                         : tr("%1 pairs").arg(count_));
 }
 

@@ -27,11 +27,11 @@ QString markModeWord(std::size_t mode)
 {
     switch (mode) {
         case 0:
-            return MarkPanel::tr("Check point");
+            return MarkPanel::tr("Target point");
         case 1:
             return MarkPanel::tr("Ostium ring");
         case 2:
-            return MarkPanel::tr("Seen here");
+            return MarkPanel::tr("Mark in image");
         case 3:
             return MarkPanel::tr("Arrow");
         default:
@@ -51,15 +51,15 @@ QPushButton* markModeButton(std::size_t mode)
 
 MarkPanel::MarkPanel(QWidget* parent)
     : Section(
-          "marks", [] { return tr("Check points and marks"); }, Folding::Foldable, parent),
+          "marks", [] { return tr("Target points and marks"); }, Folding::Foldable, parent),
       list_(new QTreeWidget),
       basis_(roleLabel("hint")),
       modes_{markModeButton(0), markModeButton(1), markModeButton(2), markModeButton(3), markModeButton(4)},
       remove_(withText(new QPushButton, [] { return tr("Remove"); })),
-      export_(withText(new QPushButton, [] { return tr("Table …"); }))
+      export_(withText(new QPushButton, [] { return tr("Table…"); }))
 {
-    withTip(remove_, [] { return tr("Remove the chosen marks: Delete"); });
-    withTip(export_, [] { return tr("Writes all check points and rings with their errors as a CSV table."); });
+    withTip(remove_, [] { return tr("Removes the selected marks (Delete)"); });
+    withTip(export_, [] { return tr("Writes all target points and rings with their errors as a CSV table."); });
     remove_->setProperty("role", "quiet");
     basis_->setWordWrap(true);
     setUpList();

@@ -56,17 +56,17 @@ MeasurePanel::MeasurePanel(QWidget* parent)
       modes_{modeButton(core::MeasurementKind::Length), modeButton(core::MeasurementKind::Angle),
              modeButton(core::MeasurementKind::Area)},
       remove_(withText(new QPushButton, [] { return tr("Remove"); })),
-      export_(withText(new QPushButton, [] { return tr("Table …"); }))
+      export_(withText(new QPushButton, [] { return tr("Table…"); }))
 {
-    withName(plane_, [] { return tr("Where it is measured"); });
-    withTip(plane_, [] { return tr("Lengths at the depth of the vessels, on the detector, or in pixels."); });
-    withName(scale_, [] { return tr("Scale of the image"); });
-    withTip(scale_, [] { return tr("What a pixel measures in the patient, where it is known from elsewhere."); });
+    withName(plane_, [] { return tr("Measurement basis"); });
+    withTip(plane_, [] { return tr("Measures lengths at the depth of the vessels, on the detector, or in pixels."); });
+    withName(scale_, [] { return tr("Image scale"); });
+    withTip(scale_, [] { return tr("Size of a pixel in the patient, if known from another source."); });
     scale_->setDecimals(4);
     scale_->setRange(0.0, 100.0);
     scale_->setSingleStep(0.01);
     scale_->setKeyboardTracking(false);
-    withTip(remove_, [] { return tr("Remove the chosen measurements: Delete"); });
+    withTip(remove_, [] { return tr("Removes the selected measurements (Delete)"); });
     withTip(export_, [] { return tr("Writes all measurements with their basis as a CSV table."); });
     remove_->setProperty("role", "quiet");
     basis_->setWordWrap(true);
@@ -91,8 +91,8 @@ MeasurePanel::MeasurePanel(QWidget* parent)
     speak(this, [this] {
         const QSignalBlocker quiet(plane_);
         scale_->setSuffix(tr(" mm per pixel"));
-        scale_->setSpecialValueText(tr("scale not typed"));
-        setWords(*plane_, {tr("at the vessels"), tr("at the detector"), tr("in pixels"), tr("by a typed scale")});
+        scale_->setSpecialValueText(tr("no scale entered"));
+        setWords(*plane_, {tr("at the vessels"), tr("at the detector"), tr("in pixels"), tr("by entered scale")});
     });
     showMeasurements({});
 }

@@ -89,11 +89,11 @@ void PlayBar::showPlaying(bool playing)
 void PlayBar::sayWords()
 {
     play_->setAccessibleName(isPlaying_ ? tr("Pause") : tr("Play"));
-    play_->setToolTip(
-        isPlaying_ ? tipWithKey(tr("Stops at the frame that is shown. Esc goes back to the one before."), Command::Cine)
-                   : tipWithKey(tr("Plays the run"), Command::Cine));
+    play_->setToolTip(isPlaying_ ? tipWithKey(tr("Stops at the frame shown. Esc returns to the frame before playback."),
+                                              Command::Cine)
+                                 : tipWithKey(tr("Plays the run"), Command::Cine));
     const bool isLoop = shownOrder_ == core::CineOrder::Loop;
-    order_->setAccessibleName(isLoop ? tr("At the end from the start again") : tr("Back and forth"));
+    order_->setAccessibleName(isLoop ? tr("Loop") : tr("Back and forth"));
     order_->setToolTip(order_->accessibleName());
     speed_->setAccessibleName(tr("Speed"));
     if (time_.ms <= 0.0) {
@@ -102,13 +102,11 @@ void PlayBar::sayWords()
     for (std::size_t i = 0; i < playSpeeds.size(); ++i) {
         const double rate = 1000.0 / time_.ms * playSpeeds.at(i);
         speed_->setItemText(static_cast<int>(i),
-                            tr("%1 · %2/s").arg(speedName(playSpeeds.at(i)), briefNumber(rate, 3)));
+                            tr("%1 · %2 fps").arg(speedName(playSpeeds.at(i)), briefNumber(rate, 3)));
     }
     const QString rate = briefNumber(1000.0 / time_.ms, 3);
-    speed_->setToolTip(
-        time_.isAssumed
-            ? tr("The header does not say how fast the run was taken: 1× takes %1 frames a second").arg(rate)
-            : tr("1×: as fast as the run was taken, %1 frames a second").arg(rate));
+    speed_->setToolTip(time_.isAssumed ? tr("The header gives no frame rate: 1× assumes %1 frames per second").arg(rate)
+                                       : tr("1×: acquisition frame rate, %1 frames per second").arg(rate));
 }
 
 }   // namespace angiopose::ui

@@ -38,9 +38,9 @@ PosePanel::PosePanel(QWidget* parent)
         grid->addWidget(row.lock, line, 2);
         rows_[static_cast<std::size_t>(axis)] = row;
     }
-    auto* reset = withText(new QPushButton, [] { return tr("Back to start pose"); });
+    auto* reset = withText(new QPushButton, [] { return tr("Reset to initial pose"); });
     reset->setProperty("role", "quiet");
-    withTip(reset, [] { return tipWithKey(tr("Undo brings the pose back."), Command::ResetPose); });
+    withTip(reset, [] { return tipWithKey(tr("Undo restores the pose."), Command::ResetPose); });
     connect(reset, &QPushButton::clicked, this, &PosePanel::resetRequested);
     reset_ = reset;
     pivotNote_ = roleLabel("hint");
@@ -48,7 +48,7 @@ PosePanel::PosePanel(QWidget* parent)
     pivotNote_->hide();
     speak(this, [this] {
         pivotNote_->setText(
-            tr("Turns about the picked pivot, and shifts are those of it. %1 goes back to the centroid.")
+            tr("Rotations and shifts refer to the selected rotation center. %1 resets it to the centroid.")
                 .arg(keyOf(Command::CentroidPivot)));
     });
     contentLayout()->addLayout(grid);
@@ -66,7 +66,8 @@ PosePanel::Row PosePanel::makeRow(PoseAxis axis)
     withTip(row.field, [axis] { return explanationOf(axis); });
     withTip(row.label, [axis] { return explanationOf(axis); });
     withName(row.lock, [axis] { return tr("Lock %1").arg(labelOf(axis)); });
-    withTip(row.lock, [] { return tr("Keep this value: nudging, dragging, typing and Register leave it as it is."); });
+    withTip(row.lock,
+            [] { return tr("Locks this value: nudging, dragging, typing and Register leave it unchanged."); });
     row.label->setBuddy(row.field);
     connect(row.field, &NumberField::edited, this, [this, axis](double value) { editAxis(axis, value); });
     connect(row.lock, &QAbstractButton::clicked, this, [this, axis] { toggleLock(axis); });
@@ -106,8 +107,8 @@ void PosePanel::showPickedPivot(bool isPicked)
 void PosePanel::showNudgeMode(bool on)
 {
     isNudging_ = on;
-    setHint(on ? tr("nudging · arrows · %1 ends").arg(keyOf(Command::Nudge))
-               : tr("nudge %1 · fine Ctrl · coarse Shift").arg(keyOf(Command::Nudge)));
+    setHint(on ? tr("nudging · arrow keys · %1 ends").arg(keyOf(Command::Nudge))
+               : tr("%1: nudge (Ctrl fine, Shift coarse)").arg(keyOf(Command::Nudge)));
 }
 
 void PosePanel::setActiveAxis(std::optional<PoseAxis> axis)

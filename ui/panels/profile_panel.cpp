@@ -38,11 +38,12 @@ ProfilePanel::ProfilePanel(QWidget* parent)
       grid_(makeNumbers()),
       doubt_(roleLabel("hint")),
       plot_(new ProfilePlot),
-      table_(withText(new QPushButton, [] { return tr("All branches …"); })),
-      profile_(withText(new QPushButton, [] { return tr("Profile …"); }))
+      table_(withText(new QPushButton, [] { return tr("All branches…"); })),
+      profile_(withText(new QPushButton, [] { return tr("Profile…"); }))
 {
     doubt_->setWordWrap(true);
-    withTip(table_, [] { return tr("Writes length, diameters, narrowing and bends of all branches as a CSV table."); });
+    withTip(table_,
+            [] { return tr("Writes length, diameters, stenosis and curvature of all branches as a CSV table."); });
     withTip(profile_, [] { return tr("Writes diameter and curvature along this branch as a CSV table."); });
     connect(table_, &QPushButton::clicked, this, &ProfilePanel::tableRequested);
     connect(profile_, &QPushButton::clicked, this, &ProfilePanel::profileRequested);
@@ -60,9 +61,9 @@ ProfilePanel::ProfilePanel(QWidget* parent)
 
 QWidget* ProfilePanel::makeNumbers()
 {
-    const std::array<Words, NumberCount> names{
-        [] { return tr("Length"); },          [] { return tr("Mean diameter"); }, [] { return tr("Least diameter"); },
-        [] { return tr("Narrowest place"); }, [] { return tr("Tortuosity"); },    [] { return tr("Sharpest bend"); }};
+    const std::array<Words, NumberCount> names{[] { return tr("Length"); },        [] { return tr("Mean diameter"); },
+                                               [] { return tr("Min. diameter"); }, [] { return tr("Narrowest point"); },
+                                               [] { return tr("Tortuosity"); },    [] { return tr("Sharpest bend"); }};
     auto* grid = new QWidget;
     auto* layout = new QGridLayout(grid);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -90,10 +91,9 @@ void ProfilePanel::showProfile(const core::VesselBranch& branch, const core::Bra
     const double deformationMm = 1.0 / profile.greatestCurvaturePerMm;
     numbers_[Curvature]->setText(deformationMm > straightFromMm ? tr("straight")
                                                                 : numberOrNone(deformationMm, 1, tr("radius %1 mm")));
-    const QString basis = profile.meanDiameterMm
-                              ? tr("Diameters are twice the radii of the tree; the narrowest place is told against "
-                                   "the rest of the branch.")
-                              : QString();
+    const QString basis = profile.meanDiameterMm ? tr("Diameters are twice the radii of the tree; the narrowest point "
+                                                      "is relative to the rest of the branch.")
+                                                 : QString();
     doubt_->setText(profile.doubts.empty() ? basis : messagesText(profile.doubts));
     doubt_->show();
     plot_->showProfile(profile);

@@ -75,9 +75,9 @@ RecentList::RecentList(QWidget* parent)
       rows_(new QWidget),
       rowLayout_(new QVBoxLayout(rows_)),
       area_(new QScrollArea),
-      nothing_(withText(roleLabel("hint"), [] { return tr("No recent case has this in its name or folder."); })),
-      pictures_(withText(new QCheckBox, [] { return tr("Small pictures"); })),
-      clear_(withText(new QPushButton, [] { return tr("Clear the list"); }))
+      nothing_(withText(roleLabel("hint"), [] { return tr("No recent case matches in name or folder."); })),
+      pictures_(withText(new QCheckBox, [] { return tr("Thumbnails"); })),
+      clear_(withText(new QPushButton, [] { return tr("Clear list"); }))
 {
     setMaximumWidth(listWidth);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -94,10 +94,11 @@ RecentList::RecentList(QWidget* parent)
     area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     rows_->setAutoFillBackground(false);
     area_->viewport()->setAutoFillBackground(false);
-    withTip(pictures_, [] { return tr("Keeps a small picture of each recent case in the program's cache folder."); });
+    withTip(pictures_, [] { return tr("Stores a thumbnail of each recent case in the program's cache folder."); });
     clear_->setProperty("role", "link");
-    withTip(clear_,
-            [] { return tr("Forgets these cases and removes their pictures, pinned ones stay; so do the files."); });
+    withTip(clear_, [] {
+        return tr("Removes these cases and their thumbnails from the list. Pinned cases and all files are kept.");
+    });
     auto* foot = new QHBoxLayout;
     foot->addWidget(pictures_);
     foot->addStretch(1);
@@ -151,7 +152,7 @@ QWidget* RecentList::makeRow(const RecentCase& recent)
     pin->setAccessibleName(tr("Pin %1").arg(name));
     auto* remove = new GlyphButton(GlyphButton::Glyph::Remove);
     remove->setAutoRaise(true);
-    remove->setToolTip(tr("Remove from the list; the file stays"));
+    remove->setToolTip(tr("Remove from the list; the file is kept"));
     remove->setAccessibleName(tr("Remove %1 from the list").arg(name));
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);

@@ -40,7 +40,7 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
 {
     register_->setProperty("role", "primary");
     withName(register_, [] { return tr("Register"); });
-    withTip(stop_, [] { return tr("Ends the run and keeps the best pose so far."); });
+    withTip(stop_, [] { return tr("Stops the registration and keeps the best pose so far."); });
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
     buttons->addWidget(register_, 5);
@@ -62,9 +62,9 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
     allViews_->setChecked(true);
     withTip(allViews_, [] {
         return tr(
-            "One pose for all views: moving by hand moves the vessels in all of them, and Register fits all by "
-            "AngioPose's own method, for depth in one view is a shift in another. Without the tick only the "
-            "shown view is meant.");
+            "Uses one pose for all views: moving the vessels manually moves them in every view, and Register fits all "
+            "views with AngioPose's own method, because depth in one view is a shift in another. If off, only the "
+            "shown view is used.");
     });
     contentLayout()->addWidget(allViews_);
     contentLayout()->addWidget(lockNote_);
@@ -97,7 +97,7 @@ QHBoxLayout* RegistrationPanel::methodRow()
     auto* about = new QToolButton;
     about->setText(QStringLiteral("?"));
     withName(about, [] { return tr("About this method"); });
-    withTip(about, [] { return tr("What this method minimises, when it fails, and its source."); });
+    withTip(about, [] { return tr("Shows the cost this method minimizes, when it fails, and its source."); });
     connect(about, &QToolButton::clicked, this, [this] {
         auto* help = new HelpPage(QStringLiteral("methods/") + method_->currentData().toString(),
                                   tr("About this method"), window());
@@ -135,15 +135,15 @@ void RegistrationPanel::showAuxiliary(int branchCount)
 void RegistrationPanel::showLocks(int count)
 {
     lockNote_->setVisible(count > 0);
-    lockNote_->setText(count == 1 ? tr("Register keeps the locked degree of freedom.")
-                                  : tr("Register keeps the %1 locked degrees of freedom.").arg(count));
+    lockNote_->setText(count == 1 ? tr("Register keeps the locked degree of freedom fixed.")
+                                  : tr("Register keeps the %1 locked degrees of freedom fixed.").arg(count));
 }
 
 void RegistrationPanel::showViewCount(int count)
 {
     viewCount_ = count;
     allViews_->setVisible(count > 1);
-    allViews_->setText(tr("All %1 views together").arg(count));
+    allViews_->setText(tr("Register all %1 views jointly").arg(count));
 }
 
 void RegistrationPanel::showReady(const QString& whyNot)
@@ -168,10 +168,11 @@ void RegistrationPanel::chooseMethod(int index)
 void RegistrationPanel::updateButtons()
 {
     register_->setEnabled(!running_ && whyNot_.isEmpty());
-    register_->setToolTip(whyNot_.isEmpty() ? tipWithKey(tr("Finds the pose that lays the vessels onto the angiogram."),
-                                                         Command::Register)
-                                            : whyNot_);
-    register_->setText(running_ ? tr("Registering …") : withKey(tr("Register"), Command::Register));
+    register_->setToolTip(
+        whyNot_.isEmpty()
+            ? tipWithKey(tr("Finds the pose that aligns the vessels with the angiogram."), Command::Register)
+            : whyNot_);
+    register_->setText(running_ ? tr("Registering…") : withKey(tr("Register"), Command::Register));
     stop_->setEnabled(running_);
     method_->setEnabled(!running_);
     form_->setEnabled(!running_);

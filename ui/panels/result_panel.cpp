@@ -61,15 +61,15 @@ QString sourceWords(const JudgedPose& judged)
         case PoseSource::Run:
             return ResultPanel::tr("%1 · %2").arg(median, runSummary(judged.result));
         case PoseSource::Edited:
-            return ResultPanel::tr("%1 · moved by hand").arg(median);
+            return ResultPanel::tr("%1 · moved manually").arg(median);
         case PoseSource::EarlierRun:
-            return ResultPanel::tr("%1 · of an earlier run").arg(median);
+            return ResultPanel::tr("%1 · from an earlier registration").arg(median);
         case PoseSource::Followed:
-            return ResultPanel::tr("%1 · followed").arg(median);
+            return ResultPanel::tr("%1 · tracked").arg(median);
         case PoseSource::Start:
             break;
     }
-    return ResultPanel::tr("%1 · start pose").arg(median);
+    return ResultPanel::tr("%1 · initial pose").arg(median);
 }
 
 /// Formats the median, e.g. "median 0.26 mm"; if only part of the tree is assessed, adds the value of the whole tree.
@@ -77,7 +77,7 @@ QString medianWords(const JudgedPose& judged)
 {
     const QString median = numberText(judged.result.metrics.medianMm, 2);
     return judged.judgedShare < 1.0
-               ? ResultPanel::tr("median %1 mm over %2 % judged opacified, whole tree %3 mm")
+               ? ResultPanel::tr("median %1 mm over the %2 % classified as opacified, whole tree %3 mm")
                      .arg(median, numberText(100.0 * judged.judgedShare, 0), numberText(judged.wholeMedianMm, 2))
                : ResultPanel::tr("median %1 mm").arg(median);
 }
@@ -87,11 +87,11 @@ QString originWords(PoseSource source)
 {
     switch (source) {
         case PoseSource::Edited:
-            return ResultPanel::tr("Moved by hand, not registered");
+            return ResultPanel::tr("Moved manually, not registered");
         case PoseSource::EarlierRun:
             return ResultPanel::tr("Inputs changed since this registration");
         case PoseSource::Start:
-            return ResultPanel::tr("Start pose, not registered");
+            return ResultPanel::tr("Initial pose, not registered");
         case PoseSource::Run:
         case PoseSource::Followed:
             break;
@@ -115,7 +115,7 @@ FitVerdict verdictOf(const JudgedPose& judged)
     if (!origin.isEmpty()) {
         return {VerdictTone::Doubtful, origin + QStringLiteral(" · ") + median};
     }
-    return {VerdictTone::Good, ResultPanel::tr("No check speaks against it · %1").arg(median)};
+    return {VerdictTone::Good, ResultPanel::tr("All checks passed · %1").arg(median)};
 }
 
 ResultPanel::ResultPanel(QWidget* parent)
@@ -145,15 +145,16 @@ ResultPanel::ResultPanel(QWidget* parent)
     numbers->setSpacing(4);
     numbers->addWidget(makeNumber(
                            median_, [] { return tr("median, mm"); },
-                           [] { return tr("Half of the vessel points judged opacified lie nearer than this."); }),
+                           [] { return tr("Median distance of the vessel points classified as opacified."); }),
                        1);
+    numbers->addWidget(
+        makeNumber(
+            p95_, [] { return tr("P95, mm"); },
+            [] { return tr("95th percentile of the distances of the vessel points classified as opacified."); }),
+        1);
     numbers->addWidget(makeNumber(
-                           p95_, [] { return tr("95 %, mm"); },
-                           [] { return tr("95 of 100 vessel points judged opacified lie nearer than this."); }),
-                       1);
-    numbers->addWidget(makeNumber(
-                           coverage_, [] { return tr("covered"); },
-                           [] { return tr("Share of the traced vessels that the tree explains within 3 px."); }),
+                           coverage_, [] { return tr("coverage"); },
+                           [] { return tr("Share of the traced vessel length within 3 px of the tree."); }),
                        1);
     section_->contentLayout()->addLayout(numbers);
     section_->contentLayout()->addWidget(certain_);
@@ -162,8 +163,8 @@ ResultPanel::ResultPanel(QWidget* parent)
     withTip(doubtful_, [] { return tr("± is one standard deviation."); });
 
     speak(this, [this] {
-        residualSection_->setHint(tr("mm, points judged opacified"));
-        motionSection_->setHint(tr("mm across, by frame"));
+        residualSection_->setHint(tr("mm, points classified as opacified"));
+        motionSection_->setHint(tr("in-plane mm, by frame"));
     });
     residualSection_->contentLayout()->addWidget(histogram_);
     convergenceSection_->contentLayout()->addWidget(convergence_);
@@ -178,7 +179,7 @@ ResultPanel::ResultPanel(QWidget* parent)
     layout->addWidget(residualSection_);
     layout->addWidget(convergenceSection_);
     showMotion({});
-    showNothing(tr("nothing to judge yet"));
+    showNothing(tr("nothing to assess yet"));
 }
 
 void ResultPanel::showMotion(const std::vector<FrameMotion>& motion)
@@ -220,7 +221,7 @@ void ResultPanel::showSentences(const JudgedPose& judged, const core::VesselTree
     keepRooms(judged.source == PoseSource::Edited);
     if (judged.source == PoseSource::Start) {
         showIn(certain_, {});
-        showIn(doubtful_, {tr("This is the start pose: nothing is fitted yet. R registers, N nudges.")});
+        showIn(doubtful_, {tr("Initial pose, not registered yet. Press R to register, N to nudge.")});
         return;
     }
     const ResultSentences sentences = sentencesOf(judged.result, tree, judged.millimetersPerPixel);
@@ -232,9 +233,8 @@ void ResultPanel::showSentences(const JudgedPose& judged, const core::VesselTree
     const auto against = std::ranges::count_if(judged.result.warnings, core::speaksAgainstTrust);
     doubtful = sentences.doubtful.first(against) + doubtful + sentences.doubtful.sliced(against);
     const bool isOld = judged.source == PoseSource::EarlierRun;
-    showIn(doubtful_, isOld ? doubtful + QStringList{tr("What this pose was fitted to has changed since the "
-                                                        "run that found it. R registers again.")}
-                            : doubtful);
+    showIn(doubtful_,
+           isOld ? doubtful + QStringList{tr("Inputs changed since this registration. Press R to update.")} : doubtful);
 }
 
 void ResultPanel::keepRooms(bool areKept)

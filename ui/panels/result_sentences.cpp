@@ -76,7 +76,7 @@ QString likelihood(const core::RegistrationResult& result)
     constexpr double trusted = 0.8;
     const bool agrees = result.trustworthy || result.probabilityWithin2Mm.value_or(0.0) < trusted;
     return result.probabilityWithin2Mm && agrees
-               ? ResultWords::tr("Within 2 mm of the vessels with a probability of %1 %.")
+               ? ResultWords::tr("%1 % probability that the overlay is within 2 mm of the vessels.")
                      .arg(percentText(*result.probabilityWithin2Mm))
                      .replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"))   // avoids a line break
                : QString();
@@ -93,7 +93,7 @@ bool dependsOnGeometry(const core::PoseUncertainty& uncertainty)
 QString geometryWords(const core::PoseUncertainty& uncertainty)
 {
     return dependsOnGeometry(uncertainty)
-               ? ResultWords::tr("With the errors of the geometry: depth ±%1 mm, sideways ±%2 mm.")
+               ? ResultWords::tr("3-D uncertainty incl. geometry: depth ±%1 mm, lateral ±%2 mm.")
                      .arg(resultNumber(uncertainty.depthMm), resultNumber(uncertainty.inPlaneMm))
                : QString();
 }
@@ -114,7 +114,7 @@ QString depthWords(const core::RegistrationResult& result)
     }
     return uncertainty.observed[5]
                ? ResultWords::tr("Depth is the least certain: ±%1 mm.").arg(resultNumber(*depthMm))
-               : ResultWords::tr("Depth ±%1 mm: one view cannot tell it.").arg(resultNumber(*depthMm));
+               : ResultWords::tr("Depth ±%1 mm: not determined by a single view.").arg(resultNumber(*depthMm));
 }
 
 /// Names the branches that disagree and are neither reported as unopacified, nor explained by deformation, nor near a
@@ -132,16 +132,16 @@ QString disagreement(const core::RegistrationResult& result, const core::VesselT
         return {};
     }
     if (names.size() == 1) {
-        return ResultWords::tr("%1 is %2 mm off: perhaps unfilled in this frame, or moved.")
+        return ResultWords::tr("%1 is %2 mm off: possibly unopacified in this frame, or displaced.")
             .arg(names.front(), resultNumber(found.worstMm));
     }
     if (names.size() > 3) {
-        return ResultWords::tr("%1 branches are up to %2 mm off: unfilled in this frame, or the pose is wrong.")
+        return ResultWords::tr("%1 branches are up to %2 mm off: unopacified in this frame, or the pose is wrong.")
             .arg(names.size())
             .arg(resultNumber(found.worstMm));
     }
     const QString last = names.takeLast();
-    return ResultWords::tr("%1 and %2 are up to %3 mm off: perhaps unfilled in this frame, or moved.")
+    return ResultWords::tr("%1 and %2 are up to %3 mm off: possibly unopacified in this frame, or displaced.")
         .arg(joinedNames(names), last, resultNumber(found.worstMm));
 }
 

@@ -37,7 +37,7 @@ QString toolTipOf(const core::PoseSnapshot& snapshot)
         lines << QStringList{toQt(snapshot.author), time}.join(QStringLiteral("  "));
     }
     if (snapshot.metrics) {
-        lines << SnapshotPanel::tr("median %1 mm, 95 % %2 mm, covered %3 %")
+        lines << SnapshotPanel::tr("median %1 mm, 95th percentile %2 mm, coverage %3 %")
                      .arg(numberText(snapshot.metrics->medianMm, 2))
                      .arg(numberText(snapshot.metrics->p95Mm, 2))
                      .arg(numberText(100.0 * snapshot.metrics->coverage, 0));
@@ -55,10 +55,10 @@ SnapshotPanel::SnapshotPanel(QWidget* parent)
       list_(new QTreeWidget),
       empty_(withText(roleLabel("hint"),
                       [] {
-                          return tr("%1 keeps the pose; %2 goes between two. Every run leaves its pose here.")
+                          return tr("%1 saves the pose; %2 toggles A/B. Each registration is listed here.")
                               .arg(keyOf(Command::KeepPose), keyOf(Command::SwitchPoses));
                       })),
-      compare_(withText(new QPushButton, [] { return tr("Compare …"); }))
+      compare_(withText(new QPushButton, [] { return tr("Compare…"); }))
 {
     empty_->setWordWrap(true);
     setUpList();
@@ -71,7 +71,7 @@ SnapshotPanel::SnapshotPanel(QWidget* parent)
 
 void SnapshotPanel::setUpList()
 {
-    withName(list_, [] { return tr("Kept poses"); });
+    withName(list_, [] { return tr("Snapshots"); });
     list_->setColumnCount(SnapshotColumnCount);
     list_->setHeaderHidden(true);
     list_->setRootIsDecorated(true);
@@ -92,10 +92,10 @@ void SnapshotPanel::setUpList()
 
 QHBoxLayout* SnapshotPanel::makeButtons()
 {
-    auto* keep = withText(new QPushButton, [] { return withKey(tr("Keep pose"), Command::KeepPose); });
-    withTip(keep, [] { return tipWithKey(tr("Keeps this pose with its numbers under a name."), Command::KeepPose); });
-    withTip(compare_,
-            [] { return tipWithKey(tr("Poses and methods side by side, as a table."), Command::ComparePoses); });
+    auto* keep = withText(new QPushButton, [] { return withKey(tr("Save pose"), Command::KeepPose); });
+    withTip(keep,
+            [] { return tipWithKey(tr("Saves this pose and its values as a named snapshot."), Command::KeepPose); });
+    withTip(compare_, [] { return tipWithKey(tr("Compares poses and methods in a table."), Command::ComparePoses); });
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
     buttons->addWidget(keep);
@@ -146,7 +146,7 @@ void SnapshotPanel::addRuns(const std::vector<core::PoseSnapshot>& snapshots)
     if (count == 0) {
         return;
     }
-    auto* group = new QTreeWidgetItem(list_, {QString(), tr("Runs (%1)").arg(count), QString()});
+    auto* group = new QTreeWidgetItem(list_, {QString(), tr("Registrations (%1)").arg(count), QString()});
     group->setFlags(Qt::ItemIsEnabled);
     std::for_each(snapshots.rbegin(), snapshots.rend(), [&](const core::PoseSnapshot& run) {   // newest first
         if (run.kind == core::SnapshotKind::Run) {
@@ -285,7 +285,7 @@ void SnapshotPanel::showContextMenu(const QPoint& position)
     menu->addAction(tr("Rename\tF2"), this, [this, id] { editName(id); });
     menu->addAction(tr("Delete\tDel"), this, [this, affected] { emit removeRequested(affected); });
     menu->addSeparator();
-    menu->addAction(tr("Compare …") + QLatin1Char('\t') + keyOf(Command::ComparePoses), this,
+    menu->addAction(tr("Compare…") + QLatin1Char('\t') + keyOf(Command::ComparePoses), this,
                     &SnapshotPanel::compareRequested);
     menu->popup(list_->viewport()->mapToGlobal(position));
 }

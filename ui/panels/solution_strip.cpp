@@ -28,9 +28,9 @@ SolutionStrip::SolutionStrip(QWidget* parent)
       list_(new QListWidget)
 {
     speak(this, [this] {
-        setHint(tr("%1 shows the next · %2 takes it").arg(keyOf(Command::NextSolution), keyOf(Command::TakeSolution)));
+        setHint(tr("%1: next · %2: accept").arg(keyOf(Command::NextSolution), keyOf(Command::TakeSolution)));
     });
-    withName(list_, [] { return tr("Solutions of the run"); });
+    withName(list_, [] { return tr("Solutions of this registration"); });
     list_->setViewMode(QListView::IconMode);
     list_->setMovement(QListView::Static);
     list_->setFlow(QListView::LeftToRight);

@@ -10,11 +10,13 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr std::array names{
-    QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Vessels"),  QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Angiogram"),
-    QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Geometry"), QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Start pose"),
-    QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Register"), QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Review"),
-    QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Export")};
+constexpr std::array names{QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Vessels"),
+                           QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Angiogram"),
+                           QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Geometry"),
+                           QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Initial pose"),
+                           QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Register"),
+                           QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Review"),
+                           QT_TRANSLATE_NOOP("angiopose::ui::StepBar", "Export")};
 
 }   // namespace
 

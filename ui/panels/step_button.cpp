@@ -52,8 +52,8 @@ void StepButton::showState(const StepState& state)
     state_ = state;
     setToolTip(state.whyNotReady);
     const QString spoken = state.mark == StepMark::Done   ? tr("done")
-                           : state.mark == StepMark::Look ? tr("needs a look")
-                                                          : tr("open");
+                           : state.mark == StepMark::Look ? tr("check")
+                                                          : tr("to do");
     setAccessibleName(tr("%1: %2, %3").arg(text(), spoken, state.hint));
     updateGeometry();
     update();

@@ -14,12 +14,11 @@ TrialBar::TrialBar(QWidget* parent) : QWidget(parent), words_(roleLabel("attenti
     setProperty("role", "column");
     setAttribute(Qt::WA_StyledBackground);
     auto* abandon = withText(new QPushButton, [] { return tr("Abandon"); });
-    withTip(abandon, [] { return tr("Ends the trial; the log says that it was abandoned."); });
+    withTip(abandon, [] { return tr("Ends the trial and logs it as abandoned."); });
     auto* done = withText(new QPushButton, [] { return withKey(tr("Done"), Command::TrialDone); });
     done->setProperty("role", "primary");
     withName(done, [] { return tr("Done"); });
-    withTip(done,
-            [] { return tipWithKey(tr("Logs time and pose, and brings the numbers back."), Command::TrialDone); });
+    withTip(done, [] { return tipWithKey(tr("Logs time and pose and shows the values again."), Command::TrialDone); });
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(14, 6, 14, 6);
     layout->setSpacing(10);
@@ -42,7 +41,7 @@ void TrialBar::showTrial(const QString& observer)
 void TrialBar::sayWhoseTrial()
 {
     words_->setText(
-        tr("Blind trial of %1: lay the vessels onto the image. Numbers come back when you are done.").arg(observer_));
+        tr("Blind trial of %1: align the vessels with the image. Values reappear when you are done.").arg(observer_));
 }
 
 }   // namespace angiopose::ui

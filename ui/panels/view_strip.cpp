@@ -41,7 +41,7 @@ ViewStrip::ViewStrip(QWidget* parent)
     auto* add = new QToolButton;
     add->setText(QStringLiteral("+"));
     withName(add, [] { return tr("Add a view"); });
-    withTip(add, [] { return tr("Another angiogram of the same vessels (Ctrl+Shift+V)"); });
+    withTip(add, [] { return tr("Adds another angiogram of the same vessels (Ctrl+Shift+V)"); });
     connect(add, &QToolButton::clicked, this, &ViewStrip::addRequested);
     setUpList();
 
@@ -56,7 +56,7 @@ ViewStrip::ViewStrip(QWidget* parent)
 
 void ViewStrip::setUpList()
 {
-    withName(list_, [] { return tr("Views of the case"); });
+    withName(list_, [] { return tr("Views"); });
     list_->setFlow(QListView::LeftToRight);
     list_->setMovement(QListView::Static);
     list_->setWrapping(false);
@@ -86,12 +86,12 @@ QLayout* ViewStrip::placedSwitches()
     crosshair_->setIcon(QIcon(QStringLiteral(":/icons/crosshair.svg")));
     withText(sideBySide_, [] { return tr("Side by side"); });
     withTip(sideBySide_,
-            [] { return tipWithKey(tr("All views beside each other, or the shown one alone"), Command::SideBySide); });
-    withText(crosshair_, [] { return tr("Cross-hair"); });
+            [] { return tipWithKey(tr("Shows all views side by side or only the current one"), Command::SideBySide); });
+    withText(crosshair_, [] { return tr("Crosshair"); });
     withTip(crosshair_, [] {
-        return tipWithKey(
-            tr("What is under the pointer in one view is a line in the others, and a point on the vessels"),
-            Command::LinkedCrosshair);
+        return tipWithKey(tr("Shows the point under the pointer as an epipolar line in the other views and as a point "
+                             "on the vessels"),
+                          Command::LinkedCrosshair);
     });
     crosshair_->hide();
     connect(crosshair_, &QToolButton::clicked, this, &ViewStrip::crosshairRequested);

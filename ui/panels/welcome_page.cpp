@@ -21,21 +21,21 @@ WelcomePage::WelcomePage(QWidget* parent)
 {
     setProperty("role", "welcome");
     setAttribute(Qt::WA_StyledBackground);
-    auto* heading = withText(roleLabel("welcome"), [] { return tr("Lay a vessel tree onto its angiogram"); });
+    auto* heading = withText(roleLabel("welcome"), [] { return tr("Register a vessel tree to an angiogram"); });
     auto* hint =
         withText(roleLabel("label"), [] { return tr("Drop a case here, or vessels together with an angiogram."); });
     auto* formats = withText(roleLabel("hint"), [] {
         return tr(
-            "Vessels: CT as DICOM folder, NIfTI, NRRD or MetaImage, masks, centrelines (VTP, VTK, CSV, SWC).  "
+            "Vessels: CT as DICOM folder, NIfTI, NRRD or MetaImage, masks, centerlines (VTP, VTK, CSV, SWC).  "
             "Angiograms: DICOM XA, PNG, TIFF.");
     });
     for (QLabel* label : {heading, hint, formats}) {
         label->setAlignment(Qt::AlignCenter);
         label->setWordWrap(true);
     }
-    auto* open = withText(new QPushButton, [] { return withKey(tr("Open …"), Command::Open); });
+    auto* open = withText(new QPushButton, [] { return withKey(tr("Open…"), Command::Open); });
     open->setProperty("role", "primary");
-    auto* folder = withText(new QPushButton, [] { return withKey(tr("Open folder or disc …"), Command::OpenFolder); });
+    auto* folder = withText(new QPushButton, [] { return withKey(tr("Open DICOM folder/CD…"), Command::OpenFolder); });
     withTip(folder, [] { return tr("Lists the patients, studies and series of a folder, a CD or a DICOMDIR."); });
     auto* sample = withText(new QPushButton, [] { return tr("Open the sample case"); });
     buttons_->addStretch(1);

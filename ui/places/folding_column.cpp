@@ -43,8 +43,8 @@ void paintChevron(QPainter& painter, const QPointF& at, ColumnSide side)
 ColumnRail::ColumnRail(ColumnSide side, const Words& behind, QWidget* parent) : QAbstractButton(parent), side_(side)
 {
     withText(this, behind);
-    withName(this, [behind] { return tr("Unfold the column: %1").arg(behind()); });
-    withTip(this, [side, behind] { return tipWithKey(tr("Unfold: %1").arg(behind()), commandOf(side)); });
+    withName(this, [behind] { return tr("Expand panel: %1").arg(behind()); });
+    withTip(this, [side, behind] { return tipWithKey(tr("Expand: %1").arg(behind()), commandOf(side)); });
     setCursor(Qt::PointingHandCursor);
     setFocusPolicy(Qt::TabFocus);   // no focus rectangle after a click
     setAttribute(Qt::WA_Hover);
@@ -88,9 +88,9 @@ void ColumnRail::paintEvent(QPaintEvent*)
 
 FoldButton::FoldButton(ColumnSide side, const Words& folds, QWidget* parent) : QAbstractButton(parent), side_(side)
 {
-    withName(this, [folds] { return tr("Fold the column: %1").arg(folds()); });
+    withName(this, [folds] { return tr("Collapse panel: %1").arg(folds()); });
     withTip(this, [side, folds] {
-        return tipWithKey(tr("Fold: %1").arg(folds()),
+        return tipWithKey(tr("Collapse: %1").arg(folds()),
                           side == ColumnSide::Left ? Command::FoldLeft : Command::FoldRight);
     });
     setCursor(Qt::PointingHandCursor);

@@ -66,9 +66,9 @@ QWidget* ViewFrame::makeAbsence()
 {
     auto* absence = new QWidget;
     auto* layout = new QVBoxLayout(absence);
-    auto* words = withText(roleLabel("hint"), [] { return tr("In a window of its own"); });
+    auto* words = withText(roleLabel("hint"), [] { return tr("Shown in a separate window"); });
     words->setAlignment(Qt::AlignCenter);
-    auto* back = withText(new QPushButton, [] { return tr("Bring it back"); });
+    auto* back = withText(new QPushButton, [] { return tr("Bring back"); });
     back->setProperty("role", "link");
     connect(back, &QPushButton::clicked, this, [this] { setOut(false); });
     layout->addStretch(1);

@@ -63,7 +63,7 @@ AngleMapPlot::AngleMapPlot(QWidget* parent) : QWidget(parent)
     setMinimumSize(360, 190);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::CrossCursor);
-    withName(this, [] { return tr("Map of the gantry's angles"); });
+    withName(this, [] { return tr("Gantry angle map"); });
 }
 
 void AngleMapPlot::showMap(const std::optional<core::AngleMap>& map)

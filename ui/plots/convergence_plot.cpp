@@ -106,9 +106,8 @@ ConvergencePlot::ConvergencePlot(QWidget* parent)
     withName(this, [] { return tr("Convergence"); });
     withTip(this, [] {
         return tr(
-            "Above: half of the vessel points lie nearer than this to the traced vessels.\n"
-            "Below: how far a step moved the vessels, root of the mean square over all points; the bottom "
-            "line is no shift.");
+            "Top: half of the vessel points lie closer than this to the traced vessels.\nBottom: distance that a step "
+            "moved the vessels, root mean square over all points; the bottom line is zero.");
     });
 }
 
@@ -144,7 +143,7 @@ void ConvergencePlot::paintEvent(QPaintEvent*)
     const QRectF area = QRectF(rect()).adjusted(0, 0, 0, -2);
     if (iterations_.size() < 2) {
         painter.setPen(toQColor(tones.hint));
-        painter.drawText(area, Qt::AlignCenter, tr("shown after a run"));
+        painter.drawText(area, Qt::AlignCenter, tr("shown after a registration"));
         return;
     }
     QFont small = font();
@@ -155,8 +154,8 @@ void ConvergencePlot::paintEvent(QPaintEvent*)
     paintLane(painter, upper,
               {tr("median distance"), QStringLiteral("px"), QPen(toQColor(tones.accent), 1.5), iterations_, medianPx_});
     paintLane(painter, upper.translated(0.0, height + laneGap),
-              {tr("shift of the vessels in one step"), QStringLiteral("mm"),
-               QPen(toQColor(tones.attention), 1.5, Qt::DashLine), iterations_, stepMm_});
+              {tr("vessel shift per step"), QStringLiteral("mm"), QPen(toQColor(tones.attention), 1.5, Qt::DashLine),
+               iterations_, stepMm_});
     paintAxis(painter, QRectF(area.left(), area.bottom() - axisHeight, area.width(), axisHeight), iterations_.front(),
               iterations_.back());
 }

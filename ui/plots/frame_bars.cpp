@@ -36,7 +36,7 @@ QString describeFrame(const FrameCurve& curve, const std::vector<int>& masks, in
         parts << QStringLiteral("%1 %").arg(qRound(100.0 * curve.opacification[static_cast<std::size_t>(frame)]));
     }
     if (frame == curve.suggested) {
-        parts << FrameBars::tr("the fullest");
+        parts << FrameBars::tr("peak opacification frame");
     }
     if (std::ranges::find(masks, frame) != masks.end()) {
         parts << FrameBars::tr("mask");
@@ -52,7 +52,7 @@ FrameBars::FrameBars(QWidget* parent) : QWidget(parent)
     setMinimumHeight(40);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
-    withName(this, [] { return tr("Frames by opacification"); });
+    withName(this, [] { return tr("Opacification of the frames"); });
 }
 
 void FrameBars::showFrames(const FrameCurve& curve)
@@ -250,8 +250,8 @@ void FrameBars::mouseMoveEvent(QMouseEvent* event)
     const bool isAtGrip = dragged_ || loopEndAt(event->position());
     setCursor(isAtGrip ? Qt::SizeHorCursor : frameCount() > 1 ? Qt::PointingHandCursor : Qt::ArrowCursor);
     setToolTip(describeFrame(curve_, masks_, frame) + QLatin1Char('\n') +
-               (isInLane(event->position()) ? tr("Drag the ends to play a part of the run, double click for all of it")
-                                            : tr("Shift+drag marks mask frames, double click shows the curve")));
+               (isInLane(event->position()) ? tr("Drag the ends to play part of the run; double-click for all of it")
+                                            : tr("Shift+drag marks mask frames; double-click shows the curve")));
     if (dragged_) {
         dragLoop(frame);
     } else if (marking_) {

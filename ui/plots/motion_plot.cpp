@@ -27,7 +27,7 @@ MotionPlot::MotionPlot(QWidget* parent) : QWidget(parent)
     setMinimumHeight(92);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
-    withName(this, [] { return tr("Motion of the vessels by frame"); });
+    withName(this, [] { return tr("Vessel motion by frame"); });
 }
 
 void MotionPlot::showMotion(const std::vector<FrameMotion>& motion)
@@ -133,7 +133,7 @@ void MotionPlot::mouseMoveEvent(QMouseEvent* event)
         return;
     }
     const FrameMotion& at = motion_[indexAt(event->position().x())];
-    const QString words = tr("frame %1: %2 mm across, %3 mm in depth, %4°")
+    const QString words = tr("frame %1: %2 mm in plane, %3 mm in depth, %4°")
                               .arg(at.frame + 1)
                               .arg(numberText(at.inPlaneMm, 2))
                               .arg(numberText(at.depthMm, 1))

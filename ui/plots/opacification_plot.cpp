@@ -40,7 +40,7 @@ OpacificationPlot::OpacificationPlot(QWidget* parent) : QWidget(parent)
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(360, 200);
-    withName(this, [] { return tr("Opacification over the frames"); });
+    withName(this, [] { return tr("Opacification by frame"); });
 }
 
 void OpacificationPlot::showFrames(const FrameCurve& curve)
@@ -140,7 +140,7 @@ void OpacificationPlot::paintEvent(QPaintEvent*)
     painter.fillRect(rect(), toQColor(activePalette().field));
     if (lastFrame() < 1) {
         painter.setPen(toQColor(activePalette().hint));
-        painter.drawText(rect(), Qt::AlignCenter, tr("Only runs of several frames have a curve"));
+        painter.drawText(rect(), Qt::AlignCenter, tr("Only runs with several frames have a curve"));
         return;
     }
     if (current_ <= lastFrame()) {

@@ -103,7 +103,7 @@ void ProfilePlot::paintLabels(QPainter& painter) const
         painter.drawText(above, Qt::AlignLeft | Qt::AlignVCenter, tr("⌀ %1 mm").arg(numberText(highestMm_, 1)));
     }
     painter.setPen(toQColor(tones.label));
-    painter.drawText(above, Qt::AlignRight | Qt::AlignVCenter, tr("bend %1/mm").arg(numberText(highestBend_, 2)));
+    painter.drawText(above, Qt::AlignRight | Qt::AlignVCenter, tr("curvature %1/mm").arg(numberText(highestBend_, 2)));
     painter.setPen(toQColor(tones.hint));
     painter.drawText(below, Qt::AlignLeft | Qt::AlignTop, QStringLiteral("0"));
     painter.drawText(below, Qt::AlignRight | Qt::AlignTop, tr("%1 mm").arg(numberText(profile_.lengthMm, 0)));
@@ -156,7 +156,7 @@ QString ProfilePlot::wordsAt(std::size_t index) const
         parts << tr("reference %1 mm").arg(numberText(sample.referenceMm, 2));
     }
     if (std::isfinite(sample.curvaturePerMm)) {
-        parts << tr("bend %1/mm").arg(numberText(sample.curvaturePerMm, 3));
+        parts << tr("curvature %1/mm").arg(numberText(sample.curvaturePerMm, 3));
     }
     return parts.join(QStringLiteral(" · "));
 }

@@ -20,7 +20,7 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
       model_(model),
       bar_(new QWidget),
       allSlices_(makeTool(
-          QStringLiteral("⊞"), [] { return tr("All slices, large"); }, Command::SlicesLarge)),
+          QStringLiteral("⊞"), [] { return tr("Show all slices enlarged"); }, Command::SlicesLarge)),
       stack_(new QStackedWidget),
       treeView_(treeView),
       slice_(new SliceView(model, core::BodyPlane::Axial)),
@@ -40,9 +40,9 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
     }
     tabs->addStretch(1);
     QToolButton* alone = makeTool(
-        QStringLiteral("⤢"), [] { return tr("Only this view in the window, and back"); }, Command::CornerOnly);
+        QStringLiteral("⤢"), [] { return tr("Show only this view, or restore"); }, Command::CornerOnly);
     QToolButton* window = makeTool(
-        QStringLiteral("↗"), [] { return tr("In a window of its own, and back"); }, Command::CornerWindow);
+        QStringLiteral("↗"), [] { return tr("Move to a separate window, or back"); }, Command::CornerWindow);
     connect(allSlices_, &QToolButton::clicked, this, &CornerViews::roomRequested);
     connect(alone, &QToolButton::clicked, this, &CornerViews::aloneRequested);
     connect(window, &QToolButton::clicked, this, &CornerViews::windowRequested);
@@ -51,8 +51,7 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
     for (QToolButton* tool : {allSlices_, alone, window}) {
         tabs->addWidget(tool);
     }
-    withTip(bar_,
-            [] { return tipWithKey(tr("Double click: only this view in the window, and back"), Command::CornerOnly); });
+    withTip(bar_, [] { return tipWithKey(tr("Double-click: show only this view, or restore"), Command::CornerOnly); });
     bar_->installEventFilter(this);
 
     auto* layout = new QVBoxLayout(this);

@@ -63,9 +63,9 @@ QString textOf(const LabelRow& row)
 
 LabelChoice::LabelChoice(QWidget* parent)
     : QWidget(parent),
-      all_(link([] { return tr("All"); }, [] { return tr("Ticks every label of the list"); })),
-      none_(link([] { return tr("None"); }, [] { return tr("Unticks every label of the list"); })),
-      vessels_(link([] { return tr("Vessels"); }, [] { return tr("Ticks those that are vessels by their names"); })),
+      all_(link([] { return tr("All"); }, [] { return tr("Selects all labels in the list"); })),
+      none_(link([] { return tr("None"); }, [] { return tr("Clears all labels in the list"); })),
+      vessels_(link([] { return tr("Vessels"); }, [] { return tr("Selects the labels whose names denote vessels"); })),
       filter_(new QLineEdit),
       list_(new QTreeWidget),
       sum_(roleLabel("hint"))
@@ -79,7 +79,7 @@ LabelChoice::LabelChoice(QWidget* parent)
     layout->addWidget(sum_);
     filter_->setClearButtonEnabled(true);
     withName(filter_, [] { return tr("Find a label"); });
-    withName(list_, [] { return tr("Labels that are vessels"); });
+    withName(list_, [] { return tr("Vessel labels"); });
     list_->setRootIsDecorated(false);
     list_->setIndentation(0);
     list_->setUniformRowHeights(true);
@@ -286,10 +286,10 @@ void LabelChoice::sayTexts()
         volumeMl += isChosen ? row.volumeMl : 0.0;
         count += isChosen ? 1 : 0;
     }
-    sum_->setText(isReading_ ? tr("Reading the labels …")
+    sum_->setText(isReading_ ? tr("Reading the labels…")
                   : !problem_.isEmpty()
                       ? problem_
-                      : tr("%1 of %2 ticked, %3").arg(count).arg(rows_.size()).arg(volumeText(volumeMl)));
+                      : tr("%1 of %2 selected, %3").arg(count).arg(rows_.size()).arg(volumeText(volumeMl)));
 }
 
 }   // namespace angiopose::ui

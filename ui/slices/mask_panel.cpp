@@ -29,12 +29,12 @@ MaskPanel::MaskPanel(QWidget* parent)
              modeButton([] { return tr("Erase"); }, Command::EraseMask),
              modeButton([] { return tr("Scissors"); }, Command::CutMask)},
       radius_(new NumberField({0.2, 25.0, 1, QStringLiteral("mm"), 0.5})),
-      ball_(withText(new QCheckBox, [] { return tr("Ball, through the slices beside"); })),
+      ball_(withText(new QCheckBox, [] { return tr("3-D brush"); })),
       above_(withText(new QCheckBox, [] { return tr("Paint only above the threshold"); })),
       depth_(new QComboBox),
       range_(new NumberField({0.5, 500.0, 1, QStringLiteral("mm"), 1.0})),
       trace_(withText(new QPushButton, [] { return tr("Trace the mask"); })),
-      save_(withText(new QPushButton, [] { return tr("Save mask …"); })),
+      save_(withText(new QPushButton, [] { return tr("Save mask…"); })),
       note_(roleLabel("hint"))
 {
     auto* rows = new QVBoxLayout(this);
@@ -48,15 +48,14 @@ MaskPanel::MaskPanel(QWidget* parent)
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(trace_, 3);
     buttons->addWidget(save_, 2);
-    withTip(trace_,
-            [] { return tipWithKey(tr("Makes the vessels anew from the mask as it is."), Command::TraceMask); });
+    withTip(trace_, [] { return tipWithKey(tr("Recreates the vessels from the current mask."), Command::TraceMask); });
     withTip(save_, [] { return tr("Writes the mask as a label image."); });
     rows->addLayout(buttons);
     note_->setWordWrap(true);
     rows->addWidget(note_);
     connectParts();
     speak(this, [this] {
-        setWords(*depth_, {tr("this slice alone"), tr("slices beside it"), tr("whole depth")});
+        setWords(*depth_, {tr("this slice"), tr("neighboring slices"), tr("all slices")});
         sayState();
     });
     showSettings({});
@@ -66,7 +65,7 @@ MaskPanel::MaskPanel(QWidget* parent)
 QLayout* MaskPanel::opacityRow()
 {
     withName(opacity_, [] { return tr("Mask over the slices"); });
-    withTip(opacity_, [] { return tr("How strong the mask is shown over the slices."); });
+    withTip(opacity_, [] { return tr("Sets the opacity of the mask over the slices."); });
     opacity_->setRange(0, 100);
     auto* row = new QHBoxLayout;
     row->addWidget(withText(roleLabel("label"), [] { return tr("Opacity"); }), 1);
@@ -99,7 +98,7 @@ QLayout* MaskPanel::brushRows()
 
 QLayout* MaskPanel::cutRow()
 {
-    withName(depth_, [] { return tr("How deep scissors cut"); });
+    withName(depth_, [] { return tr("Scissors depth"); });
     withName(range_, [] { return tr("Depth on both sides of the slice"); });
     auto* row = new QHBoxLayout;
     row->addWidget(depth_, 3);
@@ -168,10 +167,10 @@ void MaskPanel::sayState()
 {
     const int open = state_.openStrokes;
     setRole(note_, open > 0 && !state_.isRunning ? "attention" : "hint");
-    note_->setText(state_.isRunning ? tr("Tracing the mask …")
-                   : open == 1      ? tr("1 change of the mask is not in the vessels yet: trace the mask.")
-                   : open > 1       ? tr("%1 changes of the mask are not in the vessels yet: trace the mask.").arg(open)
-                   : state_.isEdited ? tr("The vessels come from a mask edited by hand.")
+    note_->setText(state_.isRunning  ? tr("Tracing the mask…")
+                   : open == 1       ? tr("1 mask change is not in the vessels yet: trace the mask.")
+                   : open > 1        ? tr("%1 mask changes are not in the vessels yet: trace the mask.").arg(open)
+                   : state_.isEdited ? tr("The vessels come from a manually edited mask.")
                                      : tr("Paint and cut, then trace the mask. Each stroke can be undone."));
 }
 

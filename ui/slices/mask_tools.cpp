@@ -36,7 +36,7 @@ void MaskBrushTool::setRadiusMm(double radiusMm)
 QString MaskBrushTool::caption() const
 {
     return (aim_ == MaskAim::Paint ? tr("Paint: drag, Ctrl erases") : tr("Erase: drag, Ctrl paints")) +
-           QStringLiteral(" · ") + tr("Shift+wheel, + and − change the brush");
+           QStringLiteral(" · ") + tr("Shift+wheel, + and − change the brush size");
 }
 
 void MaskBrushTool::end()
@@ -152,7 +152,7 @@ void MaskBrushTool::paint(QPainter& painter, SliceView& view) const
 
 QString MaskCutTool::caption() const
 {
-    return tr("Scissors: draw around what goes · Shift keeps what lies inside");
+    return tr("Scissors: draw around the region to remove · Shift keeps the inside");
 }
 
 void MaskCutTool::end()

@@ -26,8 +26,7 @@ PathTool::PathTool(SliceModel& model) : SliceTool(model)
 
 QString PathTool::caption() const
 {
-    return from_ ? tr("One vessel: click where it ends · Esc begins anew")
-                 : tr("One vessel: click where it begins, then where it ends");
+    return from_ ? tr("One vessel: click its end · Esc starts over") : tr("One vessel: click its start, then its end");
 }
 
 void PathTool::showWay(std::vector<Eigen::Vector3d> pointsInPatient)

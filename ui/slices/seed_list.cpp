@@ -41,14 +41,14 @@ constexpr double usualHu = 200.0;   // default if no threshold was found
 
 SeedList::SeedList(QWidget* parent)
     : QWidget(parent),
-      pickSeed_(switchButton(
-          [] { return tr("Seeds"); },
-          [] { return tr("Then click vessels in a slice: only what is connected to a seed is traced."); })),
+      pickSeed_(
+          switchButton([] { return tr("Seeds"); },
+                       [] { return tr("Click vessels in a slice. Only vessels connected to a seed are traced."); })),
       pickAvoid_(switchButton([] { return tr("Avoid"); },
                               [] {
                                   return tr(
-                                      "Then click heart, veins or bone in a slice: what is reached from there on "
-                                      "wider ways is left out.");
+                                      "Click heart, veins or bone in a slice. Regions reached from there through wider "
+                                      "passages are excluded.");
                               })),
       remove_(withText(new QPushButton, [] { return tr("Remove"); })),
       points_(new QListWidget)
@@ -57,7 +57,7 @@ SeedList::SeedList(QWidget* parent)
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(6);
     rows->addLayout(buttonRow());
-    withName(points_, [] { return tr("Seeds and places to avoid"); });
+    withName(points_, [] { return tr("Seeds and points to avoid"); });
     points_->setFrameShape(QFrame::NoFrame);
     points_->installEventFilter(this);
     rows->addWidget(points_);
@@ -176,7 +176,7 @@ ThresholdField::ThresholdField(QWidget* parent)
       automatic_(withText(new QCheckBox, [] { return tr("Automatic threshold"); })),
       value_(new NumberField({-32768.0, 65535.0, 0, QString(), 5.0})),
       slider_(new QSlider(Qt::Horizontal)),
-      preview_(withText(new QCheckBox, [] { return tr("Show in the slices what is above"); }))
+      preview_(withText(new QCheckBox, [] { return tr("Preview threshold"); }))
 {
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(0, 0, 0, 0);
@@ -198,7 +198,7 @@ QLayout* ThresholdField::valueRow()
     auto* row = new QHBoxLayout;
     withName(slider_, [] { return tr("Threshold"); });
     withName(value_, [] { return tr("Threshold"); });
-    withTip(value_, [] { return tr("The vessels begin at this value of the scan."); });
+    withTip(value_, [] { return tr("Voxels above this intensity of the scan count as vessel."); });
     row->addWidget(slider_, 2);
     row->addWidget(value_, 1);
     return row;

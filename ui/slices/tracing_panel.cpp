@@ -35,13 +35,13 @@ TracingPanel::TracingPanel(QWidget* parent)
       mask_(new MaskPanel),
       threshold_(new ThresholdField),
       seeds_(new SeedList),
-      tubes_(withTip(withText(new QCheckBox, [] { return tr("Thin vessels only, from the seeds"); }),
+      tubes_(withTip(withText(new QCheckBox, [] { return tr("Thin vessels only (needs seeds)"); }),
                      [] {
                          return tr(
-                             "For coronary arteries beside filled chambers, hepatic arteries beside the portal vein: "
-                             "what is wider than a centimetre ends the vessels. Needs seeds.");
+                             "For coronary arteries next to opacified chambers or hepatic arteries next to the portal "
+                             "vein: tracing stops at structures wider than 1 cm. Needs seeds.");
                      })),
-      path_(modeButton([] { return tr("One vessel by two clicks"); }, Command::TraceBetween)),
+      path_(modeButton([] { return tr("Trace between two points"); }, Command::TraceBetween)),
       minLength_(new NumberField({0.0, 1000.0, 1, QStringLiteral("mm"), 1.0})),
       minRadius_(new NumberField({0.0, 1000.0, 2, QStringLiteral("mm"), 0.1})),
       pieces_(new QComboBox),
@@ -82,8 +82,8 @@ QWidget* TracingPanel::lumenCard()
     auto* buttons = new QHBoxLayout;
     auto* show = withText(new QPushButton, [] { return tr("Show"); });
     auto* seed = withText(new QPushButton, [] { return tr("Add seed"); });
-    withTip(show, [] { return tr("Moves the slices to the vessel that was not traced."); });
-    withTip(seed, [] { return tr("Places a seed in this vessel, and one in the traced vessel beside it."); });
+    withTip(show, [] { return tr("Shows the untraced vessel in the slices."); });
+    withTip(seed, [] { return tr("Places a seed in this vessel and one in the traced vessel next to it."); });
     buttons->addWidget(show);
     buttons->addWidget(seed);
     buttons->addStretch(1);
@@ -125,12 +125,13 @@ QLayout* TracingPanel::limitRows()
 {
     auto* rows = new QVBoxLayout;
     rows->setSpacing(4);
-    withName(minLength_, [] { return tr("Shortest branch"); });
-    withTip(minLength_, [] { return tr("Branches that leave their parent's wall by less are removed."); });
-    withName(minRadius_, [] { return tr("Thinnest branch"); });
-    withTip(minRadius_, [] { return tr("Branches whose mean radius is smaller are removed."); });
-    rows->addLayout(labelled([] { return tr("Shortest branch"); }, minLength_));
-    rows->addLayout(labelled([] { return tr("Thinnest branch"); }, minRadius_));
+    withName(minLength_, [] { return tr("Min. length"); });
+    withTip(minLength_,
+            [] { return tr("Removes branches that extend less than this beyond the wall of their parent vessel."); });
+    withName(minRadius_, [] { return tr("Min. mean radius"); });
+    withTip(minRadius_, [] { return tr("Removes branches with a smaller mean radius."); });
+    rows->addLayout(labelled([] { return tr("Min. length"); }, minLength_));
+    rows->addLayout(labelled([] { return tr("Min. mean radius"); }, minRadius_));
     connect(minLength_, &NumberField::edited, this, [this](double value) {
         options_.minBranchLengthMm = value;
         emit optionsEdited(options_);
@@ -146,17 +147,17 @@ QLayout* TracingPanel::shapeRows()
 {
     auto* rows = new QVBoxLayout;
     rows->setSpacing(4);
-    withName(pieces_, [] { return tr("Pieces"); });
+    withName(pieces_, [] { return tr("Components"); });
     withTip(pieces_, [] {
         return tr(
-            "Without seeds. As usual: all pieces of a mask, of a scan the great vessel's. All of a scan: those of "
-            "every "
-            "great vessel.");
+            "Used without seeds. Default: in a mask all components; in a scan the one of the aorta or main artery. "
+            "All: in a scan the components of every great vessel.");
     });
-    speak(pieces_, [this] { setWords(*pieces_, {tr("As usual"), tr("All"), tr("The largest")}); });
-    withTip(keepLoops_,
-            [] { return tr("Vessels that run in a circle stay closed, else each is opened where it is thinnest."); });
-    rows->addLayout(labelled([] { return tr("Pieces"); }, pieces_));
+    speak(pieces_, [this] { setWords(*pieces_, {tr("Default"), tr("All"), tr("Largest")}); });
+    withTip(keepLoops_, [] {
+        return tr("Keeps vessels that form a loop closed; otherwise each loop is cut at its narrowest point.");
+    });
+    rows->addLayout(labelled([] { return tr("Components"); }, pieces_));
     rows->addWidget(keepLoops_);
     connect(pieces_, &QComboBox::activated, this, [this](int index) {
         options_.pieces = static_cast<core::TracedPieces>(index);
@@ -173,7 +174,7 @@ QLayout* TracingPanel::buttonRow()
 {
     auto* row = new QHBoxLayout;
     trace_->setProperty("role", "primary");
-    withTip(stop_, [] { return tr("Ends the tracing; the vessels stay as they were."); });
+    withTip(stop_, [] { return tr("Cancels tracing; the vessels stay unchanged."); });
     row->addWidget(trace_, 5);
     row->addWidget(stop_, 2);
     connect(trace_, &QPushButton::clicked, this, &TracingPanel::traceRequested);
@@ -255,13 +256,13 @@ std::optional<double> TracingPanel::thresholdShown() const
 void TracingPanel::updateButtons()
 {
     trace_->setEnabled(!running_ && whyNot_.isEmpty());
-    trace_->setText(running_ ? tr("Tracing …") : tr("Trace"));
+    trace_->setText(running_ ? tr("Tracing…") : tr("Trace"));
     stop_->setEnabled(running_);
     labels_->setRunning(running_);
     seeds_->setRunning(running_);
     note_->setText(!whyNot_.isEmpty()    ? whyNot_
                    : seeds_->isPicking() ? tr("Click in a slice to place a point; Esc ends.")
-                                         : tr("The traced vessels replace the tree; undo brings it back."));
+                                         : tr("The traced vessels replace the current tree; undo restores it."));
 }
 
 }   // namespace angiopose::ui

@@ -32,8 +32,8 @@ WindowBar::WindowBar(SliceModel& model, QWidget* parent)
       row_(new QHBoxLayout(presets_)),
       folded_(withText(new QPushButton, [] { return tr("Window"); })),
       menu_(new QMenu(this)),
-      ownWindow_(linkButton([] { return tr("Own window"); })),
-      back_(linkButton([] { return tr("Back to the angiogram"); }))
+      ownWindow_(linkButton([] { return tr("Pop out"); })),
+      back_(linkButton([] { return tr("Show angiogram"); }))
 {
     row_->setContentsMargins(0, 0, 0, 0);
     row_->setSpacing(spacingPx);
@@ -43,7 +43,7 @@ WindowBar::WindowBar(SliceModel& model, QWidget* parent)
     folded_->setMenu(menu_);
     folded_->hide();
     menu_->setToolTipsVisible(true);
-    withTip(ownWindow_, [] { return tr("The slices in a window of their own, and back (F9)"); });
+    withTip(ownWindow_, [] { return tr("Opens the slices in a separate window and brings them back (F9)"); });
     connect(ownWindow_, &QPushButton::clicked, this, &WindowBar::windowRequested);
     connect(back_, &QPushButton::clicked, this, &WindowBar::closeRequested);
     auto* layout = new QHBoxLayout(this);
@@ -82,14 +82,14 @@ void WindowBar::fillPresets()
         connect(&model_, &SliceModel::scanChanged, this, followScan);
     }
     add([] { return tr("Automatic"); },
-        [] { return tr("From the values of this scan; right drag in a slice changes it by hand."); },
+        [] { return tr("Set from the values of this scan; right-drag in a slice to adjust it manually."); },
         [this] {
             if (model_.volume()) {
                 model_.setWindow(windowOfValues(*model_.volume()));
             }
         });
     menu_->addSeparator();
-    connect(withText(menu_->addAction(QString()), [] { return tr("Own window"); }), &QAction::triggered, this,
+    connect(withText(menu_->addAction(QString()), [] { return tr("Pop out"); }), &QAction::triggered, this,
             &WindowBar::windowRequested);
 }
 

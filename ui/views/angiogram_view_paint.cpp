@@ -171,10 +171,9 @@ QString AngiogramView::sideMark() const
 {
     const bool isMirroredImage = interaction_->camera.fx > 0.0;
     if (isFromSource()) {
-        return isMirroredImage ? tr("Mirrored image, mirrored back by the view")
-                               : tr("Seen from the source: the view is mirrored");
+        return isMirroredImage ? tr("Mirrored image, unmirrored by the view") : tr("View from the source: mirrored");
     }
-    return isMirroredImage ? tr("Mirrored image: as seen from the source") : QString();
+    return isMirroredImage ? tr("Mirrored image: seen from the source") : QString();
 }
 
 void AngiogramView::bringAnnotationsUpToDate()

@@ -23,7 +23,7 @@ ScanBar::ScanBar(QWidget* parent)
     choice_->setProperty("role", "tab");
     choice_->setPopupMode(QToolButton::InstantPopup);
     choice_->setMenu(menu_);
-    withTip(choice_, [] { return tr("How the scan is shown behind the vessels"); });
+    withTip(choice_, [] { return tr("Display of the scan behind the vessels"); });
     strength_->setRange(0, steps);
     strength_->setMinimumWidth(50);
     strength_->setMaximumWidth(160);

@@ -161,7 +161,7 @@ void TreeView::paintAbsence(QPainter& painter) const
     const int margin = std::min(24, width() / 12);
     painter.setPen(colorOf(ui::palette(theme_).label));
     painter.drawText(rect().adjusted(margin, margin, -margin, -margin), Qt::AlignCenter | Qt::TextWordWrap,
-                     tr("No vessels yet: drop some here, open them (%1), or trace a scan in its slices (%2).")
+                     tr("No vessels yet: drop them here, open them (%1), or trace a scan in its slices (%2).")
                          .arg(keyOf(Command::Open), keyOf(Command::SlicesLarge)));
 }
 

@@ -229,7 +229,7 @@ void VtkView::paintExcuse(QPainter& painter)
     painter.fillRect(rect(), palette().base());
     painter.setPen(palette().color(QPalette::Text));
     painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
-                     tr("The 3-D view needs OpenGL 3.2, which this display does not offer. Everything else works. "
+                     tr("The 3-D view needs OpenGL 3.2, which this display does not support. Everything else works. "
                         "Try LIBGL_ALWAYS_SOFTWARE=1, or install libgl1-mesa-dri."));
 }
 

@@ -65,7 +65,7 @@ QString labelOf(PoseAxis axis)
 {
     static constexpr std::array labels{QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "right"),
                                        QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "up"),
-                                       QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "along ray"),
+                                       QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "depth"),
                                        QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "roll"),
                                        QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "LAO / RAO"),
                                        QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "CRA / CAU")};
@@ -79,9 +79,10 @@ QString explanationOf(PoseAxis axis)
         QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "Up on screen, in mm at the vessels. Nudge: ↑ ↓"),
         QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "Away from the X-ray source, in mm. Nudge: PgUp PgDn"),
         QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "Clockwise on screen. Nudge: , ."),
-        QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis", "As if the C-arm went to LAO (+) or RAO (−). Nudge: Alt+← Alt+→"),
         QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis",
-                          "As if the C-arm went cranial (+) or caudal (−). Nudge: Alt+↑ Alt+↓")};
+                          "Equivalent to rotating the C-arm toward LAO (+) or RAO (−). Nudge: Alt+← Alt+→"),
+        QT_TRANSLATE_NOOP("angiopose::ui::PoseAxis",
+                          "Equivalent to rotating the C-arm cranially (+) or caudally (−). Nudge: Alt+↑ Alt+↓")};
     return translated(texts[static_cast<std::size_t>(axis)]);
 }
 

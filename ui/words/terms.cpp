@@ -16,7 +16,7 @@ struct MethodWords {
 QString methodWords(const std::string& methodId)
 {
     if (methodId.empty()) {
-        return MethodWords::tr("by hand");
+        return MethodWords::tr("manual");
     }
     for (const core::MethodInfo& info : core::methodInfos()) {
         if (info.id == methodId) {

@@ -15,62 +15,62 @@ const std::vector<Method>& table()
           "Coarse search, then robust point-to-line refinement about the tree's centroid, with uncertainty."},
          solveAngioPose},
         {{"dynaweight", "DynaWeightPnP",
-          "Alternates between a few auxiliary points and all points by kernel-weighted PnP (Song, Ghaffari)."},
+          "Alternates kernel-weighted PnP between a few auxiliary points and all points (Song, Ghaffari)."},
          solveDynaWeight},
         {{"iterative-pnp", "DynaWeightPnP*", "Kernel-weighted iterative PnP on all points (Song, Ghaffari)."},
          solveIterativePnp},
         {{"nicp", "NICP",
-          "Gradient ascent of the mean kernel between tree and traced vessels, or of the image's brightness "
-          "(Aylward 2003; re-implementation, parameters ours)."},
+          "Gradient ascent of the mean kernel between tree and traced vessels, or of the image brightness (Aylward "
+          "2003; re-implementation, our parameters)."},
          solveNicp},
         {{"nicp-alternating", "NICP*",
-          "NICP inside the alternating search (Song, Ghaffari; re-implementation, parameters ours)."},
+          "NICP inside the alternating search (Song, Ghaffari; re-implementation, our parameters)."},
          solveNicpAlternating},
         {{"dt-icp", "DT-ICP",
-          "Least Huber loss of the distances to the nearest traced vessel (Rivest-Hénault 2012; "
-          "re-implementation, parameters ours)."},
+          "Minimum Huber loss of the distances to the nearest traced vessel (Rivest-Hénault 2012; re-implementation, "
+          "our parameters)."},
          solveDtIcp},
-        {{"assembled-icp", "Assembled ICP",
-          "Least squares on nearest pairs by OpenCV's SQPNP, repeated: what library parts make in an afternoon."},
+        {{"assembled-icp", "Assembled ICP", "Repeated least squares on nearest pairs, with OpenCV's SQPNP."},
          solveAssembledIcp,
          false},
         {{"rgbr", "RGBR",
-          "Edges found along the vessel walls' normals, a pose chosen by RANSAC with gradient matching "
-          "(Markelj 2008; re-implementation, parameters ours)."},
+          "Edges along the normals of the vessel walls; RANSAC with gradient matching selects the pose (Markelj 2008; "
+          "re-implementation, our parameters)."},
          solveRgbr},
         {{"automask", "AutoMask",
-          "Rank correlation of the image with radiographs of the CTA or of tubes, Nelder–Mead "
-          "(Steininger 2012; re-implementation, parameters ours)."},
+          "Rank correlation of the image with DRRs of the CTA or of tubes, Nelder–Mead (Steininger 2012; "
+          "re-implementation, our parameters)."},
          solveAutoMask},
         {{"gradient-matching", "Gradient matching",
-          "Vessel walls against image gradients, Powell's method (Mitrović 2013; re-implementation, parameters ours)."},
+          "Vessel walls against image gradients, Powell's method (Mitrović 2013; re-implementation, our parameters)."},
          solveGradientMatching},
         {{"ogmm", "OGMM",
-          "L2 distance of oriented Gaussian mixtures of tree and traced vessels (Baka 2014; re-implementation, "
-          "parameters ours)."},
+          "L2 distance between oriented Gaussian mixtures of tree and traced vessels (Baka 2014; re-implementation, "
+          "our parameters)."},
          solveOgmm},
         {{"cvo", "CVO",
-          "Gradient flow of the inner product of tree and traced vessels as functions of the image (Ghaffari 2019; "
-          "re-implementation, parameters ours)."},
+          "Gradient flow of the inner product of tree and traced vessels as functions in the image (Ghaffari 2019; "
+          "re-implementation, our parameters)."},
          solveCvo},
         {{"matched-branches", "Matched branches",
-          "Least squares on branches matched by their graphs, then vessels that move with their lengths kept (Groher "
-          "2009; re-implementation, parameters ours)."},
+          "Least squares on branches matched by their graphs, followed by length-preserving vessel motion (Groher "
+          "2009; re-implementation, our parameters)."},
          solveMatchedBranches},
         {{"graph-matching", "Graph matching",
-          "Best-first search over sequences of matched branches, a pose from each (after Zhu; re-implementation, "
-          "parameters ours)."},
+          "Best-first search over sequences of matched branches, with one pose per sequence (after Zhu; "
+          "re-implementation, our parameters)."},
          solveGraphMatching},
         {{"particle", "Particles",
-          "Many poses at once, drawn anew by likelihood, or a walk over the out-of-plane angles (after Tian 2022; "
-          "re-implementation, parameters ours)."},
+          "Many poses at once, resampled by likelihood, or a walk over the out-of-plane angles (after Tian 2022; "
+          "re-implementation, our parameters)."},
          solveParticle},
         {{"evolution", "Evolution",
-          "Brightness under the vessels at their own width, evolution strategy (Jomier 2006; re-implementation, "
-          "parameters ours)."},
+          "Image brightness under the vessels at their own width, evolution strategy (Jomier 2006; re-implementation, "
+          "our parameters)."},
          solveEvolution},
         {{"wire", "Wire or catheter",
-          "Only a wire or catheter is visible: which way of the tree it takes, and the pose near the last full one."},
+          "For images that show only a wire or catheter: finds its path through the tree, and the pose near the last "
+          "full registration."},
          solveWire},
     };
     return rows;

@@ -13,7 +13,7 @@
 namespace angiopose::test {
 namespace {
 
-const QString nodeName = QStringLiteral("PACS of radiology");
+const QString nodeName = QStringLiteral("Radiology PACS");
 
 std::vector<ui::MatchRow> studies()
 {

@@ -72,7 +72,7 @@ TEST_F(ResultSeal, NamesWhatWasChangedBesideTheShownView)
          [](auto& json) {
              json["angiogram"]["subtraction"] = {{"on", false}};
          }},
-        {"the start pose", [](auto& json) { json["pose"]["initial"]["cameraFromPatient"][0][3] = 2.0; }},
+        {"the initial pose", [](auto& json) { json["pose"]["initial"]["cameraFromPatient"][0][3] = 2.0; }},
     };
     for (const auto& [what, edit] : edits) {
         const core::Case copy = afterEditing(edit);

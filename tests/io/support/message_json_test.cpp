@@ -40,7 +40,7 @@ TEST(MessageJson, ListsSeveral)
 
     ASSERT_EQ(json.size(), 2U);
     EXPECT_EQ(json[1]["id"], "trust.stopped");
-    EXPECT_EQ(sentencesOf(warnings)[1], "The registration was stopped before its end.");
+    EXPECT_EQ(sentencesOf(warnings)[1], "The registration was stopped before it finished.");
 }
 
 }   // namespace

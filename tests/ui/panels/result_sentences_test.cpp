@@ -82,7 +82,7 @@ TEST(ResultSentences, HaveNothingCertainWhenTheFitIsNotTrustworthy)
 
     EXPECT_TRUE(sentences.certain.isEmpty());
     EXPECT_TRUE(sentences.doubtful.contains(
-        QStringLiteral("Another pose explains the image nearly as well: compare the alternatives.")));
+        QStringLiteral("Another pose explains the image almost as well: compare the alternatives.")));
 }
 
 TEST(ResultSentences, SayHowLikelyTheOverlayIsRightWhereThatIsKnown)

@@ -80,26 +80,26 @@ void EditCurvesTool::setBrush(double radius)
 QString EditCurvesTool::caption() const
 {
     if (!isReady_) {
-        return tr("Edit vessels: tracing this frame …");
+        return tr("Edit vessels: tracing this frame…");
     }
     if (chosenSuspect_ >= 0) {
-        return tr("Perhaps a catheter: A vessel, W catheter or wire, Delete leaves it out, S next");
+        return tr("Possible catheter: A vessel, W catheter or guidewire, Delete excludes, S next");
     }
     switch (edit_) {
         case CurveEdit::Erase:
-            return tr("Erase: brush over curves, [ ] size of the brush, Esc ends");
+            return tr("Erase: brush over curves, [ ] brush size, Esc ends");
         case CurveEdit::Draw:
-            return tr("Draw: click along the vessel, Enter ends, Backspace takes a point back, Shift straight");
+            return tr("Draw: click along the vessel, Enter ends, Backspace removes a point, Shift straight");
         case CurveEdit::Cut:
-            return tr("Cut: click where a curve is to fall in two, Esc ends");
+            return tr("Cut: click where a curve should be split, Esc ends");
         case CurveEdit::Remove:
-            return tr("Not a vessel: click a curve to leave it out, Esc ends");
+            return tr("Not a vessel: click a curve to exclude it, Esc ends");
         case CurveEdit::Apart:
-            return tr("Catheter or wire: click a curve to keep it apart, or to take it back, Esc ends");
+            return tr("Catheter or guidewire: click a curve to mark it as a device or to unmark it, Esc ends");
         case CurveEdit::Box:
-            return tr("Box: drag around what is no vessel; Ctrl keeps the inside alone, Esc ends");
+            return tr("Box: drag around non-vessels; Ctrl keeps only the inside, Esc ends");
         case CurveEdit::Lasso:
-            return tr("Lasso: draw around what is no vessel; Ctrl keeps the inside alone, Esc ends");
+            return tr("Lasso: draw around non-vessels; Ctrl keeps only the inside, Esc ends");
     }
     return {};
 }
@@ -183,7 +183,7 @@ void EditCurvesTool::finishDrag(const ToolPoint&)
     } else if (isKeeping_) {
         report(core::restrictedTo(curves_, polygon), [] { return tr("Restrict to a region"); });
     } else {
-        report(core::withoutRegion(curves_, polygon), [] { return tr("Leave out a region"); });
+        report(core::withoutRegion(curves_, polygon), [] { return tr("Exclude a region"); });
     }
 }
 

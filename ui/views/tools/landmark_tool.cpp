@@ -37,12 +37,12 @@ void LandmarkTool::showMarks(const LandmarkMarks& marks)
 QString LandmarkTool::caption() const
 {
     if (marks_.pendingPointInPatient) {
-        return tr("Landmarks: now click the same place in the image");
+        return tr("Landmarks: now click the same point in the image");
     }
     if (marks_.pendingPixel) {
-        return tr("Landmarks: now click the same place on the vessels in 3-D");
+        return tr("Landmarks: now click the same point on the vessels in 3-D");
     }
-    return tr("Landmarks: click in 3-D and here, or drag a node · Enter places");
+    return tr("Landmarks: click in 3-D and here, or drag a node · Enter computes the pose");
 }
 
 std::optional<LandmarkTool::Held> LandmarkTool::heldAt(const QPointF& position) const

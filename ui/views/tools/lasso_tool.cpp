@@ -30,7 +30,7 @@ QPointF toPoint(const Eigen::Vector2d& imagePx)
 
 QString LassoTool::caption() const
 {
-    return tr("Lasso: draw around the auxiliary branches, Shift adds, Ctrl removes, Esc ends");
+    return tr("Lasso: draw around the auxiliary branches · Shift adds · Ctrl removes · Esc ends");
 }
 
 bool LassoTool::startDrag(const ToolPoint& pressed)

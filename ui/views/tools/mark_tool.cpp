@@ -38,17 +38,17 @@ QString MarkTool::caption() const
 {
     switch (mode_) {
         case MarkMode::CheckPoint:
-            return tr("Check point: click the vessels, here, in 3-D or in a slice · points can be moved");
+            return tr("Target point: click the vessels, here, in 3-D or in a slice · points can be moved");
         case MarkMode::OstiumRing:
             return tr("Ostium ring: click the vessels, here, in 3-D or in a slice · rings can be moved");
         case MarkMode::SeenHere:
-            return tr("Seen here: click where the chosen check point is seen, or drag it there");
+            return tr("Mark in image: click where the selected target point appears, or drag it there");
         case MarkMode::Arrow:
-            return tr("Arrow: drag from its tail to its tip, then type · ends can be moved");
+            return tr("Arrow: drag from tail to tip, then type · ends can be moved");
         case MarkMode::Words:
             break;
     }
-    return tr("Text: click where it begins, then type · texts can be moved");
+    return tr("Text: click where it starts, then type · texts can be moved");
 }
 
 std::optional<std::size_t> MarkTool::handleAt(const QPointF& position) const

@@ -42,7 +42,7 @@ void MaskShiftTool::showShift(const Eigen::Vector2d& shiftPx)
 
 QString MaskShiftTool::caption() const
 {
-    return tr("Mask: arrows or drag move it, Shift 1 px, Ctrl 0.05 px, Esc ends · right %1, down %2 px")
+    return tr("Pixel shift: arrow keys or drag, Shift 1 px, Ctrl 0.05 px, Esc ends · right %1, down %2 px")
         .arg(numberText(shift_.x(), 2))
         .arg(numberText(shift_.y(), 2));
 }

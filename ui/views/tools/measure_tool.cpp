@@ -55,13 +55,13 @@ QString MeasureTool::caption() const
 {
     switch (kind_) {
         case MeasurementKind::Length:
-            return tr("Length: drag, or click both ends · points can be moved");
+            return tr("Length: drag or click both ends · points can be moved");
         case MeasurementKind::Angle:
-            return tr("Angle: click an end, the vertex, the other end · points can be moved");
+            return tr("Angle: click one end, the vertex, the other end · points can be moved");
         case MeasurementKind::Area:
             break;
     }
-    return tr("Area: click around it; double click or Enter closes · points can be moved");
+    return tr("Area: click along the outline; double-click or Enter closes it · points can be moved");
 }
 
 std::optional<MeasureTool::Held> MeasureTool::heldAt(const QPointF& position) const

@@ -73,7 +73,7 @@ core::PoseOffset asSeen(core::PoseOffset offset, const AngiogramView& view)
 
 QString NudgeTool::caption() const
 {
-    return tr("Nudge: drag shifts, ring rolls, arcs turn, slide is depth, Ctrl is fine, Esc takes back");
+    return tr("Nudge: drag to move · ring to roll · arcs to tilt · slider for depth · Ctrl = fine · Esc cancels");
 }
 
 const Color& NudgeTool::tone() const

@@ -30,7 +30,7 @@ void PivotTool::showTree(const core::VesselTree& tree)
 
 QString PivotTool::caption() const
 {
-    return tr("Pivot: click the vessels, here or in 3-D · ← → and Enter: bifurcations · Del: centroid");
+    return tr("Rotation center: click the vessels, here or in 3-D · ← → and Enter: bifurcations · Del: centroid");
 }
 
 const Color& PivotTool::tone() const
