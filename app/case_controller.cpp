@@ -111,7 +111,7 @@ bool CaseController::isBusy() const
            document_.isInTrial();
 }
 
-/// What the window itself hears: files, clicks, keys, its end.
+/// Connects the events of the window itself: files, clicks, keys and closing.
 void CaseController::connectWindow()
 {
     connect(&window_, &ui::MainWindow::filesDropped, &session_, &SessionController::open);
@@ -134,7 +134,7 @@ void CaseController::connectWindow()
     connect(&slices_, &SliceController::largeShown, &window_, &ui::MainWindow::setSlicesLarge);
 }
 
-/// Why an edit could not be made is said in the strip.
+/// Shows the reason for a failed edit in the status strip.
 void CaseController::connectNotes()
 {
     connect(&document_, &CaseDocument::editRefused, this,
@@ -210,7 +210,7 @@ void CaseController::followTarget()
 {
     sync_.showTarget(target_.current());
     judgement_.judge(document_.current().shown().cameraFromPatient);
-    judgement_.show();   // why there is none
+    judgement_.show();   // shows the reason if there is none
     steps_.show();
 }
 

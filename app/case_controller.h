@@ -53,18 +53,18 @@
 
 namespace angiopose::app {
 
-/// Connects the window with the document and the jobs; each sub-controller holds one of the user's intents and gets the
-/// panels and views that it serves. What the window as a whole does (pages, keys, its end) is wired here.
+/// Connects the window to the document and the jobs. Each sub-controller implements one user task and gets the panels
+/// and views it needs; behavior of the whole window (pages, keys, closing) is connected here.
 class CaseController : public QObject {
     Q_OBJECT
 public:
     explicit CaseController(ui::MainWindow& window, QObject* parent = nullptr);
 
-    /// Notice, recovery offer and the files of the command line.
+    /// Shows the notice and the recovery offer, and opens the files of the command line.
     void begin(const QStringList& paths);
     void open(const QStringList& paths) { session_.open(paths); }
     bool isLoading() const { return session_.isLoading(); }
-    bool isBusy() const;   ///< a worker that may take long, or a trial
+    bool isBusy() const;   ///< a worker that may take long, or a trial, is active
 
     CaseDocument& document() { return document_; }
     SaveController& saving() { return session_.saving(); }

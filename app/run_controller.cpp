@@ -65,7 +65,7 @@ void RunController::start()
     }
 }
 
-/// The strip's Stop ends whatever it shows: a run, or the loading of files.
+/// Stops whatever the strip shows: a registration or the loading of files.
 void RunController::stop()
 {
     on_.registration.stop();
@@ -97,7 +97,7 @@ void RunController::showRunning(bool running)
 void RunController::showProgress(const RunReport& report)
 {
     if (!on_.registration.isRunning()) {
-        return;   // a report that was still on its way when the run ended
+        return;   // late report of a registration that has ended
     }
     const core::IterationReport& step = report.iteration;
     if (report.isOfShownView) {

@@ -22,11 +22,11 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Register and Stop, the method's options, and what the window shows while a registration runs and when it ends.
+/// Register and Stop, the method's options, and the display during and after a registration.
 class RunController : public QObject {
     Q_OBJECT
 public:
-    /// What runs, and who shows it.
+    /// Objects that run the registration or show it.
     struct Parts {
         CaseDocument& document;
         RegistrationController& registration;
@@ -46,9 +46,9 @@ public:
     };
     explicit RunController(const Parts& parts, QObject* parent = nullptr);
 
-    void show();   ///< options, and why a run cannot start
+    void show();   ///< updates the options and the reason why registration cannot start
 
-    /// What the status line says of a run that ended.
+    /// Status text for a completed registration.
     static QString finishedText(const core::RegistrationResult& result);
 
 private:

@@ -40,7 +40,7 @@ void StepController::show()
     on_.window.steps().showStates(stepStates(on_.document.current(), facts));
 }
 
-/// A step whose input is missing asks for it.
+/// Goes to a step; if its input is missing, opens the file dialog instead.
 void StepController::goTo(ui::Step step)
 {
     const core::Case& current = on_.document.current();
@@ -50,8 +50,9 @@ void StepController::goTo(ui::Step step)
         on_.window.actions()[ui::Command::Open]->trigger();
     } else {
         emit wentTo(step);
-        QTimer::singleShot(0, &on_.window,   // by then the layout is there: two short answers, not one long
-                           [this, step] { on_.window.focusStep(step); });
+        QTimer::singleShot(
+            0, &on_.window,   // deferred until the layout has changed: two short events instead of a long one
+            [this, step] { on_.window.focusStep(step); });
     }
 }
 

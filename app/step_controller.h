@@ -16,12 +16,12 @@ class MainWindow;
 
 namespace angiopose::app {
 
-/// The step bar: what of the way to a result is done, and where a click on a step leads. Has the whole window: a step
-/// may lead to any part of it.
+/// Step bar: shows which steps are complete, and goes to a step on a click. Gets the whole window because a step may
+/// lead to any part of it.
 class StepController : public QObject {
     Q_OBJECT
 public:
-    /// What the steps tell about.
+    /// Objects that determine the state of the steps.
     struct Parts {
         CaseDocument& document;
         TargetProvider& target;
@@ -36,13 +36,13 @@ public:
     void show();
 
 signals:
-    void wentTo(ui::Step step);   ///< by the user, before its part of the window is shown
+    void wentTo(ui::Step step);   ///< emitted when the user selects a step, before its part of the window is shown
 
 private:
     void goTo(ui::Step step);
 
     Parts on_;
-    bool exported_ = false;   ///< the case as it is
+    bool exported_ = false;   ///< the current state of the case is exported
 };
 
 }   // namespace angiopose::app

@@ -14,7 +14,7 @@ namespace {
 using ui::StepMark;
 using ui::StepState;
 
-/// The words of this file.
+/// Translation context of this file.
 struct StepWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::StepStates)
 };

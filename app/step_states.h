@@ -5,18 +5,18 @@
 
 namespace angiopose::app {
 
-/// What the steps need to know beside the case.
+/// State that the steps depend on in addition to the case.
 struct StepFacts {
-    QString targetProblem;   ///< why the frame could not be traced; empty when fine
-    QString targetWarning;   ///< that what was traced may be no vessels; empty when fine
+    QString targetProblem;   ///< reason why the frame could not be traced; empty: none
+    QString targetWarning;   ///< warning that the traced curves may not be vessels; empty: none
     bool isTracing = false;
     bool isRunning = false;
-    bool poseEdited = false;   ///< the pose differs from the start pose
-    int treePieces = 0;   ///< that do not touch one another; 0: not known yet
-    bool exported = false;   ///< the pose as it is has been exported
+    bool poseEdited = false;   ///< the pose differs from the initial pose
+    int treePieces = 0;   ///< number of disconnected components; 0: not yet known
+    bool exported = false;   ///< the current pose has been exported
 };
 
-/// Marks and hints of the step bar: true now, in few words.
+/// Marks and short hints of the step bar for the current state.
 std::array<ui::StepState, ui::stepCount> stepStates(const core::Case& current, const StepFacts& facts);
 
 }   // namespace angiopose::app

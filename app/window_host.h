@@ -8,7 +8,7 @@
 
 namespace angiopose::app {
 
-/// The window and all behind it.
+/// Owns the main window and its controllers.
 class WindowHost {
 public:
     WindowHost();
@@ -17,7 +17,8 @@ public:
     CaseController& controller() { return controller_; }
 
 private:
-    std::optional<ui::WithoutStyleSheet> undressed_{std::in_place};   ///< while the window is put together
+    std::optional<ui::WithoutStyleSheet> undressed_{
+        std::in_place};   ///< suspends the style sheet while the window is constructed
     ui::MainWindow window_;
     CaseController controller_;
 };

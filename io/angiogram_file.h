@@ -7,11 +7,12 @@
 
 namespace angiopose::io {
 
-/// Angiogram from PNG, TIFF, JPEG or DICOM XA (single and multi-frame, compressed too), with the geometry tags of
-/// ALGORITHMS §5.1 and their origin. Colour becomes grey with a warning. Fails with file, problem and remedy.
+/// Reads an angiogram from PNG, TIFF, JPEG or DICOM XA (single- or multi-frame, also compressed), with the geometry
+/// tags of ALGORITHMS §5.1 and their origin. Converts color to gray with a warning. Errors name the file, the problem
+/// and the remedy.
 core::Result<core::Angiogram> readAngiogram(const std::string& path);
 
-/// True for DICOM (packed with gzip too) and for pictures: what readAngiogram may read.
+/// True for files that readAngiogram may be able to read: DICOM (also gzip-compressed) and PNG, TIFF or JPEG images.
 bool looksLikeImageFile(const std::string& path);
 
 /// Writes the frames as an uncompressed multi-frame 16-bit DICOM XA with the geometry of `angiogram.cArm`.

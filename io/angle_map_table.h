@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// CSV of a map of gantry angles, a row per angle: primary_deg, secondary_deg, foreshortening, overlap (0…1). Written
-/// atomically.
+/// Writes a map of gantry angles as CSV, one row per angle: primary_deg, secondary_deg, foreshortening, overlap (0…1).
+/// Writes atomically.
 core::Status writeAngleMap(const core::AngleMap& map, const std::string& path);
 
 }   // namespace angiopose::io

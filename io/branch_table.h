@@ -7,11 +7,11 @@
 
 namespace angiopose::io {
 
-/// Measures along every branch of a tree as a comma-separated table (FORMATS §4), a row each; what is not known stays
-/// empty, the notes say why.
+/// Measurements along every branch of a tree as CSV (FORMATS §4), one row per branch. Unknown values are empty; the
+/// notes give the reason.
 std::string branchTable(const core::VesselTree& tree);
 
-/// Places along one branch: arc length, patient LPS, diameter, reference (mm) and curvature (1/mm).
+/// Samples along one branch as CSV: arc length, patient LPS, diameter, reference diameter (mm) and curvature (1/mm).
 std::string profileTable(const core::BranchProfile& profile);
 
 core::Status writeBranchTable(const core::VesselTree& tree, const std::string& path);

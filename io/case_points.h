@@ -5,7 +5,7 @@
 
 namespace angiopose::io {
 
-/// Check points, centres of rings, and the places of the shown view's landmarks; the description says which.
+/// Target points, ring centers and the 3-D positions of the shown view's landmarks; the description gives the kind.
 std::vector<Fiducial> pointsOf(const core::Case& session);
 
 }   // namespace angiopose::io

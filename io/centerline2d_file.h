@@ -7,13 +7,13 @@
 
 namespace angiopose::io {
 
-/// 2-D centreline from CSV (`x,y,branch,radius`) or a PNG mask (traced).
+/// Reads a 2-D centerline from CSV (`x,y,branch,radius`), or traces it in a PNG mask.
 core::Result<core::Centerline2d> readCenterline2d(const std::string& path);
 
-/// CSV `x,y,branch,radius`, px.
+/// The centerline as CSV `x,y,branch,radius`, px.
 std::string centerline2dText(const core::Centerline2d& centerline);
 
-/// Writes it atomically.
+/// Writes a 2-D centerline as CSV, atomically.
 core::Status writeCenterline2d(const core::Centerline2d& centerline, const std::string& path);
 
 }   // namespace angiopose::io

@@ -7,9 +7,9 @@
 
 namespace angiopose::io {
 
-/// Check points and rings of a case as a comma-separated table (FORMATS §4), at the case's poses: a row for each view
-/// that a check point was pointed at in, with its error there beside what the result claims, one for the error in space
-/// where two views tell of it, and one for what was pointed at nowhere.
+/// Target points and rings of a case as CSV (FORMATS §4), at the case's poses: one row per view in which a target point
+/// is marked, with its error there and the uncertainty stated by the result; one row for the 3-D error if two views
+/// determine it; one row for a point marked in no view.
 std::string checkPointTable(const core::Case& session);
 core::Status writeCheckPoints(const core::Case& session, const std::string& path);
 

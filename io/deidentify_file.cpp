@@ -14,7 +14,7 @@
 namespace angiopose::io {
 namespace {
 
-/// What is said of many files is said once.
+/// Adds messages, but repeats none.
 void addNew(const core::Messages& from, core::Messages& to)
 {
     for (const core::Message& message : from) {

@@ -9,13 +9,13 @@
 
 namespace angiopose::io {
 
-/// Writes a DICOM image or object, PNG, JPEG or TIFF without identity (FORMATS §7); warnings name what to look at.
+/// Writes a de-identified DICOM image or object, PNG, JPEG or TIFF (FORMATS §7); warnings name what to review.
 core::Result<core::Messages> deidentifyFile(const std::string& path, const std::string& output,
                                             const Deidentification& requested, const Pseudonyms& pseudonyms);
 
-/// Writes the DICOM images and objects of a folder and of those below it to `series-1/00001.dcm` and on in `output`, a
-/// new or empty folder; series come in the order of their files' names. Other files are left out with a word. When it
-/// fails or is stopped, nothing is left behind.
+/// De-identifies the DICOM images and objects of a folder and its subfolders into `series-1/00001.dcm` and so on in
+/// `output`, a new or empty folder; series are numbered in the order of their file names. Skips other files with a
+/// warning. Leaves nothing behind on failure or cancellation.
 core::Result<core::Messages> deidentifyFolder(const std::string& path, const std::string& output,
                                               const Deidentification& requested, const Pseudonyms& pseudonyms,
                                               const ReadObserver& observe = {});

@@ -11,13 +11,13 @@ namespace angiopose::io {
 
 struct DeidentifiedFiles {
     std::size_t written = 0;
-    core::Messages refused;   ///< why, and about which file
-    core::Messages warnings;   ///< of those that were written, each once
+    core::Messages refused;   ///< one message per skipped file with the reason
+    core::Messages warnings;   ///< about the written files, without repetitions
 };
 
-/// Writes files, and those of folders and below, without identity into `output`, a new or empty folder: DICOM images
-/// and objects as `series-1/00001.dcm`, PNG, JPEG and TIFF as `picture-1.png`. What is neither is refused and told.
-/// Fails, leaving nothing behind, where nothing could be written, or when it is stopped.
+/// De-identifies files, folders and their subfolders into `output`, a new or empty folder: DICOM images and objects as
+/// `series-1/00001.dcm`, PNG, JPEG and TIFF as `picture-1.png`. Skips and lists other files. Fails, leaving nothing
+/// behind, if no file could be written or if canceled.
 core::Result<DeidentifiedFiles> deidentifyFiles(const std::vector<std::string>& paths, const std::string& output,
                                                 const Deidentification& requested, const Pseudonyms& pseudonyms,
                                                 const ReadObserver& observe = {});

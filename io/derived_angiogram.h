@@ -7,7 +7,8 @@
 
 namespace angiopose::io {
 
-/// As writeAngiogram, and the file refers to the DICOM instance that it was made of; a picture is none.
+/// Writes an angiogram like writeAngiogram, with a reference to the DICOM instance it was derived from; no reference if
+/// the source is not DICOM.
 core::Status writeDerivedAngiogram(const core::Angiogram& angiogram, const std::string& path,
                                    const std::string& sourcePath);
 

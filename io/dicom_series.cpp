@@ -66,7 +66,7 @@ core::Result<DicomSeries> seriesOfFile(const std::string& path, const ReadObserv
             return std::move(series);
         }
     }
-    // Dropped as a copy of another file beside it: alone then.
+    // The file was dropped as a copy of another file beside it: use it alone.
     std::vector<DicomSeries> alone = groupSlices({own.value()});
     return alone.empty() ? core::Result<DicomSeries>(fileError(path, says::seriesFileWithoutImage()))
                          : std::move(alone.front());

@@ -10,14 +10,14 @@
 
 namespace angiopose::io {
 
-/// Series of all DICOM files in a folder and below it, largest volume first; other files are passed over. Fails when
-/// there is no DICOM image at all, or when stopped.
+/// Lists the series of all DICOM files in a folder and its subfolders, largest volume first; skips other files. Fails
+/// if there is no DICOM image, or if canceled.
 core::Result<std::vector<DicomSeries>> listSeries(const std::string& folder, const ReadObserver& observe = {});
 
-/// The series of one DICOM file among the files of its folder.
+/// The series of one DICOM file, built from the files of its folder.
 core::Result<DicomSeries> seriesOfFile(const std::string& path, const ReadObserver& observe = {});
 
-/// SHA-256 over the hashes of the slices' files in their order: the identity of a series as an input of a case.
+/// SHA-256 over the hashes of the slices' files in order, which identifies a series as an input of a case.
 core::Result<std::string> sha256OfSeries(const DicomSeries& series);
 
 }   // namespace angiopose::io

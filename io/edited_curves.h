@@ -9,15 +9,14 @@
 
 namespace angiopose::io {
 
-/// The file of a case's edited 2-D curves, with its hash: each case has its own, `<case>.curves.csv` beside it.
-/// Written unless it is there already; the file of an earlier save of the same case is replaced, any other of that name
-/// is left alone and a number added to the name. `otherView`: for the edited curves of that view of the case,
-/// `<case>.view-2.curves.csv` and on.
+/// Writes a case's edited 2-D curves to `<case>.curves.csv` beside it, unless already there, and returns the file with
+/// its hash. Replaces the file of an earlier save of the same case; another existing file stays, and the name gets a
+/// number. `otherView`: writes `<case>.view-2.curves.csv` and so on for that view.
 core::Result<core::InputFile> keepEditedCurves(const core::GivenTarget& target, const std::string& casePath,
                                                std::optional<std::size_t> otherView = std::nullopt);
 
-/// The file a target comes from, as exports name it. Edited curves have no name, saved or not, and the hash of what
-/// would be saved.
+/// The source file of a target as named in exports. Edited curves have no name, whether saved or not, and the hash of
+/// the content that would be saved.
 core::InputFile exportedFileOf(const core::GivenTarget& target);
 
 }   // namespace angiopose::io

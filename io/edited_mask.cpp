@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// The mask that the case file, as it is now, calls its own; empty when there is none.
+/// The mask file that the case file on disk names as its own; empty if there is none.
 fs::path ownMask(const fs::path& casePath)
 {
     const auto input = openInput(casePath.string());
@@ -29,7 +29,7 @@ fs::path ownMask(const fs::path& casePath)
     return (casePath.parent_path() / mask.value("path", "")).lexically_normal();
 }
 
-/// The case's own file still holds the mask: a later save may have put another one there, and undo wants this one.
+/// Whether the case's own file still holds this mask; after undo, a later save may have replaced it.
 bool isThere(const core::InputFile& mask, const fs::path& own)
 {
     if (mask.path.empty() || mask.path != own.string()) {
@@ -39,7 +39,7 @@ bool isThere(const core::InputFile& mask, const fs::path& own)
     return hash && hash.value() == mask.sha256;
 }
 
-/// A mask that could not be read goes along as it is.
+/// Copies a mask file that could not be read, unchanged.
 core::Status copied(const std::string& from, const std::string& to)
 {
     const auto content = openInput(from);
@@ -65,7 +65,7 @@ core::Result<core::InputFile> keepEditedMask(const core::Vessels& vessels, const
     }
     std::error_code absent;
     if (!vessels.lumen && !fs::exists(vessels.file.path, absent)) {
-        return vessels.file;   // lost already: the case says where it was
+        return vessels.file;   // already lost: keep its former path in the case
     }
     const std::string path = pathBeside(whole, {{}, "mask", "nrrd"}, vessels.lumen ? own : fs::path()).string();
     if (const auto written = vessels.lumen ? writeMask(*vessels.lumen, path) : copied(vessels.file.path, path);

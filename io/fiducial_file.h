@@ -4,14 +4,14 @@
 
 namespace angiopose::io {
 
-/// Points of `.fcsv` or of the fiducials in `.mrk.json`, turned to LPS: each says its coordinate system. Points that
-/// are not placed are left out. Fails where there are none.
+/// Reads the points of an `.fcsv` file or the fiducials of an `.mrk.json` file and converts them to LPS (each file
+/// states its coordinate system). Skips points that are not placed. Fails if none remain.
 core::Result<std::vector<Fiducial>> readFiducials(const std::string& path);
 
-/// Whether a file is one of them, and none of curves.
+/// Returns true for an `.fcsv` or `.mrk.json` file that holds fiducials, false for one that holds curves.
 bool isFiducialFile(const std::string& path);
 
-/// Writes `.fcsv` (version 4.11, LPS) or `.mrk.json`, by extension.
+/// Writes `.fcsv` (version 4.11, LPS) or `.mrk.json`, depending on the extension.
 core::Status writeFiducials(const std::vector<Fiducial>& fiducials, const std::string& path);
 
 }   // namespace angiopose::io

@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view measurementHeader =
     "view,frame,kind,name,value,unit,plane,mm_per_px_u,mm_per_px_v,depth_mm,geometry,notes,points\n";
 
-/// Units as plain letters.
+/// Spells a unit in ASCII letters.
 std::string_view unitInTable(std::string_view unit)
 {
     return unit == "°" ? "deg" : unit == "mm²" ? "mm2" : unit == "px²" ? "px2" : unit;
@@ -90,7 +90,7 @@ std::string pointsOf(const core::SliceMeasurement& measurement)
     return points;
 }
 
-/// Of no view and frame; millimetres of the patient need no scale.
+/// Leaves view and frame empty; patient millimeters need no scale.
 void addSliceRow(std::string& table, const core::SliceMeasurement& measurement, const core::VolumeGeometry* scan)
 {
     const std::string plane = bodyPlaneWords[static_cast<std::size_t>(measurement.plane)];

@@ -7,9 +7,9 @@
 
 namespace angiopose::io {
 
-/// CSV of how every point of the tree moved (FORMATS §3.5): a centreline table of the unbent tree with the motion
-/// (mm, patient LPS) and 1-σ of its place in the image plane and along the ray; no rows where `bent` is of another
-/// tree. Written atomically.
+/// Writes a CSV of the motion of every point of the tree (FORMATS §3.5): a centerline table of the undeformed tree with
+/// the motion (mm, patient LPS) and the 1-σ uncertainty of its position in the image plane and along the ray. No rows
+/// if `deformed` belongs to another tree. Written atomically.
 core::Status writeMotion(const core::VesselTree& tree, const core::DeformableResult& deformed, const std::string& path);
 
 }   // namespace angiopose::io

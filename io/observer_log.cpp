@@ -25,7 +25,7 @@ std::string poseColumns(const std::string& prefix)
 
 const std::string pivotColumns = ",pivot_x,pivot_y,pivot_z";
 
-/// Without the centroid, as logs were begun before it was kept.
+/// Header of logs started before the centroid was recorded.
 std::string olderHeader()
 {
     return "started_at,observer,case,image_sha256,frame,seed,range_mm,range_deg,duration_s,edits,outcome,"

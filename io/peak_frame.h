@@ -7,11 +7,11 @@
 
 namespace angiopose::io {
 
-/// To find the fullest frame of a run takes as long as to trace one: who knows the frame can do without, and the run
-/// then suggests its first.
+/// Whether to search for the peak-opacification frame, which takes as long as tracing one frame. A caller that knows
+/// the frame can skip the search; the run then suggests its first frame.
 enum class PeakFrame { Sought, NotNeeded };
 
-/// readAngiogram (angiogram_file.h), which seeks it.
+/// Reads an angiogram like readAngiogram (angiogram_file.h), which always searches for the peak-opacification frame.
 core::Result<core::Angiogram> readAngiogram(const std::string& path, PeakFrame peak);
 
 }   // namespace angiopose::io

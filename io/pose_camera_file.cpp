@@ -35,7 +35,7 @@ core::Result<PoseWithCamera> withCamera(const core::Result<core::Sight>& sight, 
                  : fileError(path, sight.error());
 }
 
-/// As cases and pose files have it; a key of that name in a result says something else.
+/// Reads the camera of a case or pose file; a key of the same name in a result file has another meaning.
 std::optional<core::ProjectionCamera> cameraBeside(const PoseJson& root)
 {
     const auto found = root.find("camera");
@@ -53,7 +53,7 @@ std::optional<core::Message> findProblemApartFromSize(core::ProjectionCamera cam
     return core::findProblem(camera);
 }
 
-/// Of the inputs that a result names.
+/// Returns the SHA-256 of an input that a result names.
 std::string hashOf(const PoseJson& root, const char* input)
 {
     const auto inputs = root.find("inputs");
@@ -86,7 +86,7 @@ core::Result<PoseWithCamera> ofJson(std::string_view text, const std::string& pa
     }
 }
 
-/// P, or a pose as four rows of four.
+/// Interprets twelve numbers as P, or sixteen as a pose of four rows of four.
 core::Result<PoseWithCamera> ofNumbers(const std::vector<double>& numbers, const std::string& path)
 {
     if (numbers.size() == 12) {

@@ -8,28 +8,28 @@
 
 namespace angiopose::io {
 
-/// A pose, and its camera where the file has one; 0 columns and rows where its image size is not said.
+/// A pose, and its camera if the file has one; 0 columns and rows if the file does not state the image size.
 struct PoseWithCamera {
     core::RigidTransform cameraFromPatient;
     std::optional<core::ProjectionCamera> camera;
-    std::string vesselSha256{};   ///< of what a result was found with; empty: not said
+    std::string vesselSha256{};   ///< inputs that a result was computed from; empty: not stated
     std::string imageSha256{};
 };
 
-/// All that `readPose` reads, with its camera: the key `camera` beside a pose, P, or K, R and t in JSON, YAML and XML
-/// as OpenCV writes them, twelve numbers as text (P), sixteen (a pose alone).
+/// Reads everything that `readPose` reads, with its camera: the key `camera` next to a pose, P, or K, R and t in JSON,
+/// YAML and XML as OpenCV writes them, twelve numbers as text (P), or sixteen (a pose alone).
 core::Result<PoseWithCamera> readPoseWithCamera(const std::string& path);
 
-/// What may differ between two writings of one camera: relative.
+/// Relative difference allowed between two representations of one camera.
 inline constexpr double sameCameraTolerance = 1e-6;
 
-/// Whether both project alike; a size that is not said fits any.
+/// Returns whether both cameras project alike; an unknown image size matches any.
 bool isSameCamera(const core::ProjectionCamera& a, const core::ProjectionCamera& b);
 
-/// Whether both are of images of one size, or one does not say.
+/// Returns whether the camera fits an image of this size; an unknown image size fits any.
 bool fitsImage(const core::ProjectionCamera& camera, int width, int height);
 
-/// Writes K, R and t (`.json`, `.yml`, `.yaml`, `.xml`) or P (`.txt`), by extension.
+/// Writes K, R and t (`.json`, `.yml`, `.yaml`, `.xml`) or P (`.txt`), depending on the extension.
 core::Status writeSight(const core::Sight& sight, const std::string& path);
 
 }   // namespace angiopose::io

@@ -9,10 +9,11 @@
 
 namespace angiopose::io {
 
-/// A view of DiffDRR or xvr: JSON, or the table of xvr's way (`.csv`), which lacks the detector.
+/// Reads a view of DiffDRR or xvr: JSON, or xvr's table of iterations (`.csv`), which lacks the detector.
 core::Result<DiffDrrParts> readDiffDrr(const std::string& path);
 
-/// The view with its detector; fails naming what is missing. Without a centre the volume lies about its origin.
+/// Returns the view with its detector; fails, naming what is missing. Without a volume center, assumes the patient
+/// origin.
 core::Result<core::Sight> sightOf(const DiffDrrParts& parts);
 
 core::Status writeDiffDrr(const core::DiffDrrView& view, const std::string& path);

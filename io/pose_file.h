@@ -8,11 +8,11 @@
 
 namespace angiopose::io {
 
-/// Pose from `.json` (`cameraFromPatient` at the top, or in `pose`), or an ITK `.tfm`, `.mat` or `.h5`.
-/// Our ITK transforms map patient points to camera points (LPS mm), said in the file's comment.
+/// Reads a pose from `.json` (`cameraFromPatient` at the top level, or in `pose`), or from an ITK `.tfm`, `.mat` or
+/// `.h5`. Our ITK transforms map patient points to camera points (LPS mm), as the comment in the file states.
 core::Result<core::RigidTransform> readPose(const std::string& path);
 
-/// Writes JSON, `.tfm` or `.h5`, by extension; every double restores to the last bit.
+/// Writes JSON, `.tfm` or `.h5`, depending on the extension; every double is restored to the last bit.
 core::Status writePose(const core::RigidTransform& cameraFromPatient, const std::string& path);
 
 }   // namespace angiopose::io

@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// How DICOM knows the scan of a file or folder: the images of its series. Empty where it is no DICOM. Fails where the
-/// series is not there.
+/// Returns the DICOM identity of the scan in a file or folder: the images of its series. Empty if it is not DICOM.
+/// Fails if the series is not present.
 core::Result<ScanReference> readScanReference(const std::string& path, const std::string& seriesId);
 
 }   // namespace angiopose::io

@@ -8,12 +8,12 @@
 
 namespace angiopose::io {
 
-/// The upper three rows of a pose's matrix as comma-separated cells, row-major.
+/// Returns the upper three rows of a pose's matrix as comma-separated cells, row-major.
 std::string poseCells(const core::RigidTransform& cameraFromPatient);
 
-/// Snapshots as a comma-separated table, one row each: what is known of them, how far each lies from `reference` about
-/// `pivotInPatient` (see core::PoseDifference), and the pose as 12 numbers, row-major, cameraFromPatient. Texts in
-/// quotes may hold commas and line breaks; what is not known stays empty.
+/// Returns snapshots as a comma-separated table, one row each: their properties, their difference from `reference`
+/// about `pivotInPatient` (see core::PoseDifference), and the pose as 12 numbers, row-major, cameraFromPatient. Quoted
+/// texts may contain commas and line breaks; unknown values stay empty.
 std::string snapshotTable(std::span<const core::PoseSnapshot> snapshots, const core::PoseSnapshot& reference,
                           const Eigen::Vector3d& pivotInPatient);
 

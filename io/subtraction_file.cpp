@@ -15,7 +15,7 @@ constexpr DicomTag maskSubPixelShift = 0x00286114;
 constexpr DicomTag pixelIntensityRelationship = 0x00281040;
 constexpr DicomTag recommendedViewingMode = 0x00281090;
 
-/// True when the item says how to subtract.
+/// Returns true if the item specifies a subtraction.
 bool readMask(const DicomDataset& item, core::SubtractionPlan& plan)
 {
     const std::string_view operation = item.text(maskOperation);

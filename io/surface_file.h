@@ -10,18 +10,18 @@
 namespace angiopose::io {
 
 struct LoadedSurface {
-    core::SurfaceMesh mesh;   ///< welded, patient LPS
-    core::Messages warnings;   ///< holes, a suspicious size
-    bool isUnitStated = false;   ///< by the file
-    double acrossMm = 0.0;   ///< diagonal of the box around it
+    core::SurfaceMesh mesh;   ///< vertices merged, patient LPS
+    core::Messages warnings;   ///< about holes and an implausible size
+    bool isUnitStated = false;   ///< the file states its unit
+    double acrossMm = 0.0;   ///< diagonal of the bounding box
 };
 
-/// False where vessels are hardly of that size: the unit of the file may be another.
+/// Returns false if the size is implausible for vessels: the unit of the file may be another.
 bool isUsualSize(double acrossMm);
 
-/// A triangle surface from VTP, legacy VTK (poly-data, unstructured grid), STL, PLY or OBJ; lengths times `unitMm`,
-/// or 0 for the unit that the file states, else mm. RAS files that say so are turned. Fails with file, problem and
-/// remedy, also when there is no triangle.
+/// Reads a triangle surface from VTP, legacy VTK (poly-data, unstructured grid), STL, PLY or OBJ. `unitMm` is the
+/// length of one unit; 0: the unit that the file states, otherwise mm. Converts files that state RAS. Fails with file,
+/// problem and remedy, also if there is no triangle.
 core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm = 0.0, const ReadObserver& observe = {});
 
 /// Writes binary STL, patient LPS.

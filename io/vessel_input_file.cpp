@@ -25,8 +25,8 @@ namespace {
 using core::VesselInputKind;
 
 constexpr double largestBodyMm = 10'000.0;
-constexpr double surfaceShare = 0.1;   // of the progress, for reading a surface
-constexpr double readShare = 0.3;   // of the progress; the rest is tracing
+constexpr double surfaceShare = 0.1;   // share of the progress for reading a surface
+constexpr double readShare = 0.3;   // share of the progress for reading; the rest is tracing
 
 core::TracingObserver tracingObserver(const ReadObserver& observe)
 {
@@ -38,7 +38,7 @@ core::TracingObserver tracingObserver(const ReadObserver& observe)
     };
 }
 
-/// What is known before tracing.
+/// Returns the fields known before tracing.
 LoadedVessels untraced(const core::VesselInput& input, core::Messages warnings)
 {
     LoadedVessels loaded;
@@ -92,7 +92,7 @@ core::Result<LoadedVessels> traceSurface(const std::string& path, const core::Ve
     if (!surface) {
         return surface.error();
     }
-    if (surface.value().acrossMm > largestBodyMm) {   // voxels would be as large as vessels, or without end
+    if (surface.value().acrossMm > largestBodyMm) {   // voxels would be as large as vessels, or innumerable
         return fileError(path, says::surfaceLargerThanBody(core::Quantity{std::round(surface.value().acrossMm / 1000.0),
                                                                           core::Quantity::asNeeded, "m"}));
     }
@@ -112,8 +112,8 @@ core::Result<LoadedVessels> traceSurface(const std::string& path, const core::Ve
                     core::traceMask(mask.value(), input.tracing, tracingObserver(observe)), path);
 }
 
-/// Which labels are traced: those asked for, else those whose names are vessels', else all. Says so where several are
-/// there.
+/// Selects the labels to trace: the requested ones, otherwise those with names of vessels, otherwise all. Reports the
+/// choice if there are several labels.
 core::Status chooseLabels(LoadedVessels& loaded, const core::LabelVolume& image, const std::string& path)
 {
     const std::vector<ListedLabel> all = listedLabels(image, readLabelNames(path));
@@ -193,7 +193,7 @@ core::Result<LoadedVessels> traceVolume(const std::string& path, core::VesselInp
     return traced;
 }
 
-/// VTK files hold lines or surfaces; only reading tells.
+/// Reads a VTK file to determine whether it holds lines or a surface.
 VesselInputKind kindOfVtk(const std::string& path)
 {
     return !readVesselTree(path) && readSurface(path) ? VesselInputKind::Surface : VesselInputKind::Centerline;

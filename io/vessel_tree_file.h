@@ -9,21 +9,21 @@
 namespace angiopose::io {
 
 struct VesselTreeReadOptions {
-    double unitMm = 0.0;   ///< length of one unit; 0: what the file states, else 1 mm. Slicer curves keep theirs
+    double unitMm = 0.0;   ///< length of one unit; 0: as the file states, otherwise 1 mm. Slicer curves keep their own
 };
 
-/// Centreline tree from VTP/VTU, legacy VTK (poly-data or unstructured grid), CSV, SWC or Slicer curves (FORMATS §4),
-/// patient LPS mm. RAS files are converted, and stretches that several lines share (VMTK) come once, cut at
-/// bifurcations. Branch ids are the file's where they are unique, else 1…n in file order. Fails with file, problem and
+/// Reads a centerline tree from VTP/VTU, legacy VTK (poly-data or unstructured grid), CSV, SWC or Slicer curves
+/// (FORMATS §4), patient LPS mm. Converts RAS files, and keeps stretches shared by several lines (VMTK) once, cut at
+/// bifurcations. Branch ids are those of the file if unique, otherwise 1…n in file order. Fails with file, problem and
 /// remedy.
 core::Result<ReadTree> readTree(const std::string& path, const VesselTreeReadOptions& options = {},
                                 const ReadObserver& observe = {});
 
-/// The tree alone.
+/// Reads only the tree.
 core::Result<core::VesselTree> readVesselTree(const std::string& path, const VesselTreeReadOptions& options = {},
                                               const ReadObserver& observe = {});
 
-/// Writes VTP, CSV, SWC or Slicer curves (.mrk.json, without radii), by extension, atomically.
+/// Writes VTP, CSV, SWC or Slicer curves (.mrk.json, without radii), depending on the extension, atomically.
 core::Status writeVesselTree(const core::VesselTree& tree, const std::string& path);
 
 }   // namespace angiopose::io

@@ -16,7 +16,7 @@
 namespace angiopose::io {
 namespace {
 
-/// The series with this id, or the only volume there is.
+/// Returns the series with this id, or the only volume.
 core::Result<DicomSeries> chosenSeries(std::vector<DicomSeries> all, const std::string& seriesId,
                                        const std::string& folder)
 {
@@ -72,7 +72,7 @@ core::Result<LoadedVolume> readDicomVolume(const std::string& path, const std::s
     return loaded;
 }
 
-/// Whole numbers from 0, mostly background, the rest in pieces of one value.
+/// Returns whether the values are whole numbers from 0, mostly background, with the rest in regions of one value.
 template <class ValueAt>
 bool areLabels(std::size_t count, const ValueAt& valueAt)
 {

@@ -10,17 +10,17 @@
 
 namespace angiopose::io {
 
-/// A volume with what its file says besides.
+/// A volume with the further data of its file.
 struct LoadedVolume {
     core::Volume volume;
     std::string format;   ///< "NIfTI-1", "NRRD", "MetaImage", …, "DICOM series"
-    core::StudyIdentity identity;   ///< of a DICOM series
-    std::string seriesId;   ///< of a DICOM series, see `DicomSeries::id`
-    bool isDeclaredLabels = false;   ///< the header calls the values labels
+    core::StudyIdentity identity;   ///< identity of a DICOM series
+    std::string seriesId;   ///< id of a DICOM series, see `DicomSeries::id`
+    bool isDeclaredLabels = false;   ///< the header declares the values as labels
     core::Messages warnings;
 };
 
-/// What a volume file says before its voxels are read.
+/// Properties of a volume file known before its voxels are read.
 struct VolumeSummary {
     std::string format;
     std::string voxelType;   ///< as stored: "int16", …
@@ -31,31 +31,32 @@ struct VolumeSummary {
     core::Messages warnings;
 };
 
-/// True for content that `readVolume` understands without DICOM: NIfTI, Analyze, NRRD, MetaImage, legacy VTK images,
+/// Returns true for content that `readVolume` reads without DICOM: NIfTI, Analyze, NRRD, MetaImage, legacy VTK images,
 /// GIPL (by the first bytes).
 bool isVolumeFile(const std::string& path);
 
-/// Header of such a file.
+/// Reads the header of such a file.
 core::Result<VolumeSummary> describeVolume(const std::string& path);
 
-/// A volume from such a file, a DICOM slice (with the other slices of its series beside it), an enhanced
-/// multi-frame DICOM file, or a folder of DICOM files. `seriesId` chooses among several series of a folder; empty:
-/// there must be one volume only. Patient LPS; 16-bit voxels, read straight into place.
+/// Reads a volume from such a file, a DICOM slice (with the other slices of its series in the same folder), an enhanced
+/// multi-frame DICOM file, or a folder of DICOM files. `seriesId` selects one of several series of a folder; if empty,
+/// there must be only one volume. Patient LPS; 16-bit voxels, read directly into place.
 core::Result<LoadedVolume> readVolume(const std::string& path, const std::string& seriesId = {},
                                       const ReadObserver& observe = {});
 
-/// A label image: such a file, or a DICOM segmentation (labels are segment numbers).
+/// Reads a label image: such a file, or a DICOM segmentation (labels are segment numbers).
 core::Result<core::LabelVolume> readLabels(const std::string& path, const ReadObserver& observe = {});
 
-/// True for volumes whose values are labels: whole numbers from 0, mostly background, the rest in pieces of one value.
+/// Returns true for volumes whose values are labels: whole numbers from 0, mostly background, with the rest in regions
+/// of one value.
 bool looksLikeLabels(const core::Volume& volume);
 bool looksLikeLabels(const core::LabelVolume& image);
 
-/// The labels of a volume for which `looksLikeLabels` holds.
+/// Returns the labels of a volume for which `looksLikeLabels` is true.
 core::LabelVolume labelsOf(const core::Volume& volume);
 
-/// Writes .nii, .nii.gz, .nrrd or .mha by extension, atomically. NIfTI keeps slope and intercept; the others get the
-/// values themselves, as 16 bit where these are whole numbers that fit, else as float.
+/// Writes .nii, .nii.gz, .nrrd or .mha, depending on the extension, atomically. NIfTI keeps slope and intercept; the
+/// other formats get the values themselves, as 16-bit integers if they are whole numbers that fit, otherwise as float.
 core::Status writeVolume(const core::Volume& volume, const std::string& path);
 core::Status writeLabels(const core::LabelVolume& labels, const std::string& path);
 

@@ -18,15 +18,15 @@ namespace {
 
 constexpr std::size_t chunkVoxels = std::size_t{1} << 18;
 
-/// Hands out the bytes of a voxel array piece by piece.
+/// Passes the bytes of a voxel array to a sink in pieces.
 using Bytes = std::string_view;
 using Sink = std::function<core::Status(Bytes)>;
 using Producer = std::function<core::Status(const Sink&)>;
 
-/// Deflates what it is given into a sink.
+/// Deflates its input into a sink.
 class Packer {
 public:
-    /// `windowBits` as zlib has them: 15 zlib, +16 gzip.
+    /// `windowBits` as in zlib: 15 zlib, +16 gzip.
     Packer(int windowBits, Sink sink) : sink_(std::move(sink)), block_(std::size_t{256} << 10, '\0')
     {
         isReady_ = deflateInit2(&stream_, 4, Z_DEFLATED, windowBits, 8, Z_DEFAULT_STRATEGY) == Z_OK;
@@ -87,7 +87,7 @@ Producer bytesOf(const std::vector<T>& voxels)
     };
 }
 
-/// The values themselves, converted chunk by chunk.
+/// Passes the values themselves, converted in chunks.
 template <class T>
 Producer valuesOf(const core::Volume& volume)
 {
@@ -107,7 +107,7 @@ Producer valuesOf(const core::Volume& volume)
     };
 }
 
-/// True when every value is a whole number of 16 bit.
+/// Returns true if every value is a 16-bit whole number.
 bool fitsShort(const core::Volume& volume)
 {
     if (volume.slope != std::floor(volume.slope) || volume.intercept != std::floor(volume.intercept)) {
@@ -133,7 +133,7 @@ core::Status writeNrrd(const core::VolumeGeometry& geometry, const Encoding& enc
     return packInto(encoding.bytes, 15 + 16, [&](Bytes bytes) { return file.write(bytes); });
 }
 
-/// MetaImage wants the packed size before the data: packed once to count, once to write.
+/// MetaImage stores the packed size before the data: compresses once to count and once to write.
 core::Status writeMetaImage(const core::VolumeGeometry& geometry, const Encoding& encoding, AtomicFile& file)
 {
     std::size_t packedBytes = 0;
@@ -160,7 +160,7 @@ core::Status writeNifti(const std::string& header, const Producer& bytes, bool i
     return isPacked ? packInto(all, 15 + 16, toFile) : all(toFile);
 }
 
-/// What is wrong with the volume or the name; empty when it can be written.
+/// Returns the problem with the volume or the file name; nullopt if it can be written.
 std::optional<core::Message> findUnwritable(const core::VolumeGeometry& geometry, std::size_t voxels,
                                             const std::string& extension)
 {

@@ -81,7 +81,7 @@ void ArchiveController::retrieve()
     }
 }
 
-/// One dialog goes, then the next one comes.
+/// Closes this dialog before the next one opens.
 void ArchiveController::offer(const QStringList& folders, const QString& name)
 {
     dialog_->accept();

@@ -19,11 +19,11 @@ namespace angiopose::app {
 class ArchiveNodes;
 class ArchiveRetrieval;
 
-/// Images from an archive: found, retrieved or received, then offered to be opened.
+/// Queries an archive, retrieves or receives its images, and offers to open them.
 class ArchiveController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the window that the controller uses.
     struct Ui {
         QAction& hideIdentity;
         QWidget& dialogParent;
@@ -34,10 +34,10 @@ public:
     ArchiveList& list() { return list_; }
 
 signals:
-    /// Folders of series, and what they are called together.
+    /// Folders of the retrieved series and their common display name.
     void retrieved(const QStringList& folders, const QString& name);
-    void reported(const QString& words);   ///< of the port, while the dialog is closed
-    void unaudited(const QString& reason);   ///< what came is not in the audit file
+    void reported(const QString& words);   ///< message of the storage SCP while the dialog is closed
+    void unaudited(const QString& reason);   ///< received objects are missing from the audit file
 
 private:
     void connectParts();
@@ -53,7 +53,7 @@ private:
     ArchivePort port_;
     ArchiveFindings findings_;
     QPointer<ui::ArchiveDialog> dialog_;
-    ArchiveNodes* nodes_ = nullptr;   ///< these live as long as the dialog
+    ArchiveNodes* nodes_ = nullptr;   ///< lives as long as the dialog
     ArchiveFinder* finder_ = nullptr;
     ArchiveRetrieval* retrieval_ = nullptr;
 };

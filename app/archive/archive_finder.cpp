@@ -56,7 +56,7 @@ ArchiveFinder::ArchiveFinder(ui::ArchiveDialog& dialog, ArchiveFindings& finding
     connect(&dialog_.fields(), &ui::SearchFields::searchRequested, this, &ArchiveFinder::find);
     connect(&dialog_.line(), &ui::TransferLine::stopRequested, this, [this] {
         if (studies_.isRunning()) {
-            studies_.drop();   // what hangs is not waited for
+            studies_.drop();   // does not wait for an archive that does not respond
             dialog_.line().showHint(tr("Stopped."));
         }
     });
@@ -112,7 +112,7 @@ void ArchiveFinder::show()
 void ArchiveFinder::showEmptyWords()
 {
     if (!node_) {
-        return;   // the dialog says so itself
+        return;   // the dialog already shows this
     }
     const QString name = QString::fromStdString(node_->name);
     dialog_.list().setEmptyWords(
@@ -167,7 +167,7 @@ void ArchiveFinder::takeSeries(const io::ArchiveMatches& series)
     askNextSeries();
 }
 
-/// A study that is chosen itself comes whole, whichever of its series are chosen beside it.
+/// Requests a selected study as a whole, whichever of its series are also selected.
 std::vector<io::RetrieveRequest> ArchiveFinder::requests() const
 {
     std::vector<io::RetrieveRequest> requests;

@@ -17,22 +17,22 @@ class ArchiveDialog;
 
 namespace angiopose::app {
 
-/// What was found last, for a dialog that is opened again.
+/// Matches of the last search, kept for when the dialog is opened again.
 struct ArchiveFindings {
     QString node;
-    std::optional<io::ArchiveMatches> studies;   ///< nothing: not searched yet
+    std::optional<io::ArchiveMatches> studies;   ///< empty: not searched yet
 };
 
-/// Searches an archive: studies, and series of a study that is unfolded.
+/// Searches an archive for studies, and for the series of an expanded study.
 class ArchiveFinder : public QObject {
     Q_OBJECT
 public:
     ArchiveFinder(ui::ArchiveDialog& dialog, ArchiveFindings& findings, QAction& hideIdentity,
                   QObject* parent = nullptr);
 
-    /// Searches go there from now on; what another one held is not shown any more.
+    /// Sets the archive to search and clears the matches of any other archive.
     void follow(const std::optional<io::ArchiveNode>& node);
-    std::vector<io::RetrieveRequest> requests() const;   ///< what is chosen, by study
+    std::vector<io::RetrieveRequest> requests() const;   ///< selected items, one request per study
 
 private:
     void find();
@@ -48,7 +48,7 @@ private:
     ArchiveFindings& findings_;
     QAction& hideIdentity_;
     std::optional<io::ArchiveNode> node_;
-    std::deque<QString> waiting_;   ///< studies whose series are wanted, the first one asked for
+    std::deque<QString> waiting_;   ///< studies whose series are still to be queried, oldest request first
     Job<io::ArchiveMatches> studies_;
     Job<io::ArchiveMatches> series_;
 };

@@ -11,19 +11,19 @@
 
 namespace angiopose::app {
 
-/// The user's archives and what is kept of what they gave: one file for window and command line, read and written by a
-/// worker.
+/// List of the user's archives and the archive settings (cache folder and limits). The window and the command line
+/// share one file, which a worker reads and writes.
 class ArchiveList : public QObject {
     Q_OBJECT
 public:
     using Change = std::function<core::Status(io::ArchiveSettings&)>;
-    /// Gets why it could not be done; nothing where it was.
+    /// Receives the reason for a failure, or nothing on success.
     using Answer = std::function<void(const std::optional<core::Message>& problem)>;
 
     explicit ArchiveList(QObject* parent = nullptr) : QObject(parent) {}
 
     void read();
-    /// Of the file as it is then: others may have changed it meanwhile.
+    /// Applies the change to the current content of the file, which another program may have modified in the meantime.
     void change(Change change, Answer answer = {});
 
     const io::ArchiveSettings& settings() const { return settings_; }
@@ -31,8 +31,8 @@ public:
     std::optional<io::ArchiveNode> node(const QString& name) const;
 
 signals:
-    void changed();   ///< read, or written
-    void failed(const QString& reason);   ///< to read
+    void changed();   ///< after reading or writing
+    void failed(const QString& reason);   ///< when reading fails
 
 private:
     io::ArchiveSettings settings_;

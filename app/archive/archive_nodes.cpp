@@ -20,7 +20,7 @@ void dropNode(std::vector<io::ArchiveNode>& nodes, const std::string& name)
     std::erase_if(nodes, [&name](const io::ArchiveNode& node) { return node.name == name; });
 }
 
-/// In the place of the former one, where there is one.
+/// Replaces the node named `former`, or appends the new one if there is none.
 void putNode(std::vector<io::ArchiveNode>& nodes, const io::ArchiveNode& node, const std::string& former)
 {
     const auto place = std::ranges::find(nodes, former, &io::ArchiveNode::name);
@@ -41,7 +41,7 @@ ArchiveEcho::ArchiveEcho(ui::TransferLine& line, QObject* parent)
 {
     connect(&line_, &ui::TransferLine::stopRequested, this, [this] {
         if (job_.isRunning()) {
-            job_.drop();   // what hangs is not waited for
+            job_.drop();   // does not wait for an archive that does not respond
             line_.showHint(tr("Stopped."));
         }
     });

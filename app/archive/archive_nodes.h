@@ -16,7 +16,7 @@ struct ArchiveEntry;
 
 namespace angiopose::app {
 
-/// Asks an archive whether it answers, and says so in a line.
+/// Tests the connection to an archive (C-ECHO) and shows the outcome in a line.
 class ArchiveEcho : public QObject {
     Q_OBJECT
 public:
@@ -32,11 +32,11 @@ private:
     Job<core::Messages> job_;
 };
 
-/// The list of archives in a dialog: chosen, tested, added, edited, removed.
+/// Manages the list of archives in a dialog: select, test, add, edit and remove.
 class ArchiveNodes : public QObject {
     Q_OBJECT
 public:
-    /// What of the dialog it serves.
+    /// Parts of the dialog that the class uses.
     struct Ui {
         ui::NodeBar& bar;
         ui::TransferLine& line;
@@ -44,10 +44,10 @@ public:
     };
     ArchiveNodes(ArchiveList& list, const Ui& ui, QObject* parent = nullptr);
 
-    std::optional<io::ArchiveNode> node() const;   ///< that is chosen
+    std::optional<io::ArchiveNode> node() const;   ///< the selected archive
 
 signals:
-    void chosen();   ///< the same one or another, or none
+    void chosen();   ///< emitted for any selection: the same archive, another one or none
 
 private:
     void show();

@@ -17,7 +17,7 @@ namespace {
 
 using PortJob = Job<io::TransferReport, ArchivePort::Arrived>;
 
-/// What came, told to the window and noted in the audit file.
+/// Reports received objects to the window and records them in the audit file.
 class PortNews {
 public:
     PortNews(io::Arrivals& arrivals, const std::string& auditFile, PortJob::Link& link)

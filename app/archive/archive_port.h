@@ -17,7 +17,8 @@ class PortDialog;
 
 namespace angiopose::app {
 
-/// A port to which others push objects, into the cache. Off until switched on; it goes with this.
+/// Storage SCP that receives objects from other nodes into the cache. Off until switched on; stops when this object is
+/// destroyed.
 class ArchivePort : public QObject {
     Q_OBJECT
 public:
@@ -26,12 +27,13 @@ public:
         std::string folder;
         std::uint64_t maxBytes = 0;
     };
-    /// What came since it was switched on.
+    /// Objects received since the SCP was switched on.
     struct Arrived {
         std::size_t objects = 0;
-        std::set<std::string> folders;   ///< of the series
-        std::optional<core::Message> problem;   ///< the last one: a caller turned away, an object not kept
-        std::optional<core::Message> unaudited;   ///< why the audit file lacks some of them
+        std::set<std::string> folders;   ///< folders of the series
+        std::optional<core::Message>
+            problem;   ///< latest problem: a rejected association or an object that was not stored
+        std::optional<core::Message> unaudited;   ///< reason why the audit file lacks some objects
     };
 
     explicit ArchivePort(QObject* parent = nullptr);
@@ -41,12 +43,12 @@ public:
     bool isOpen() const { return job_.isRunning(); }
     const Arrived& arrived() const { return arrived_; }
     int port() const { return port_; }
-    QStringList folders() const;   ///< of the series that came
+    QStringList folders() const;   ///< folders of the received series
 
 signals:
-    void changed();   ///< something came
-    void closed(const QString& problem);   ///< empty: as wished
-    void unaudited(const QString& reason);   ///< what came is not in the audit file; once
+    void changed();   ///< objects were received
+    void closed(const QString& problem);   ///< empty: closed by the user
+    void unaudited(const QString& reason);   ///< received objects are missing from the audit file; emitted once
 
 private:
     void take(const Arrived& arrived);
@@ -56,10 +58,10 @@ private:
     Job<io::TransferReport, Arrived> job_;
 };
 
-/// Who may push to our port and how, as it was entered last.
+/// Builds the receiver options from the port, the AE title and the access and TLS settings entered last.
 io::ReceiverOptions receiverOptions(int port, const QString& title);
 
-/// Asks for that, and remembers it.
+/// Asks the user for the access and TLS settings of the storage SCP and stores them.
 class PortSecurity : public QObject {
     Q_OBJECT
 public:

@@ -19,7 +19,7 @@
 namespace angiopose::app {
 namespace {
 
-/// What came of one study added to what came of those before it.
+/// Adds the report of one study to the sum of the earlier ones.
 void add(io::TransferReport& sum, const io::TransferReport& part)
 {
     sum.all += part.all;
@@ -88,7 +88,8 @@ ArchiveRetrieval::RetrievalJob::Work ArchiveRetrieval::workOf(const io::ArchiveN
             };
             add(sum, io::retrieveFromArchive(node, io::ArchiveWay::Usual, requests[i], store.value(), limit, observe));
         }
-        // Here and not by who hears of it: the dialog may be closed by then, and what came stays all the same.
+        // Audited by the worker, not by the receiver of the outcome: the dialog may be closed by then, and the
+        // retrieved objects stay in the cache anyway.
         io::AuditBatch batch(audit, {io::AuditEvent::Retrieved, "angiopose", {}, node.name});
         for (const std::string& folder : sum.folders) {
             batch.add(folder);
@@ -107,7 +108,8 @@ void ArchiveRetrieval::start(const io::ArchiveNode& node, const io::ArchiveSetti
     job_.start(workOf(node, settings, requests));
 }
 
-/// Before anything came, what hangs is not waited for.
+/// Stops the retrieval. Before the first object has arrived, the job is dropped without waiting for an archive that
+/// does not respond.
 void ArchiveRetrieval::stop()
 {
     if (!job_.isRunning()) {
@@ -139,7 +141,8 @@ void ArchiveRetrieval::follow(const Progress& progress)
                                 static_cast<qsizetype>(progress.archive.all));
 }
 
-/// Stop is an outcome: what came is kept, and the rest comes when it is retrieved again.
+/// Handles the final report. A canceled retrieval keeps the objects received so far; the next retrieval fetches the
+/// rest.
 void ArchiveRetrieval::take(const io::TransferReport& report)
 {
     folders_.clear();
@@ -185,7 +188,7 @@ ArchiveCache::ArchiveCache(ArchiveList& list, const Ui& ui, QObject* parent)
 {
     connect(&list_, &ArchiveList::changed, this, &ArchiveCache::measure);
     connect(&ui_.line, &ui::CacheLine::limitChosen, this, &ArchiveCache::limit,
-            Qt::QueuedConnection);   // the Return that commits must not answer what is asked then
+            Qt::QueuedConnection);   // the Return key that commits the limit must not answer the question that follows
     connect(&ui_.line, &ui::CacheLine::emptyRequested, this, &ArchiveCache::askEmptying);
 }
 
@@ -206,7 +209,7 @@ void ArchiveCache::limit(double gigabytes)
     }
 }
 
-/// Less than is held: a slip of the finger must not drop anything.
+/// Asks before setting a limit below the current content, so a typing error does not delete anything.
 void ArchiveCache::askDropping(std::uint64_t bytes)
 {
     auto* question =
@@ -220,7 +223,7 @@ void ArchiveCache::askDropping(std::uint64_t bytes)
         if (index == 0) {
             setLimit(bytes);
         } else {
-            measure();   // shows the former limit
+            measure();   // restores the previous limit in the field
         }
     });
     question->open();

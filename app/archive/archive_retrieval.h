@@ -17,7 +17,7 @@ class TransferLine;
 
 namespace angiopose::app {
 
-/// Brings studies and series from an archive into the cache, and says what became of them.
+/// Retrieves studies and series from an archive into the cache and reports the outcome.
 class ArchiveRetrieval : public QObject {
     Q_OBJECT
 public:
@@ -25,22 +25,22 @@ public:
 
     void start(const io::ArchiveNode& node, const io::ArchiveSettings& settings,
                const std::vector<io::RetrieveRequest>& requests);
-    const QStringList& folders() const { return folders_; }   ///< of the series that came, in part at least
+    const QStringList& folders() const { return folders_; }   ///< folders of the series received completely or in part
 
 signals:
-    void retrieved();   ///< all of it
-    void ended();   ///< whatever came
-    void unaudited(const QString& reason);   ///< what came is not in the audit file
+    void retrieved();   ///< everything was received
+    void ended();   ///< with any outcome
+    void unaudited(const QString& reason);   ///< received objects are missing from the audit file
 
 private:
-    /// How far it is, of which of the studies.
+    /// Progress within the current study and its index among all studies.
     struct Progress {
         io::ArchiveProgress archive;
         std::size_t study = 0, studies = 0;
     };
     struct Came {
         io::TransferReport report;
-        std::optional<core::Message> unaudited;   ///< why the audit file lacks it
+        std::optional<core::Message> unaudited;   ///< reason why the audit file is incomplete
     };
     using RetrievalJob = Job<Came, Progress>;
 
@@ -52,15 +52,15 @@ private:
 
     ui::ArchiveDialog& dialog_;
     QStringList folders_;
-    bool hasBegun_ = false;   ///< objects are on their way
+    bool hasBegun_ = false;   ///< objects are arriving
     RetrievalJob job_;
 };
 
-/// What the cache holds and may hold: shown, limited, emptied.
+/// Shows, limits and empties the cache of received objects.
 class ArchiveCache : public QObject {
     Q_OBJECT
 public:
-    /// What of the dialog it serves.
+    /// Parts of the dialog that the class uses.
     struct Ui {
         ui::CacheLine& line;
         ui::TransferLine& words;
@@ -68,7 +68,7 @@ public:
     };
     ArchiveCache(ArchiveList& list, const Ui& ui, QObject* parent = nullptr);
 
-    void measure();   ///< and show it
+    void measure();   ///< measures the content and shows it
 
 private:
     void limit(double gigabytes);
@@ -79,7 +79,7 @@ private:
 
     ArchiveList& list_;
     Ui ui_;
-    std::uint64_t held_ = 0;   ///< bytes
+    std::uint64_t held_ = 0;   ///< current content, bytes
     Job<std::uint64_t> measuring_;
     Job<std::size_t> emptying_;
 };

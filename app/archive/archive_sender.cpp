@@ -13,11 +13,11 @@
 
 namespace angiopose::app {
 
-/// Only one worker at a time looks into it; whoever lets go of it last removes the folder.
+/// Created objects and their folder. Only one worker accesses it at a time; the last owner removes the folder.
 struct ArchiveSender::Made {
     Maker maker;
     io::ScratchFolder folder{QDir(QDir::tempPath()).filePath(QStringLiteral("objects")).toStdString()};
-    core::Messages notes;   ///< of the making
+    core::Messages notes;   ///< messages from creating the objects
     bool isMade = false;
 };
 

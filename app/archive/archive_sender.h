@@ -22,11 +22,11 @@ namespace angiopose::app {
 
 class ArchiveNodes;
 
-/// DICOM objects of a case, made in a folder of their own and sent to an archive that the user chooses.
+/// Creates DICOM objects of a case in a temporary folder and sends them to an archive that the user selects.
 class ArchiveSender : public QObject {
     Q_OBJECT
 public:
-    /// Makes the objects in a folder; called once, by a worker.
+    /// Creates the objects in a folder; called once, by a worker.
     using Maker = std::function<core::Result<DicomFiles>(const std::string& folder, const DicomObserver& observe)>;
 
     ArchiveSender(ArchiveList& list, QWidget& dialogParent, QObject* parent = nullptr);
@@ -34,11 +34,12 @@ public:
     void ask(const Maker& maker);
 
 signals:
-    void sent(const QString& words, const QStringList& notes);   ///< all of them; what is to be known of them
+    void sent(const QString& words,
+              const QStringList& notes);   ///< all objects were sent; `notes` lists remarks for the user
 
 private:
-    struct Made;   ///< the objects, while the dialog is open
-    /// How far the making is, then the sending.
+    struct Made;   ///< created objects, kept while the dialog is open
+    /// Progress of creating the objects, then of sending them.
     struct Progress {
         double made = 0.0;
         io::ArchiveProgress sending;

@@ -13,12 +13,12 @@
 namespace angiopose::app {
 namespace {
 
-/// The words of this file.
+/// Translation context of this file.
 struct ArchiveWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::ArchiveWords)
 };
 
-/// As international dates are written, or as the language of the window writes them.
+/// Parses a date in ISO format or in the format of the window's language.
 QDate dateOf(const QString& typed)
 {
     const QDate international = QDate::fromString(typed, Qt::ISODate);
@@ -121,7 +121,7 @@ io::ArchiveQuery queryOf(const ui::ArchiveSearch& search)
 std::vector<ui::MatchRow> studyMatchRows(const std::vector<io::ArchiveMatch>& studies, MatchIdentity identity)
 {
     std::vector<ui::MatchRow> rows;
-    QHash<QString, int> numbers;   // of patients whose identity is hidden
+    QHash<QString, int> numbers;   // numbers of patients whose identity is hidden
     for (const io::ArchiveMatch& study : studies) {
         ui::MatchRow& row = rows.emplace_back();
         row.key = QString::fromStdString(study.studyUid);

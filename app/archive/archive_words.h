@@ -15,19 +15,19 @@ namespace angiopose::app {
 ui::ArchiveEntry entryOf(const io::ArchiveNode& node);
 io::ArchiveNode nodeOf(const ui::ArchiveEntry& entry);
 
-/// What was typed as a date and is none.
+/// Returns the first text typed as a date that is not a valid date.
 std::optional<QString> wrongDateOf(const ui::ArchiveSearch& search);
-/// A search whose dates are right.
+/// Builds the query of a search whose dates are valid.
 io::ArchiveQuery queryOf(const ui::ArchiveSearch& search);
 
 enum class MatchIdentity { Shown, Hidden };
 std::vector<ui::MatchRow> studyMatchRows(const std::vector<io::ArchiveMatch>& studies, MatchIdentity identity);
 std::vector<ui::MatchRow> seriesMatchRows(const std::vector<io::ArchiveMatch>& series);
 
-/// "105 MB", in the language of the window.
+/// Formats a size as in "105 MB", in the language of the window.
 QString sizeWords(std::uint64_t bytes);
 
-/// What single objects lack: the first of these, and how many more there are.
+/// Describes problems with single objects: the first problem and the number of further ones.
 QString problemWords(const core::Messages& problems);
 
 }   // namespace angiopose::app

@@ -4,7 +4,7 @@
 
 namespace angiopose::app {
 
-/// While it lives, the worker that made it waits for a network: one more may compute meanwhile.
+/// Releases the worker's thread-pool slot while it waits for the network, so another worker can compute meanwhile.
 class NetworkWait {
 public:
     NetworkWait() { QThreadPool::globalInstance()->releaseThread(); }

@@ -6,7 +6,7 @@
 
 namespace angiopose::app {
 
-/// `warnings`, the sentences alone, as results always had them, and `messages` with their ids.
+/// Adds `warnings` (the sentences alone, for compatibility) and `messages` (with their ids).
 inline void addWarnings(nlohmann::ordered_json& json, const core::Messages& warnings)
 {
     json["warnings"] = io::sentencesOf(warnings);

@@ -11,9 +11,9 @@
 
 namespace angiopose::app {
 
-/// What every archive command takes.
+/// Arguments common to all archive commands.
 struct ArchiveArguments {
-    std::string nodeFile;   ///< empty: the user's
+    std::string nodeFile;   ///< empty: the user's list
     std::string nodeName;
     io::ArchiveWay way = io::ArchiveWay::Usual;
     OutputFormat format = OutputFormat::Text;
@@ -22,7 +22,7 @@ struct ArchiveArguments {
 struct ArchiveFindArguments {
     ArchiveArguments common;
     io::ArchiveQuery query;
-    std::string dates;   ///< as written
+    std::string dates;   ///< as typed
 };
 
 struct ArchiveRetrieveArguments {
@@ -43,8 +43,8 @@ struct ArchiveReceiveArguments {
     std::string folder;
     std::string auditFile;   ///< empty: none
     double maxObjectGb = 4.0;
-    double maxGb = 0.0;   ///< of the folder; 0: as much as the disk takes
-    std::size_t count = 0;   ///< ends after so many objects; 0: never
+    double maxGb = 0.0;   ///< limit of the folder; 0: limited by the disk only
+    std::size_t count = 0;   ///< number of objects to exit after; 0: never exit
     OutputFormat format = OutputFormat::Text;
 };
 

@@ -23,7 +23,7 @@ void addNode(CLI::App& command, ArchiveArguments& common)
         "--web", [&common] { common.way = io::ArchiveWay::Web; }, "By DICOMweb, though it has a host too");
 }
 
-/// Of the program that the archive commands belong to.
+/// Returns the audit file of the program that owns the archive commands.
 std::string auditFileFor(const CLI::App& archive)
 {
     return auditPathOf(*archive.get_parent());

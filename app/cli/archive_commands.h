@@ -4,7 +4,7 @@
 
 namespace angiopose::app {
 
-/// Adds `archive` with its own commands; each sets `exitCode` when it runs.
+/// Adds `archive` with its subcommands; each sets `exitCode` when it runs.
 void addArchive(CLI::App& app, int& exitCode);
 
 }   // namespace angiopose::app

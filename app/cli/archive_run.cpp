@@ -86,7 +86,7 @@ ArchiveJson reportJson(const io::TransferReport& report)
     return json;
 }
 
-/// Says what became of a transfer; its exit code.
+/// Prints the outcome of a transfer and returns the exit code.
 int finishTransfer(const io::TransferReport& report, const char* done, OutputFormat format)
 {
     printWarnings(report.problems);
@@ -120,7 +120,7 @@ io::ArchiveObserver showing(ProgressLine& line)
     };
 }
 
-/// What came is noted, also where not all of it did.
+/// Records the received objects in the audit file, even if the transfer is incomplete.
 void auditRetrieved(const std::string& auditFile, const io::TransferReport& report, const std::string& archive)
 {
     io::AuditBatch batch(auditFile, {io::AuditEvent::Retrieved, "angiopose-cli", {}, archive});

@@ -15,7 +15,7 @@ std::string nodeFileOf(const ArchiveArguments& arguments)
     return arguments.nodeFile.empty() ? io::defaultNodeFile() : arguments.nodeFile;
 }
 
-/// Reads the list, lets `change` alter it, and writes it.
+/// Reads the list, applies `change`, and writes it.
 template <class Change>
 int changeSettings(const ArchiveArguments& arguments, const Change& change)
 {

@@ -14,7 +14,7 @@ namespace {
 
 using io::AuditEvent;
 
-/// Arguments that name what is read and what is written, whichever command they belong to.
+/// Names of the arguments for input and output files, for all commands.
 constexpr std::array inputNames{"CASE",     "IN",     "FILE",   "FOLDER", "VOLUME", "IMAGE",
                                 "MANIFEST", "--view", "--pose", "--case", "--from"};
 constexpr std::array outputNames{"OUT", "PICTURE", "OUTPUT", "--output", "--mask", "--bent"};

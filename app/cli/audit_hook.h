@@ -7,18 +7,18 @@
 
 namespace angiopose::app {
 
-/// `--audit FILE`, and what goes into that file, or the one that the environment names: what a command is about to
-/// open. After all commands are known.
+/// Adds `--audit FILE` and records the files a command is about to open in that file, or in the one named by the
+/// environment. Call it after all commands have been added.
 void addAudit(CLI::App& app);
 
-/// The audit file of a command; empty: none is wished.
+/// Returns the audit file of a command; empty: no audit.
 std::string auditPathOf(const CLI::App& app);
 
-/// What cannot be written to it is told on stderr.
+/// Reports on stderr that audit lines could not be written.
 void tellUnaudited(const core::Message& problem);
 
-/// What the command wrote; after it. What comes from archives they note by themselves: a part of it may have come.
-/// Lines that cannot be written are told on stderr.
+/// Records the files that the command wrote; call it after the command. The archive commands record what they receive,
+/// since a transfer may be partial. Lines that cannot be written are reported on stderr.
 void auditOutcome(const CLI::App& app, int exitCode);
 
 }   // namespace angiopose::app

@@ -12,7 +12,7 @@ void addMovie(CLI::App& app, int& exitCode);
 void addAngles(CLI::App& app, int& exitCode);
 void addMeasure(CLI::App& app, int& exitCode);
 void addBatch(CLI::App& app, int& exitCode);
-/// For `batch` alone: it starts itself with this.
+/// Internal command with which `batch` starts its workers.
 void addBatchWorker(CLI::App& app, int& exitCode);
 
 }   // namespace angiopose::app

@@ -10,17 +10,18 @@
 
 namespace angiopose::app {
 
-/// Loads a case, prints its warnings, and moves it to `frame` where one is given.
+/// Loads a case, prints its warnings, and selects `frame` if given.
 core::Result<core::Case> loadCaseForCommand(const std::string& path, std::optional<int> frame);
 
-/// Likewise of what a result was found from: as the registration began with it, or as it left it.
+/// State of the case to load for a result: as the registration started from it, or as it left it.
 enum class ResultStage { Asked, Found };
 core::Result<core::Case> loadResultForCommand(const FromResult& from, ResultStage stage, std::optional<int> frame);
 
-/// Likewise of vessels, or a scan in which they are traced, and an angiogram.
+/// Loads an angiogram with vessels, or with a scan in which the vessels are traced; prints warnings and selects `frame`
+/// if given.
 core::Result<core::Case> loadPairForCommand(const InputPair& pair, std::optional<int> frame);
 
-/// The case moved to `frame`, where one is given; fails naming `path` where its run has no such frame.
+/// Selects `frame` of the case if given; fails with `path` in the message if the run has no such frame.
 core::Result<core::Case> atFrame(core::Case session, std::optional<int> frame, const std::string& path);
 
 }   // namespace angiopose::app

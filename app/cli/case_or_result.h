@@ -8,10 +8,10 @@
 
 namespace angiopose::app {
 
-/// CASE, or --from RESULT with --inputs, of a command that takes either.
+/// Adds CASE, or --from RESULT with --inputs, to a command that accepts either.
 void addCaseOrResult(CLI::App* command, std::string& casePath, FromResult& from);
 
-/// Wrong usage (CLI::RequiredError) where neither is given.
+/// Throws CLI::RequiredError if neither is given.
 void needCaseOrResult(const std::string& casePath, const FromResult& from);
 
 }   // namespace angiopose::app

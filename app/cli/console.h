@@ -8,7 +8,7 @@
 
 namespace angiopose::app {
 
-/// FORMATS §5.
+/// Exit codes (FORMATS §5).
 enum ExitCode : int {
     exitDone = 0,
     exitUsage = 2,
@@ -19,22 +19,22 @@ enum ExitCode : int {
 
 enum class OutputFormat { Text, Json };
 
-/// A line for people to stdout, as `printableText`.
+/// Prints a human-readable line to stdout after `printableText`.
 void printText(std::string_view line);
 
-/// One message to stderr, as `printableText`: "angiopose-cli: message".
+/// Prints one message to stderr after `printableText`, as "angiopose-cli: message".
 void printMessage(std::string_view message);
 void printWarnings(const core::Messages& warnings);
 
-/// Reports why there is no result and gives its exit code: that of a wrong input, or of a stop by the user. As JSON it
-/// is on stdout too: `{"error": {"id": …}}`.
+/// Reports why there is no result and returns the exit code, for wrong input or for a stop by the user. With JSON
+/// output, also prints `{"error": {"id": …}}` to stdout.
 int failInput(const core::Error& error, OutputFormat format = OutputFormat::Text);
 
-/// To be called last: what was printed has to arrive. The exit code, or that of a failure, which is told on stderr,
-/// where the drive or pipe behind stdout took less.
+/// Flushes stdout; call it last. Returns `exitCode`, or a failure code, with a message on stderr, if the disk or pipe
+/// behind stdout did not accept all output.
 int finishOutput(int exitCode);
 
-/// A progress line on stderr, redrawn in place; silent where stderr is not a terminal.
+/// Progress line on stderr, redrawn in place; silent if stderr is not a terminal.
 class ProgressLine {
 public:
     explicit ProgressLine(std::string label);
@@ -44,7 +44,8 @@ public:
 
     void show(double fraction, std::string_view detail);
 
-    /// Shows what work on a case reports; answers Ctrl+C with Stop. Not after the line.
+    /// Returns an observer that shows the progress of work on a case and answers Stop after Ctrl+C. Must not outlive
+    /// this object.
     core::WorkObserver observer();
 
 private:
@@ -53,7 +54,7 @@ private:
     bool isTerminal_;
 };
 
-/// Ctrl+C becomes a wish to stop that running work answers; a second Ctrl+C ends the program at once.
+/// Makes Ctrl+C request a stop from running work; a second Ctrl+C ends the program immediately.
 void catchInterrupts();
 bool isInterrupted();
 

@@ -64,7 +64,7 @@ Status convertVolume(const ConvertArguments& arguments)
                                        : io::writeVolume(volume, arguments.outputPath);
 }
 
-/// The inside of a surface as a label image.
+/// Writes the inside of a surface as a label image.
 Status fillToVolume(const ConvertArguments& arguments)
 {
     const auto surface = io::readSurface(arguments.inputPath, arguments.unitMm);
@@ -93,7 +93,7 @@ Status convertSurface(const ConvertArguments& arguments)
     return io::writeSurface(surface.value().mesh, arguments.outputPath);
 }
 
-/// As JSON with the camera, where there is one.
+/// Converts a pose; JSON output includes the camera if there is one.
 Status convertPose(const ConvertArguments& arguments)
 {
     const auto read = io::readPoseWithCamera(arguments.inputPath);
@@ -116,7 +116,7 @@ Status convertAngiogram(const ConvertArguments& arguments)
     return io::writeDerivedAngiogram(angiogram.value(), arguments.outputPath, arguments.inputPath);
 }
 
-/// Centrelines: a tree where the input is one, else curves in an image.
+/// Converts centerlines: writes a tree if the input is one, else curves in an image.
 Status convertCurves(const ConvertArguments& arguments)
 {
     io::VesselTreeReadOptions options;
@@ -164,7 +164,7 @@ bool isImageFile(const std::string& path)
     return io::isDicomFile(path) || endsWith(path, {".png", ".jpg", ".jpeg", ".tif", ".tiff"});
 }
 
-/// DICOM images and pictures with what is written beside their pixels taken out.
+/// De-identifies a DICOM file, an image file or a folder.
 Status withoutIdentity(const ConvertArguments& arguments)
 {
     const auto pseudonyms = pseudonymsOf(*arguments.identity);
@@ -184,7 +184,7 @@ Status withoutIdentity(const ConvertArguments& arguments)
     return done ? Status(core::Done{}) : done.error();
 }
 
-/// Other formats carry no identity but what names of branches say.
+/// Returns whether the output format carries no identity except possibly in branch names.
 bool isWithoutIdentityByItself(const std::string& out)
 {
     return endsWith(out, {".nii", ".nii.gz", ".nrrd", ".mha", ".stl", ".tfm", ".h5", ".vtp", ".csv", ".swc", ".json"});

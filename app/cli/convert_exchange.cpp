@@ -46,7 +46,7 @@ bool isPoseFormat(const std::string& path)
     return extension == ".json" || extension == ".tfm" || extension == ".h5";
 }
 
-/// What a pose is exchanged with beside itself.
+/// Pose and the other data exchanged with it.
 struct ExchangedPose {
     PoseWithCamera pose;
     std::optional<double> sourceToDetectorMm;
@@ -75,7 +75,7 @@ core::Result<ExchangedPose> readOwn(const std::string& path)
     return read ? core::Result<ExchangedPose>(ExchangedPose{read.value(), std::nullopt}) : read.error();
 }
 
-/// The camera that stands for the input's own; nothing where none is given.
+/// Reads the camera that replaces the one of the input; empty if none is given.
 core::Result<std::optional<ExchangedPose>> givenCamera(const ExchangeArguments& exchange)
 {
     if (exchange.cameraPath.empty()) {
@@ -111,7 +111,7 @@ core::Result<ExchangedPose> readXreg(const std::string& path, std::optional<Exch
     return read;
 }
 
-/// Middle of the outer voxels' centres, as torchio has it.
+/// Returns the midpoint between the centers of the outer voxels, the volume center as torchio defines it.
 core::Result<std::optional<Eigen::Vector3d>> volumeCenter(const ExchangeArguments& exchange)
 {
     if (exchange.volumePath.empty()) {

@@ -10,7 +10,7 @@
 
 namespace angiopose::app {
 
-/// How identity is taken out, as asked for on the command line.
+/// De-identification options of the command line.
 struct DeidentifyArguments {
     bool isWanted = false;
     std::string dates = "removed";
@@ -19,13 +19,14 @@ struct DeidentifyArguments {
     std::string keyPath;
 };
 
-/// `--deidentify` and what goes with it.
+/// Adds `--deidentify` and its related options.
 std::shared_ptr<DeidentifyArguments> addDeidentifyOptions(CLI::App& command);
 
-/// Nothing where it is not wanted.
+/// Returns the requested de-identification; empty if none is requested.
 std::optional<io::Deidentification> deidentificationOf(const DeidentifyArguments& arguments);
 
-/// With the key in the file that was named, else with a new one. Fails where that file cannot be read or is too short.
+/// Creates the pseudonyms with the key in the named file, or with a new key. Fails if the file cannot be read or is too
+/// short.
 core::Result<io::Pseudonyms> pseudonymsOf(const DeidentifyArguments& arguments);
 
 }   // namespace angiopose::app

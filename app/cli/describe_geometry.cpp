@@ -35,7 +35,7 @@ Json sourcedJson(const core::Sourced<Vector>& sourced)
     return json;
 }
 
-/// From which side the image is shown (FORMATS §1): the sign of fx.
+/// Describes the side from which the image is shown (FORMATS §1), that is, the sign of fx.
 std::string shownFrom(const core::CArm& cArm)
 {
     const std::string basis = cArm.mirrored.value ? originText(cArm.mirrored.origin) + ", " + cArm.mirrored.basis

@@ -7,7 +7,7 @@
 
 namespace angiopose::app {
 
-/// What `info` says about inputs in three dimensions: geometry as the file gives it and what follows from it.
+/// Describe 3-D inputs for `info`: the geometry in the file and the values derived from it.
 core::Result<nlohmann::ordered_json> folderJson(const std::string& path);
 core::Result<nlohmann::ordered_json> volumeJson(const std::string& path);
 core::Result<nlohmann::ordered_json> dicomVolumeJson(const std::string& path);

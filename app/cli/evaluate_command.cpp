@@ -97,7 +97,7 @@ core::Status writePlots(const std::vector<core::Plot>& plots, const fs::path& fo
     return core::Done{};
 }
 
-/// What people read, in all its forms.
+/// Human-readable report of an experiment.
 struct Report {
     std::string title;
     std::vector<core::ResultTable> tables;
@@ -165,7 +165,7 @@ int runObservers(const EvaluateArguments& arguments)
     return finishReport(status, arguments.outputFolder, exitDone);
 }
 
-/// Whether the files named are those that the experiment is about.
+/// Checks that the named files are those that the experiment needs; empty: no problem.
 std::optional<core::Message> problemOfInputs(const EvaluateArguments& arguments)
 {
     const std::size_t count = arguments.inputPaths.size();

@@ -20,19 +20,20 @@
 namespace angiopose::app {
 namespace {
 
-/// A method with its options; without options a case's own are taken.
+/// Method with its options; without options, those of each case are used.
 struct OwnMethod {
     std::string label;
     std::optional<core::RegistrationOptions> options;
 };
 
-/// A row of the manifest with what its files say.
+/// Row of the manifest with the content of its files.
 struct OwnTask {
     io::OwnEntry entry;
-    std::uint64_t trial = 0;   ///< its row
+    std::uint64_t trial = 0;   ///< index of the row in the manifest
     core::OwnTruth truth;
     std::optional<core::RigidTransform> start;
-    std::vector<std::pair<std::string, core::RigidTransform>> found;   ///< elsewhere, by what found it
+    std::vector<std::pair<std::string, core::RigidTransform>>
+        found;   ///< poses found elsewhere, with the name of their source
 };
 
 core::Result<std::optional<core::RigidTransform>> poseAt(const std::string& path)
@@ -97,7 +98,7 @@ core::Result<OwnTask> taskOf(const io::OwnEntry& entry, std::uint64_t trial)
     return task;
 }
 
-/// The rows of the shard. Every file of the truth is read before the first case runs.
+/// Reads the rows of the shard, including all ground-truth files, before the first case runs.
 core::Result<std::vector<OwnTask>> tasksOf(const std::vector<io::OwnEntry>& entries, const core::Shard& shard)
 {
     std::vector<OwnTask> tasks;
@@ -128,12 +129,12 @@ core::Result<std::vector<OwnMethod>> methodsOf(const std::string& requests)
     return methods;
 }
 
-/// Registers and judges one row after the other, or several at once.
+/// Registers and evaluates rows, one at a time or several in parallel.
 class OwnJudge {
 public:
     explicit OwnJudge(const std::vector<OwnMethod>& methods) : methods_(methods) {}
 
-    /// Records of all methods and of the poses found elsewhere. Nothing once the user has stopped.
+    /// Returns the records of all methods and of the poses found elsewhere; empty once the user has stopped.
     std::vector<core::RunRecord> judge(const OwnTask& task)
     {
         const auto session = loaded(task);
@@ -167,7 +168,7 @@ private:
         printMessage("line " + std::to_string(task.entry.line) + ": " + std::string(error.message.text()));
     }
 
-    /// Libraries that read files are not asked by two threads at once.
+    /// Loads the case of a row under a lock, since the reading libraries must not be used by two threads at once.
     core::Result<core::Case> loaded(const OwnTask& task)
     {
         const std::lock_guard lock(loading_);
@@ -199,7 +200,7 @@ private:
         return record;
     }
 
-    /// Of a case that cannot be opened nothing is known but that there is no result.
+    /// Returns records without a result, for a case that cannot be opened.
     std::vector<core::RunRecord> unknownRecords(const OwnTask& task) const
     {
         std::vector<core::RunRecord> records;
@@ -223,7 +224,7 @@ private:
     std::mutex informative_;
 };
 
-/// The same records for any number of threads.
+/// Evaluates all rows; the records do not depend on the number of threads.
 core::Experiment judgeAll(const std::vector<OwnTask>& tasks, const std::vector<OwnMethod>& methods, int threads)
 {
     OwnJudge judge(methods);

@@ -15,12 +15,12 @@ inline constexpr const char* defaultMethods =
 inline constexpr const char* ownCases = "own";   ///< experiments whose trials are files
 inline constexpr const char* observerLogs = "observers";
 
-/// Registers the cases that a manifest lists (io/evaluation/own_manifest.h), with each method that was asked for, and
-/// judges every result and every pose found elsewhere by the case's truth. A case that fails is told and counts as one
-/// without result. Numbers are the same for any number of threads and for shards that are merged.
+/// Registers the cases of a manifest (io/evaluation/own_manifest.h) with each requested method, and compares every
+/// result and every pose found elsewhere with the ground truth of its case. A failed case is reported and counts as one
+/// without a result. The figures do not depend on the number of threads or on splitting into shards.
 core::Result<core::Experiment> runOwnCases(const EvaluateArguments& arguments);
 
-/// The readings of all logs; fails where none is named.
+/// Reads the observations of all logs; fails if no log is named.
 core::Result<std::vector<core::ObserverReading>> observerReadings(const std::vector<std::string>& paths);
 
 }   // namespace angiopose::app

@@ -21,14 +21,14 @@ struct ExportDicomArguments {
     std::string casePath;
     FromResult from;
     std::string outputFolder;
-    std::vector<std::string> objects;   ///< ids; empty: all that the case allows
-    std::string reportPath;   ///< PDF to wrap; empty: none
+    std::vector<std::string> objects;   ///< object ids; empty: all that the case allows
+    std::string reportPath;   ///< PDF to encapsulate; empty: none
     std::optional<int> frame;
-    int widthPx = 0;   ///< of pictures; 0: twice the image, of runs the image
-    bool isRegistered = false;   ///< its frame is registered first
-    bool isStartWanted = false;   ///< also where nothing has been registered
+    int widthPx = 0;   ///< image width; 0: twice the angiogram, for runs the angiogram
+    bool isRegistered = false;   ///< register its frame first
+    bool isStartWanted = false;   ///< export the initial pose even if nothing has been registered
     bool isRigid = false;
-    bool isIdentityShown = false;   ///< burned into pictures
+    bool isIdentityShown = false;   ///< burn the patient's identity into images
     std::string author;
 };
 

@@ -4,7 +4,7 @@
 
 namespace angiopose::app {
 
-/// Adds the commands that look at files and angiograms; each sets `exitCode` when it runs.
+/// Adds the commands that inspect files and angiograms; each sets `exitCode` when it runs.
 void addTraceAngiogram(CLI::App& app, int& exitCode);
 void addStudies(CLI::App& app, int& exitCode);
 void addInfo(CLI::App& app, int& exitCode);

@@ -5,8 +5,8 @@
 
 namespace angiopose::app {
 
-/// The shown run as the case knows it followed; where it does not know all of its frames they are followed now, with a
-/// progress line.
+/// Tracks the vessels through the displayed run with a progress line, unless the case already has tracked poses for all
+/// frames.
 core::Status followForCommand(core::Case& session);
 
 }   // namespace angiopose::app

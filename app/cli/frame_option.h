@@ -8,7 +8,7 @@
 
 namespace angiopose::app {
 
-/// `--frame` as people count frames, and DICOM does: from 1.
+/// Adds `--frame`, which counts from 1 as users and DICOM do.
 inline CLI::Option* addFrameOption(CLI::App& command, std::optional<int>& frame, const std::string& help)
 {
     return command.add_option_function<int>(

@@ -160,7 +160,7 @@ Json pointsJson(const std::vector<io::Fiducial>& points)
     return json;
 }
 
-/// JSON that is no pose is Slicer's points or curves; transforms are nothing else.
+/// Describes a pose, or points or curves from 3D Slicer if JSON; other transform files can only be poses.
 core::Result<Json> poseOrTreeJson(const std::string& path, const std::string& extension)
 {
     const auto pose = io::readPoseWithCamera(path);
@@ -176,7 +176,7 @@ core::Result<Json> poseOrTreeJson(const std::string& path, const std::string& ex
     return treeFileJson(path);
 }
 
-/// Lines, or polygons, or a table in two dimensions.
+/// Describes centerlines, a surface, or a table of 2-D curves.
 core::Result<Json> curvesOrSurfaceJson(const std::string& path, const std::string& extension)
 {
     auto tree = treeFileJson(path);
@@ -191,7 +191,7 @@ core::Result<Json> curvesOrSurfaceJson(const std::string& path, const std::strin
     return surface ? surface : tree.error();
 }
 
-/// DICOM: X-ray runs are angiograms, everything that lies in the patient a volume.
+/// Describes an image; DICOM projections are angiograms, and slices with a patient position form a volume.
 core::Result<Json> imageJson(const std::string& path)
 {
     if (io::isDicomSegmentation(path)) {
@@ -251,11 +251,11 @@ void printField(std::string label, const std::string& text)
     printText(label + " " + text);
 }
 
-/// The JSON as indented "key: value" lines for people.
+/// Prints the JSON as indented, human-readable "key: value" lines.
 void printReadable(const Json& json, int indent)
 {
     for (const auto& [key, value] : json.items()) {
-        if (key == "messages") {   // said by `warnings`
+        if (key == "messages") {   // already printed as `warnings`
             continue;
         }
         const std::string label =

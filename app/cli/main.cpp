@@ -29,7 +29,7 @@ namespace {
 
 using namespace app;
 
-/// No number of any option may be "nan" or "inf", which CLI11's ranges let through.
+/// Rejects "nan" and "inf" for every numeric option, since CLI11's ranges accept them.
 void wantFiniteNumbers(CLI::App& app)
 {
     const CLI::Validator finite(

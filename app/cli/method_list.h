@@ -4,7 +4,7 @@
 
 namespace angiopose::app {
 
-/// For the help of commands: every method id with its summary.
+/// Lists every method id with its summary, for the help of commands.
 std::string methodList();
 
 }   // namespace angiopose::app

@@ -8,7 +8,7 @@
 namespace angiopose::app {
 namespace {
 
-/// How vessels are read; nothing where that follows from the file alone.
+/// Returns how to read the vessels; empty if the file alone determines it.
 core::Result<std::optional<core::VesselInput>> vesselInputOf(const std::string& path, const io::CaseSettings& settings)
 {
     core::Case asked;

@@ -9,14 +9,14 @@
 
 namespace angiopose::app {
 
-/// A file with vessels, or a scan in which they are traced, and one with an angiogram.
+/// File with vessels, or a scan in which to trace them, and file with an angiogram.
 struct InputPair {
     std::string vesselsPath;
     std::string angiogramPath;
 };
 
-/// A case of both, as the window opens them together. Fails where a file holds several series, and where its unit
-/// would have to be asked.
+/// Creates a case from both, as opening them together in the window does. Fails if a file holds several series, or if
+/// its unit would have to be asked for.
 core::Result<core::Case> openTogether(const InputPair& pair, const io::CaseSettings& settings, core::Messages& warnings,
                                       const io::ReadObserver& observe);
 

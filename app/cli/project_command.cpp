@@ -21,7 +21,7 @@ PictureContent contentOf(const ProjectArguments& arguments)
                                     : PictureContent::Overlay;
 }
 
-/// The view at the pose of a file; by the camera of that file, where it brings another one.
+/// Moves the view to the pose in a file, and to the camera of that file if it contains another one.
 core::Status takePose(core::View& view, const std::string& path)
 {
     const auto read = io::readPoseWithCamera(path);
@@ -48,15 +48,15 @@ core::Status takePose(core::View& view, const std::string& path)
     return core::Done{};
 }
 
-/// The traced vessels, by which those of a registered pose are coloured; of other poses, and where nothing can be
-/// traced, none.
+/// Returns the traced vessels that determine the residual colors of a registered pose; empty for other poses, or if
+/// nothing can be traced.
 core::Centerline2d targetToColorBy(const core::View& view)
 {
     const auto traced = core::resultOfShownFrame(view) ? core::targetOf(view) : core::Result<core::Centerline2d>({});
     return traced ? traced.value() : core::Centerline2d();
 }
 
-/// Nothing where vessels are seen; else why none are.
+/// Explains why no vessels are visible; empty if some are.
 std::optional<core::Message> unseenVessels(const core::View& view, const core::VesselTree& tree)
 {
     const auto camera = core::cameraOf(view);

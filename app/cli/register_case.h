@@ -8,14 +8,14 @@
 
 namespace angiopose::app {
 
-/// Overrides what the arguments name; fails when they make no sense (wrong usage).
+/// Applies the arguments to the case; fails if they are inconsistent (usage error).
 core::Status applyArguments(core::Case& session, const RegisterArguments& arguments);
 
-/// core::registerCase of all views with a progress line of that label. Ctrl+C keeps the best pose.
+/// Runs core::registerCase on all views with a progress line labeled `label`. Ctrl+C keeps the best pose.
 core::Result<core::RegisteredCase> registerForCommand(core::Case session, const std::string& label,
                                                       core::RegistrationPlan plan = {});
 
-/// The same without a progress line, where several cases run at once.
+/// Registers without a progress line, for several cases running at once.
 core::Result<core::RegisteredCase> registerQuietly(core::Case session, core::RegistrationPlan plan = {});
 
 }   // namespace angiopose::app

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file that errors are about.
+/// Returns the path of the file that errors refer to.
 const std::string& inputPathOf(const RegisterArguments& arguments)
 {
     return !arguments.from.path.empty()       ? arguments.from.path
@@ -42,7 +42,7 @@ core::Result<core::Case> loadAskedCase(const RegisterArguments& arguments)
                : loadPairForCommand({arguments.casePath, arguments.angiogramPath}, arguments.frame);
 }
 
-/// The views that the cases at `paths` show.
+/// Adds the displayed views of the cases at `paths`.
 core::Status addOtherViews(core::Case& session, const std::vector<std::string>& paths)
 {
     for (const std::string& path : paths) {
@@ -87,7 +87,8 @@ int runRegister(const RegisterArguments& arguments)
     if (const auto status = addOtherViews(session, arguments.otherViews); !status) {
         return failInput(status.error(), arguments.format);
     }
-    if (!arguments.otherViews.empty() || !arguments.angiogramPath.empty()) {   // a case alone has compared its images
+    if (!arguments.otherViews.empty() ||
+        !arguments.angiogramPath.empty()) {   // loading a single case has already compared its images
         printWarnings(core::findMismatch(session));
     }
     for (core::View& view : session.views) {

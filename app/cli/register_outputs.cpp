@@ -42,12 +42,12 @@ std::string viewFolder(const RegisteredCase& registered, const std::string& fold
     return index == 0 ? folder : (fs::path(folder) / ("view-" + number)).string();
 }
 
-/// A view as it is written: its result is a file of its own, and in its pictures.
+/// View to write, with its result as a file and as image metadata.
 struct WrittenView {
-    core::Case session;   ///< showing it
+    core::Case session;   ///< case that displays this view
     const core::Centerline2d* target = nullptr;
     std::string result;   ///< JSON
-    std::string resultInPictures;   ///< likewise, which may go further than the folder: without names
+    std::string resultInPictures;   ///< JSON without names, since images may be shared
 };
 
 WrittenView writtenView(const RegisteredCase& registered, std::size_t k, Pictures pictures)
@@ -66,7 +66,8 @@ core::Status writePicture(const WrittenView& view, const OverlayPictureOptions& 
     return picture ? io::writePng(picture.value(), path.string(), texts) : core::Status(picture.error());
 }
 
-/// As the window shows them; of bent vessels also the rigid ones, and how far the bent ones lie from them.
+/// Writes the images as the window shows them; for deformed vessels also the rigid ones, and the displacement of the
+/// deformed vessels.
 core::Status writePictures(const WrittenView& view, const fs::path& folder)
 {
     OverlayPictureOptions options;
@@ -103,14 +104,14 @@ core::Status writeView(const WrittenView& view, Pictures pictures, const std::st
     return pictures == Pictures::Drawn ? writePictures(view, folder) : core::Status(core::Done{});
 }
 
-/// Where nothing is bent there is nothing to write, unless the user asked for it.
+/// Returns whether to write a deformation: only if there is one or the user requested it.
 bool isDeformedWritten(const RegisteredCase& registered)
 {
     return registered.result().deformed && (registered.result().deformed->verdict != core::DeformationVerdict::Rigid ||
                                             registered.session.options.deformation == core::Deformation::Always);
 }
 
-/// The tree as it was in the image, in patient coordinates, and how each of its points came there.
+/// Writes the tree as deformed in the image, in patient coordinates, and the displacement of each of its points.
 core::Status writeDeformed(const RegisteredCase& registered, const std::string& folderName)
 {
     const fs::path folder(folderName);
@@ -128,7 +129,7 @@ void printLine(const std::string& label, const std::string& text)
     std::printf("%-14s %s\n", label.c_str(), text.c_str());
 }
 
-/// Distances of the shown view alone, or of each together with how far its geometry was off.
+/// Prints the distances of the displayed view, or of each view with its geometry correction.
 void printViews(const RegisteredCase& registered)
 {
     for (std::size_t k = 0; registered.joint && k < registered.places.size(); ++k) {
@@ -157,7 +158,7 @@ void printViews(const RegisteredCase& registered)
     }
 }
 
-/// " (reading 812 ms, tracing 70 ms)", as far as they were measured.
+/// Formats the measured stages, as in " (reading 812 ms, tracing 70 ms)".
 std::string beforeText(const core::StageTimes& time)
 {
     std::string parts;
@@ -186,11 +187,13 @@ std::string sigmasText(const core::PoseSigmas& sigmas, int depthDecimals)
            " mm, rotation ±" + fixedText(sigmas.rotationDeg.maxCoeff(), 2) + "°";
 }
 
-/// ", within 2 mm of the vessels with a probability of 97 %", where it is known; at most 99: nobody counted farther.
+/// Formats the probability, if known, as in ", within 2 mm of the vessels with a probability of 97 %"; capped at 99,
+/// since the calibration does not reach further.
 std::string likelihoodText(const core::RegistrationResult& result)
 {
     const auto& probability = result.probabilityWithin2Mm;
-    const bool contradicts = probability && !result.trustworthy && *probability >= 0.8;   // of an earlier version
+    const bool contradicts =
+        probability && !result.trustworthy && *probability >= 0.8;   // result of an earlier version
     return probability && !contradicts ? ", within 2 mm of the vessels with a probability of " +
                                              fixedText(std::clamp(100.0 * *probability, 1.0, 99.0), 0) + " %"
                                        : "";
@@ -205,7 +208,8 @@ void printTrust(const core::RegistrationResult& result)
     }
 }
 
-/// Of the shown view: branches that the image contradicts though the pose may be right, as the window tells them.
+/// Lists branches of the displayed view that disagree with the image although the pose may be correct, as in the
+/// window.
 void printDisagreement(const RegisteredCase& registered)
 {
     const core::DistanceMetrics& metrics = registered.result().metrics;
@@ -222,7 +226,7 @@ void printDisagreement(const RegisteredCase& registered)
                       fixedText(found.worstMm, 1) + " mm off: perhaps unfilled in this frame, or moved");
 }
 
-/// "branches 3, 7, 9: 82 %, 95 % of the wire along them, 1.2 mm off their axes".
+/// Formats a path, as in "branches 3, 7, 9: 82 %, 95 % of the wire along them, 1.2 mm off their axes".
 std::string wayText(const core::WirePath& way)
 {
     std::string branches;
@@ -291,14 +295,15 @@ void removeOutputsIn(const std::string& folder)
     for (const std::string& name : outputFilesIn(folder)) {
         std::error_code failed;
         fs::remove(fs::path(folder) / name, failed);
-        fs::remove((fs::path(folder) / name).parent_path(), failed);   // of a view; not where something is left in it
+        fs::remove((fs::path(folder) / name).parent_path(),
+                   failed);   // folder of a view; stays if other files are left in it
     }
 }
 
 void printRegistered(const RegisteredCase& registered, const std::string& folder)
 {
     const core::RegistrationResult& result = registered.result();
-    if (!result.trustworthy) {   // the worst first
+    if (!result.trustworthy) {   // most important information first
         printTrust(result);
     }
     printLine("method", result.method);

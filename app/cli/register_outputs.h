@@ -8,18 +8,18 @@
 
 namespace angiopose::app {
 
-/// Writes result.json, pose.tfm and overlay.png of each registered view (the shown one into `folder`, the others into
-/// view-2, view-3, … below it) and, of several views, joint.json about all; of bent vessels bent.vtp and motion.csv.
-/// Makes the folders.
+/// Writes result.json, pose.tfm and overlay.png of each registered view (the displayed one into `folder`, the others
+/// into view-2, view-3, … below it). Several views add joint.json for all; deformed vessels add bent.vtp and
+/// motion.csv. Creates the folders.
 enum class Pictures { Drawn, LeftOut };
 core::Status writeOutputs(const core::RegisteredCase& registered, const std::string& folder,
                           Pictures pictures = Pictures::Drawn);
 
-/// Those that are there, as paths in the folder; and takes them away.
+/// List and remove the outputs present in a folder, as paths relative to it.
 std::vector<std::string> outputFilesIn(const std::string& folder);
 void removeOutputsIn(const std::string& folder);
 
-/// The same in a few lines for people.
+/// Prints a human-readable summary of the registration.
 void printRegistered(const core::RegisteredCase& registered, const std::string& folder);
 
 }   // namespace angiopose::app

@@ -21,7 +21,7 @@ struct ReportArguments {
     std::string language;
 };
 
-/// As the window's program takes them. Values stand behind "=": they may begin with a dash.
+/// Builds the arguments for the window's program. Values follow "=" because they may begin with a dash.
 std::vector<std::string> wordsFor(const ReportArguments& arguments)
 {
     std::vector<std::string> words{"--report=" + arguments.outputPath};
@@ -45,14 +45,16 @@ std::vector<std::string> wordsFor(const ReportArguments& arguments)
     return words;
 }
 
-/// Beside this one; where nothing tells where that is (no /proc), by the search path.
+/// Returns the window's program next to this one, or its bare name for the search path if the own location is unknown
+/// (no /proc).
 std::string windowProgram()
 {
     const std::filesystem::path own = io::ownBinary();
     return own.has_parent_path() ? (own.parent_path() / "angiopose").string() : "angiopose";
 }
 
-/// Letters and pages are drawn by Qt, which this program does without: the window's program writes them.
+/// Writes the report through the window's program, since text and pages are drawn by Qt, which this program does not
+/// use.
 int runReport(const ReportArguments& arguments)
 {
     const std::string program = windowProgram();

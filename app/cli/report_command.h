@@ -4,7 +4,7 @@
 
 namespace angiopose::app {
 
-/// Adds `report`, which starts the window's program to write one; it sets `exitCode` when it does.
+/// Adds `report`, which starts the window's program to write a report and sets `exitCode`.
 void addReport(CLI::App& app, int& exitCode);
 
 }   // namespace angiopose::app

@@ -7,7 +7,7 @@
 
 namespace angiopose::app {
 
-/// The part of the work that "I/N" names, I from 1 to N.
+/// Parses "I/N", part I of the work from 1 to N.
 core::Result<core::Shard> shardFrom(const std::string& text);
 
 }   // namespace angiopose::app

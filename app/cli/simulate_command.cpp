@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t numberDigits = 4;   ///< folders then sort as numbers do
+constexpr std::size_t numberDigits = 4;   ///< digits of a case number, padded so that folders sort numerically
 
 core::Status writeScan(std::uint64_t seed, const core::TreeOptions& tree, const core::CtaOptions& cta,
                        const fs::path& folder)
@@ -35,7 +35,7 @@ core::RoomHeader roomHeaderFrom(const std::string& word)
                                      : core::RoomHeader::ObjectPlane;
 }
 
-/// They start where their headers say.
+/// Simulates the views of a room; their initial poses follow from their headers.
 int runSimulateRoom(const SimulateArguments& arguments, const core::TreeOptions& tree, const core::DsaOptions& dsa)
 {
     const core::RoomOptions room{roomHeaderFrom(arguments.room), arguments.movesTable, arguments.isMirrored};
@@ -83,7 +83,7 @@ int runSimulateOne(const SimulateArguments& arguments)
     return exitDone;
 }
 
-/// "rigid/0007", below the study's folder.
+/// Returns the folder of a case relative to the study's folder, such as "rigid/0007".
 std::string folderOf(const core::SimulatedStudy& study, std::size_t index)
 {
     const core::StudyPlace place = core::placeOf(study, index);
@@ -97,7 +97,7 @@ bool isDeformed(const core::SimulatedStudy& study, std::size_t index)
     return study.settings[core::placeOf(study, index).setting].dsa.nonRigidStdMm > 0.0;
 }
 
-/// Of a case, in the order of their names.
+/// Lists the files of a case in alphabetical order.
 std::vector<std::string> filesOfCase(const core::SimulatedStudy& study, std::size_t index)
 {
     std::vector<std::string> files{"angiogram.dcm", "case.angiopose", "true-centreline.csv", "true-pose.json"};
@@ -108,7 +108,7 @@ std::vector<std::string> filesOfCase(const core::SimulatedStudy& study, std::siz
     return files;
 }
 
-/// All cases with their truth, for `batch` and `evaluate own`.
+/// Returns the manifest of all cases with their ground truth, for `batch` and `evaluate own`.
 std::string manifestOf(const core::SimulatedStudy& study)
 {
     std::string text = "case,name,reference,bent,patient,condition\n";
@@ -131,7 +131,7 @@ core::Status writeStudyCase(const core::SimulatedStudy& study, std::size_t index
                               (output / folder).string());
 }
 
-/// Lines as sha256sum prints and checks them.
+/// Returns checksum lines in the format of sha256sum.
 core::Result<std::string> checksumsOf(const core::SimulatedStudy& study, const std::vector<std::size_t>& cases,
                                       const fs::path& output)
 {
@@ -158,7 +158,7 @@ std::vector<std::size_t> casesOf(const core::SimulatedStudy& study, const core::
     return cases;
 }
 
-/// The first fault, in the order of the cases; nothing where all are there or the user stopped.
+/// Writes the cases and returns the first error in case order; empty if all were written or the user stopped.
 std::optional<core::Error> writeCases(const core::SimulatedStudy& study, const std::vector<std::size_t>& cases,
                                       int threads, const fs::path& output)
 {

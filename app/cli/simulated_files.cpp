@@ -50,7 +50,7 @@ core::Status writeTruth(const core::SimulatedCase& simulated, const fs::path& fo
         return io::writeVesselTree(*simulated.deformedTree, deformed.string());
     }
     std::error_code failure;
-    fs::remove(deformed, failure);   // of another case that was here
+    fs::remove(deformed, failure);   // left over from another case in this folder
     return core::Done{};
 }
 
@@ -62,7 +62,7 @@ core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const std:
     const fs::path folder(folderPath);
     const fs::path absolute = fs::absolute(folder);
     const std::string casePath = (absolute / "case.angiopose").string();
-    if (const auto holder = io::holderOf(casePath)) {   // whoever looks at it would lose its inputs
+    if (const auto holder = io::holderOf(casePath)) {   // overwriting would remove the inputs of the case open there
         return core::Error(io::says::caseOpenElsewhere(holder->process, holder->machine).about(casePath));
     }
     std::error_code failure;

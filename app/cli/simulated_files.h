@@ -7,12 +7,12 @@
 
 namespace angiopose::app {
 
-/// ByHeader: no start pose is written, it follows from the geometry of the header.
+/// ByHeader: writes no initial pose; it follows from the header's geometry.
 enum class SimulatedStart { Written, ByHeader };
 
-/// Writes case.angiopose with its inputs tree.vtp and angiogram.dcm, and what is true: true-pose.json and
-/// true-centreline.csv, of deformed vessels true-vessels.vtp. Makes the folder. Writes over no case that is open
-/// elsewhere.
+/// Writes case.angiopose with its inputs tree.vtp and angiogram.dcm, and the ground truth: true-pose.json,
+/// true-centreline.csv and, for deformed vessels, true-vessels.vtp. Creates the folder. Never overwrites a case that is
+/// open elsewhere.
 core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const std::string& title,
                                 const std::string& folder, SimulatedStart start = SimulatedStart::Written);
 

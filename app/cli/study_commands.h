@@ -4,7 +4,7 @@
 
 namespace angiopose::app {
 
-/// Adds the commands whose answers are known; each sets `exitCode` when it runs.
+/// Adds the commands for experiments with known ground truth; each sets `exitCode` when it runs.
 void addSimulate(CLI::App& app, int& exitCode);
 void addEvaluate(CLI::App& app, int& exitCode);
 

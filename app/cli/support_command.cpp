@@ -17,7 +17,7 @@ struct SupportArguments {
     bool isShownAlone = false;
 };
 
-/// Says what a case is made of, and has the redaction know whom it tells of.
+/// Adds a description of the case and registers its patient identifiers with the redaction.
 core::Status addCase(const std::string& path, io::Redaction& redaction, std::vector<io::SupportText>& texts)
 {
     core::Messages nobodyReads;

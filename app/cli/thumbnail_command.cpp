@@ -21,7 +21,7 @@ struct ThumbnailArguments {
 
 using Clock = std::chrono::steady_clock;
 
-/// Answers with Stop from `end` on. Inputs that take longer, as scans to trace do, are not worth a small picture.
+/// Stops reading at `end`; slower inputs, such as scans to trace, are not worth a thumbnail.
 io::ReadObserver untilTime(Clock::time_point end)
 {
     return [end](double) {
@@ -29,7 +29,7 @@ io::ReadObserver untilTime(Clock::time_point end)
     };
 }
 
-/// Its longer side has the size asked for.
+/// Returns the width for which the longer side has the requested size.
 int thumbnailWidth(const core::Case& session, int sizePx)
 {
     const auto& angiogram = session.shown().angiogram;
@@ -40,7 +40,7 @@ int thumbnailWidth(const core::Case& session, int sizePx)
     return std::max(1, sizePx * frame.width / std::max({frame.width, frame.height, 1}));
 }
 
-/// Neither the picture nor its file tells a name: other programs keep it.
+/// Writes a thumbnail with no name in image or file, since other programs store it.
 int runThumbnail(const ThumbnailArguments& arguments)
 {
     const std::chrono::duration<double> limit(arguments.limitSeconds);

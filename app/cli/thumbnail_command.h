@@ -4,7 +4,7 @@
 
 namespace angiopose::app {
 
-/// Adds `thumbnail`, which file managers run; it sets `exitCode` when it does.
+/// Adds `thumbnail`, which file managers call; it sets `exitCode`.
 void addThumbnail(CLI::App& app, int& exitCode);
 
 }   // namespace angiopose::app

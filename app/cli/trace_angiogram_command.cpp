@@ -27,7 +27,7 @@ std::string joined(const std::vector<int>& numbers, int first = 0)
     return text;
 }
 
-/// Replaces the frames by subtracted ones where the arguments or the file ask for it.
+/// Replaces the frames by subtracted ones if the arguments or the file request it.
 core::Status subtractIfAsked(const TraceAngiogramArguments& arguments, Angiogram& angiogram)
 {
     const auto header = io::readTreatment(arguments.imagePath);
@@ -61,13 +61,13 @@ core::Status subtractIfAsked(const TraceAngiogramArguments& arguments, Angiogram
     return core::Done{};
 }
 
-/// What was traced, and what to call it.
+/// Trace and its display name.
 struct NamedTrace {
     core::AngiogramTrace trace;
     std::string name;
 };
 
-/// The vessels of the frame that the arguments ask for, or of all frames together.
+/// Traces the requested frame, or the peak-opacification image of all frames.
 core::Result<NamedTrace> traceAsked(const TraceAngiogramArguments& arguments, const Angiogram& angiogram)
 {
     core::TraceOptions options;

@@ -26,7 +26,7 @@ core::VesselInput vesselInputOf(const TraceVesselArguments& arguments, core::Ves
     return input;
 }
 
-/// The labels that the arguments name; the file is read for it.
+/// Returns the labels named by the arguments; reads the file to look them up.
 core::Result<std::vector<int>> labelsAskedFor(const TraceVesselArguments& arguments)
 {
     if (arguments.labels.empty()) {
@@ -40,18 +40,18 @@ core::Result<std::vector<int>> labelsAskedFor(const TraceVesselArguments& argume
     return labels ? labels : labels.error().about(arguments.inputPath);
 }
 
-/// Of a file that is no volume, segmentation or surface.
+/// Explains why a file that is not a volume, segmentation or surface cannot be traced.
 core::Error whyNotTraced(const std::string& path)
 {
     if (io::readVesselTree(path)) {
         return says::traceCenterlines().about(path);
     }
     const std::string extension = io::extensionOf(path);
-    if (extension == ".vtp" || extension == ".vtk" || extension == ".vtu") {   // neither lines nor triangles
+    if (extension == ".vtp" || extension == ".vtk" || extension == ".vtu") {   // contains neither lines nor triangles
         const auto surface = io::readSurface(path);
         return surface ? core::Error(says::traceOtherSurface().about(path)) : surface.error();
     }
-    const auto volume = io::readVolume(path);   // says what the file is instead
+    const auto volume = io::readVolume(path);   // its error states what the file is instead
     return volume ? core::Error(says::traceNoScan().about(path)) : volume.error();
 }
 
@@ -73,13 +73,13 @@ std::string described(const core::VesselTree& tree)
     return std::to_string(count) + (count == 1 ? " branch, " : " branches, ") + fixedText(lengthMm, 1) + " mm";
 }
 
-/// The tree that single vessels are added to; without a file it has no branches yet.
+/// Reads the tree to which single vessels are added; without a file it is empty.
 core::Result<core::VesselTree> treeToAddTo(const TraceVesselArguments& arguments)
 {
     return arguments.intoPath.empty() ? core::VesselTree() : io::readVesselTree(arguments.intoPath);
 }
 
-/// Adds a vessel's part to the tree, and says what it is.
+/// Traces a vessel section, adds it to the tree and reports it.
 core::Status addStretch(core::VesselTree& tree, const core::Volume& scan, const Stretch& stretch)
 {
     auto path = core::vesselBetween(scan, stretch.from, stretch.to, [](const core::TracingReport&) {
@@ -121,9 +121,10 @@ int traceStretches(const TraceVesselArguments& arguments)
     return exitDone;
 }
 
-constexpr double crumbShare = 0.005;   ///< pieces with fewer of the voxels are noise, not vessels
+constexpr double crumbShare = 0.005;   ///< share of the voxels below which a component is noise, not a vessel
 
-/// Every piece where there are several, with a seed that asks for it; crumbs that were left out in one line.
+/// Prints each connected component, if there are several, with a seed that selects it; summarizes omitted small ones in
+/// one line.
 void printPieces(const std::vector<core::TracedPiece>& pieces)
 {
     int crumbs = 0;

@@ -41,7 +41,7 @@ void printPeriod(const char* whose, const std::optional<core::PeriodicMotion>& m
     }
 }
 
-/// The vessels as they lie in each frame, in patient axes at its pose.
+/// Writes the deformed vessels of each frame, in patient axes at the pose of the frame.
 core::Status writeDeformedTrees(const core::Case& session, const std::vector<core::FollowedFrame>& frames,
                                 const std::string& folder)
 {

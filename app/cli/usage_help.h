@@ -6,11 +6,11 @@
 
 namespace angiopose::app {
 
-/// `help` and `help COMMAND` as the options they stand for; anything else as it is. For CLI::App::parse: last one
-/// first.
+/// Translates `help` and `help COMMAND` to the equivalent options; returns other arguments unchanged. For
+/// CLI::App::parse: in reverse order.
 std::vector<std::string> asOptions(std::vector<std::string> arguments);
 
-/// What is wrong with a command line, what was perhaps meant, and where help is. For CLI::App::failure_message.
+/// Describes a usage error, suggests what may have been meant, and refers to the help. For CLI::App::failure_message.
 std::string usageHelp(const CLI::App* app, const CLI::Error& error);
 
 }   // namespace angiopose::app

@@ -10,7 +10,7 @@
 namespace angiopose::app {
 namespace {
 
-/// As many numbers as asked for, with commas between; nothing when it is not that.
+/// Parses exactly `Count` numbers separated by commas; empty if the text has another form.
 template <int Count>
 std::optional<Eigen::Matrix<double, Count, 1>> numbersFrom(const std::string& text)
 {
@@ -29,13 +29,13 @@ std::optional<Eigen::Matrix<double, Count, 1>> numbersFrom(const std::string& te
     return numbers;
 }
 
-/// "x,y,z" in patient LPS mm; nothing when it is not that.
+/// Parses "x,y,z" in patient LPS mm; empty if the text has another form.
 std::optional<Eigen::Vector3d> pointFrom(const std::string& text)
 {
     return numbersFrom<3>(text);
 }
 
-/// An option that takes a point each time it is given.
+/// Adds a repeatable option that takes one point each time.
 void addPoints(CLI::App* command, const std::string& name, std::vector<Eigen::Vector3d>& points,
                const std::string& help)
 {
@@ -54,7 +54,7 @@ void addPoints(CLI::App* command, const std::string& name, std::vector<Eigen::Ve
         });
 }
 
-/// Two places each time it is given.
+/// Adds a repeatable option that takes two points each time.
 void addStretches(CLI::App* command, std::vector<Stretch>& stretches)
 {
     command
@@ -75,7 +75,7 @@ void addStretches(CLI::App* command, std::vector<Stretch>& stretches)
         });
 }
 
-/// Seeds and a choice without them contradict each other.
+/// Parses the choice of components; rejects combinations that contradict the presence of seeds.
 core::TracedPieces piecesCalled(const std::string& word, bool hasSeeds)
 {
     if (word == "seeded" && !hasSeeds) {

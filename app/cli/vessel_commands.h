@@ -4,7 +4,7 @@
 
 namespace angiopose::app {
 
-/// Adds the commands that make and change vessel inputs; each sets `exitCode` when it runs.
+/// Adds the commands that create and change vessel inputs; each sets `exitCode` when it runs.
 void addTraceVessel(CLI::App& app, int& exitCode);
 void addConvert(CLI::App& app, int& exitCode);
 

@@ -12,7 +12,7 @@ namespace {
 using io::DecoderReply;
 using io::ReplyKind;
 
-/// False when nobody listens any more.
+/// Writes bytes to stdout; returns false if the reader is gone.
 bool write(const char* bytes, std::size_t size)
 {
     return std::fwrite(bytes, 1, size, stdout) == size && std::fflush(stdout) == 0;
@@ -24,7 +24,7 @@ DecoderReply replyOf(const std::function<DecoderReply()>& work)
         return work();
     } catch (const std::bad_alloc&) {
         return {ReplyKind::TooLarge, {}};
-    } catch (...) {   // libraries throw all kinds of things
+    } catch (...) {   // the libraries throw exceptions of any type
         return {ReplyKind::Refusal, {}};
     }
 }

@@ -7,14 +7,15 @@
 
 namespace angiopose::decode {
 
-/// Takes from this process what decoding a file of that size cannot need: address space beyond some 64 times the size,
-/// processor time beyond seconds, files to write to, core dumps. A decoder that is led astray ends here.
+/// Limits this process to the resources that decoding a file of the given size needs: address space of about 64 times
+/// the size, a few seconds of processor time, no file writing and no core dumps. A decoder misled by a crafted file
+/// ends here.
 void limitProcess(std::size_t fileSize);
 
-/// Tells the program that waits how far the work is, 0…1.
+/// Reports the progress, 0…1, to the waiting program.
 void sayProgress(double fraction);
 
-/// Runs `work` and writes what it returns, or that memory ran out; what else it throws is a refusal.
+/// Runs `work` and writes its reply. Running out of memory is reported as such; any other exception becomes a refusal.
 int sayReply(const std::function<io::DecoderReply()>& work);
 
 }   // namespace angiopose::decode

@@ -11,9 +11,9 @@
 #include <iterator>
 #include <random>
 
-// angiopose-decode-itk read FILE: the transform of an HDF5 file of ITK, as three rows of four numbers. Refuses files
-// without one transform (the reply is empty) and transforms that are not linear (their type).
-// angiopose-decode-itk write N…: twelve numbers become such a file, which is the reply.
+// angiopose-decode-itk read FILE: replies with the transform of an ITK HDF5 file as three rows of four numbers. Refuses
+// files without exactly one transform (empty reply) and nonlinear transforms (reply: their type).
+// angiopose-decode-itk write N…: replies with such a file made from twelve numbers.
 
 namespace {
 
@@ -21,9 +21,9 @@ using angiopose::io::DecoderReply;
 using angiopose::io::ReplyKind;
 using TransformIo = itk::HDF5TransformIOTemplate<double>;
 using Transform = itk::Transform<double, 3, 3>;
-using Rows = std::array<double, 12>;   // row by row
+using Rows = std::array<double, 12>;   // in row-major order
 
-/// A file of this process that goes with it, in a folder that only its user may enter.
+/// Temporary file in a folder that only the user can access; removed with this object.
 class TemporaryFile {
 public:
     TemporaryFile()
@@ -41,13 +41,16 @@ public:
         std::error_code ignored;
         std::filesystem::remove_all(folder_, ignored);
     }
-    std::string path() const { return (folder_ / "transform.h5").string(); }   // ITK goes by the extension
+    std::string path() const
+    {
+        return (folder_ / "transform.h5").string();
+    }   // ITK selects the format by the extension
 
 private:
     std::filesystem::path folder_;
 };
 
-/// The one transform of the file: the first alone, or a composite with those that follow it.
+/// Returns the single transform of the file: the first one alone, or a composite with the transforms that follow it.
 Transform::Pointer oneOf(const TransformIo::TransformListType& list)
 {
     Transform::Pointer first = list.empty() ? nullptr : dynamic_cast<Transform*>(list.front().GetPointer());
@@ -99,7 +102,7 @@ DecoderReply write(const Rows& rows)
 {
     using Affine = itk::AffineTransform<double, 3>;
     const Affine::Pointer transform = Affine::New();
-    Affine::ParametersType parameters(12);   // the matrix row by row, then the translation
+    Affine::ParametersType parameters(12);   // matrix in row-major order, then the translation
     for (unsigned int row = 0; row < 3; ++row) {
         for (unsigned int column = 0; column < 3; ++column) {
             parameters[3 * row + column] = rows[4 * row + column];

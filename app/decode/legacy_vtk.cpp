@@ -24,8 +24,8 @@ namespace {
 using io::DecoderReply;
 using io::ReplyKind;
 
-/// VTK's streams read no "nan" and no "inf": such a word of the text becomes a number that nothing measures, and comes
-/// out as what it was.
+/// Replacement for "nan" and "inf", which VTK's streams cannot read: the word becomes a number that no measurement has,
+/// and is mapped back after reading.
 struct StandIn {
     std::string_view word;
     std::string_view text;
@@ -83,14 +83,15 @@ void takeStandIns(io::VtkLines& lines)
     }
 }
 
-/// Where the file announces what follows: "LINES 2 8".
+/// Section header in the file, such as "LINES 2 8".
 struct Section {
-    std::string name;   ///< in capitals
+    std::string name;   ///< in upper case
     std::size_t at = 0;
-    vtkIdType cells = 0;   ///< declared; of other sections another count, or 0
+    vtkIdType cells = 0;   ///< declared number of cells; in other sections another count, or 0
 };
 
-/// In the order of the file; of binary values one line in a billion looks like one.
+/// Finds the sections in file order; the chance that binary data look like a section header is about one line in a
+/// billion.
 std::vector<Section> sectionsIn(std::string_view content)
 {
     static const std::set<std::string, std::less<>> known = {
@@ -98,7 +99,7 @@ std::vector<Section> sectionsIn(std::string_view content)
         "CELL_TYPES", "POINT_DATA", "CELL_DATA",    "SCALARS",  "FIELD",           "VECTORS",
         "NORMALS",    "TENSORS",    "LOOKUP_TABLE", "METADATA", "COLOR_SCALARS",   "TEXTURE_COORDINATES"};
     std::vector<Section> sections;
-    std::size_t end = content.find('\n', content.find('\n') + 1);   // that of the title, which may say anything
+    std::size_t end = content.find('\n', content.find('\n') + 1);   // end of the title line, which may contain anything
     for (; end != std::string_view::npos; end = content.find('\n', end + 1)) {
         if (end + 1 == content.size() || std::isalpha(static_cast<unsigned char>(content[end + 1])) == 0) {
             continue;
@@ -107,7 +108,7 @@ std::vector<Section> sectionsIn(std::string_view content)
         std::string name(words.word());
         std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
         if (name == "OFFSETS" && !sections.empty()) {
-            --sections.back().cells;   // format 5 counts the offsets, one more than cells
+            --sections.back().cells;   // format 5 declares the offsets, one more than cells
         } else if (known.contains(name)) {
             sections.push_back({name, end, io::parseInteger(words.word()).value_or(0)});
         }
@@ -115,14 +116,14 @@ std::vector<Section> sectionsIn(std::string_view content)
     return sections;
 }
 
-/// The one that is being read there; empty where none is.
+/// Returns the section that contains the position; empty if there is none.
 std::string sectionAt(const std::vector<Section>& sections, std::size_t place)
 {
     const auto next = std::find_if(sections.begin(), sections.end(), [&](const auto& each) { return each.at > place; });
     return next == sections.begin() ? std::string() : std::prev(next)->name;
 }
 
-/// VTK does not compare how many cells a section declares with how many are in it.
+/// Checks the number of cells read against the declared one, which VTK does not compare.
 bool holdsItsCells(const std::vector<Section>& sections, std::string_view name, vtkIdType cells)
 {
     const auto section =

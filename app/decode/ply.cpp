@@ -18,14 +18,14 @@ namespace {
 using io::DecoderReply;
 using io::ReplyKind;
 
-/// What the header says of one element. Sizes are numbers of a text file, bytes of a binary one.
+/// Element declared in the header. Sizes count numbers in a text file and bytes in a binary file.
 struct Element {
     std::string name;
     std::size_t count = 0;
-    std::size_t entrySize = 0;   ///< without what lists hold
+    std::size_t entrySize = 0;   ///< without the contents of lists
     std::size_t listCount = 0;
-    std::size_t cornerSize = 0;   ///< of one index in the list of a face's corners
-    std::string coordinates;   ///< of x, y and z those that are there
+    std::size_t cornerSize = 0;   ///< size of one vertex index in a face's list
+    std::string coordinates;   ///< the coordinates present among x, y and z
 };
 
 struct Header {
@@ -33,7 +33,7 @@ struct Header {
     std::vector<Element> elements;
 };
 
-/// Of a number in a binary file; 0 for a type that PLY does not have.
+/// Returns the size of a number in a binary file; 0 for an unknown PLY type.
 std::size_t sizeOf(const std::string& type)
 {
     static const std::map<std::string, std::size_t> sizes = {
@@ -44,7 +44,7 @@ std::size_t sizeOf(const std::string& type)
     return found == sizes.end() ? 0 : found->second;
 }
 
-/// "property list COUNT TYPE NAME", or without a list; false where the type is none.
+/// Adds "property list COUNT TYPE NAME", or a property without a list; returns false if a type is unknown.
 bool addProperty(const std::string& countType, const std::string& type, const std::string& name, bool isText,
                  Element& element)
 {
@@ -57,7 +57,7 @@ bool addProperty(const std::string& countType, const std::string& type, const st
     return sizeOf(type) > 0 && (!isList || sizeOf(countType) > 0);
 }
 
-/// Reads up to the first value; nothing when a line is none of a header. VTK passes by what it does not know.
+/// Reads the header up to the first value; empty if a line is not part of a PLY header, which VTK would skip.
 std::optional<Header> takeHeader(io::TextCursor& lines)
 {
     static const std::regex known(
@@ -85,7 +85,8 @@ std::optional<Header> takeHeader(io::TextCursor& lines)
     return std::nullopt;
 }
 
-/// Numbers of a text, bytes else; nothing when a word of the text is no number, which VTK would take for 0.
+/// Counts the numbers of a text body or the bytes of a binary one; empty if a word of the text is not a number, which
+/// VTK would read as 0.
 std::optional<std::size_t> sizeOfBody(io::TextCursor body, bool isText)
 {
     std::size_t count = 0;
@@ -97,8 +98,8 @@ std::optional<std::size_t> sizeOfBody(io::TextCursor body, bool isText)
     return isText ? count : body.left();
 }
 
-/// Whether a body of that size is what the header declares, with so many corners of faces. VTK takes what is missing
-/// for zeros, and of a face the number of corners by 256. After a binary body there may be a little more.
+/// Returns whether a body of that size matches the header for the given number of face vertices. VTK reads missing data
+/// as zeros, and the vertex count of a face modulo 256. A binary body may be followed by a few extra bytes.
 bool explains(const Header& header, std::size_t cornerCount, std::size_t bodySize)
 {
     std::size_t size = 0, tail = 0, lists = 0;
@@ -136,7 +137,7 @@ DecoderReply readPly(const std::string& path)
         hasPoints |= element.name == "vertex" && element.coordinates == "xyz";
         hasFaces |= element.name == "face" && element.count > 0 && element.cornerSize > 0;
     }
-    if (!hasFaces) {   // which VTK would not read
+    if (!hasFaces) {   // VTK would not read a file without faces
         return {ReplyKind::Result, io::toReply({})};
     }
     const auto bodySize = sizeOfBody(cursor, header->isText);

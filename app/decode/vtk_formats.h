@@ -6,13 +6,14 @@
 
 namespace angiopose::decode {
 
-/// A legacy VTK file of that data set ("polydata" or "unstructured_grid"); a refusal names the section that is damaged.
+/// Reads a legacy VTK file with the given data set ("polydata" or "unstructured_grid"); a refusal names the damaged
+/// section.
 io::DecoderReply readLegacyVtk(const std::string& path, const std::string& dataSet);
 
-/// VTK XML ("xml_polydata" or "xml_unstructured_grid"); a refusal says nothing more.
+/// Reads a VTK XML file ("xml_polydata" or "xml_unstructured_grid"); a refusal has no details.
 io::DecoderReply readXmlVtk(const std::string& path, const std::string& dataSet);
 
-/// A surface in PLY; a refusal says "header", "element NAME" (it has no properties) or "data".
+/// Reads a PLY surface; a refusal states "header", "element NAME" (it has no properties) or "data".
 io::DecoderReply readPly(const std::string& path);
 
 }   // namespace angiopose::decode

@@ -14,7 +14,7 @@
 namespace angiopose::decode {
 namespace {
 
-/// Where VTK says its errors and warnings, also those that no observer of a reader hears.
+/// Output window that receives all VTK errors and warnings, including those that observers of a reader do not get.
 class ComplaintWindow : public vtkOutputWindow {
 public:
     static ComplaintWindow* New();

@@ -9,8 +9,9 @@ namespace angiopose::decode {
 
 std::string contentOf(const std::string& path);
 
-/// Lets a reader of VTK work, its progress told to the program that waits. At the slightest complaint of VTK this
-/// process ends with a refusal, for which `place` says where the reader is: some crash when they go on.
+/// Runs a VTK reader and reports its progress to the waiting program. At the first error or warning from VTK, this
+/// process exits with a refusal, for which `place` describes the reader's position: some readers crash when they
+/// continue.
 void readOrRefuse(vtkAlgorithm& reader, const std::function<std::string()>& place);
 
 }   // namespace angiopose::decode

@@ -22,7 +22,7 @@ namespace {
 using io::DecoderReply;
 using io::ReplyKind;
 
-/// Remembers that a reader complained; without an observer VTK only prints.
+/// Records that a reader reported an error; without an observer, VTK only prints it.
 class ErrorFlag : public vtkCommand {
 public:
     static ErrorFlag* New() { return new ErrorFlag; }
@@ -30,8 +30,8 @@ public:
     bool raised = false;
 };
 
-/// A reader that notices where the file holds less of an array than it declares: VTK then leaves the rest as the memory
-/// was, and says nothing.
+/// Reader that detects arrays with fewer values in the file than declared. VTK silently leaves the missing values
+/// uninitialized.
 template <class Reader>
 class WholeArrays : public Reader {
 public:
@@ -51,7 +51,7 @@ protected:
         const auto read = [&] {
             return Reader::ReadArrayValues(element, arrayIndex, array, startIndex, valueCount, type);
         };
-        if (array->GetSize() < arrayIndex + valueCount) {   // VTK would write beyond it
+        if (array->GetSize() < arrayIndex + valueCount) {   // VTK would write past the end of the array
             isShort_ = true;
             return 0;
         }
@@ -59,8 +59,7 @@ protected:
             return read();
         }
         auto* last = static_cast<std::uint8_t*>(array->GetVoidPointer(arrayIndex + valueCount - 1));
-        for (const std::uint8_t mark :
-             {std::uint8_t{0xa5}, std::uint8_t{0x5a}}) {   // a value that is one mark by chance is not the other
+        for (const std::uint8_t mark : {std::uint8_t{0xa5}, std::uint8_t{0x5a}}) {   // a value cannot equal both marks
             const std::span bytes(last, static_cast<std::size_t>(array->GetDataTypeSize()));
             std::ranges::fill(bytes, mark);
             const int result = read();

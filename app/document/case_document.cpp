@@ -25,7 +25,7 @@ void CaseDocument::replace(core::Case opened, const QString& path)
 void CaseDocument::markSaved(const QString& path, const CaseState& written)
 {
     if (written.caseNumber != caseNumber_) {
-        return;   // another case has been opened since
+        return;   // another case has been opened in the meantime
     }
     path_ = path;
     unsavedByNature_ = false;
@@ -33,7 +33,7 @@ void CaseDocument::markSaved(const QString& path, const CaseState& written)
     if (written == state()) {
         undoStack_.setClean();
     } else {
-        undoStack_.resetClean();   // no position of the stack is known to match the file
+        undoStack_.resetClean();   // no stack position is known to match the file
     }
     emit stateChanged();
 }
@@ -76,7 +76,7 @@ void CaseDocument::beginTrial(std::unique_ptr<QUndoCommand> edit)
     if (isInTrial() || locked_) {
         return;
     }
-    undoFloor_ = undoStack_.index() + 1;   // known before anyone looks at the changed case
+    undoFloor_ = undoStack_.index() + 1;   // set before anyone reads the changed case
     undoStack_.push(edit.release());
     emit stateChanged();
 }
@@ -87,12 +87,12 @@ void CaseDocument::endTrial()
         return;
     }
     {
-        const QSignalBlocker quiet(this);   // nobody needs to see each step
+        const QSignalBlocker quiet(this);   // suppresses signals for the single steps
         undoStack_.setIndex(std::exchange(undoFloor_, 0) - 1);
     }
     auto nothing = std::make_unique<QUndoCommand>();
     nothing->setObsolete(true);
-    undoStack_.push(nothing.release());   // what could be redone is dropped with it
+    undoStack_.push(nothing.release());   // pushing a command discards the redo steps
     emit changed();
     emit stateChanged();
 }

@@ -3,7 +3,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Other vessels: the start pose moves with the tree's centroid, any other stays.
+/// Replaces the vessels: an initial pose moves with the tree's centroid, any other pose stays.
 std::unique_ptr<QUndoCommand> changeVessels(CaseDocument& document, Vessels vessels, const ui::Words& name)
 {
     const auto isSame = [](const core::RigidTransform& a, const core::RigidTransform& b) {
@@ -51,10 +51,13 @@ std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree
 {
     Vessels vessels = document.current().vessels;
     const bool isEdited = traced.lumenOrigin == LumenOrigin::Edited;
-    if (isEdited && vessels.input.kind == core::VesselInputKind::Volume) {   // the mask lies in it from now on
+    if (isEdited &&
+        vessels.input.kind == core::VesselInputKind::Volume) {   // the scan stays linked, since the mask lies in it
         vessels.scanFile = vessels.file;
         vessels.scanSeriesId = vessels.input.seriesId;
-    } else if (!isEdited && traced.file.path == vessels.scanFile.path) {   // which then lies beside no longer
+    } else if (!isEdited &&
+               traced.file.path ==
+                   vessels.scanFile.path) {   // the traced scan is the vessel input, no longer a separate scan
         vessels.scanFile = {};
         vessels.scanSeriesId.clear();
     }

@@ -12,10 +12,10 @@
 
 namespace angiopose::app {
 
-/// Unique numbers for edits that belong together; see SetFields.
+/// Burst number of an edit that merges with no other; see SetFields.
 inline constexpr int separateEdit = -1;
 
-/// An edit that says its name in whatever language the window speaks when it is asked.
+/// Edit whose name follows the current language of the window.
 class NamedEdit : public QUndoCommand {
 public:
     explicit NamedEdit(ui::Words name) : QUndoCommand(name()), name_(std::move(name)) {}
@@ -25,7 +25,7 @@ private:
     ui::Words name_;
 };
 
-/// The part of a case that has a field: the case itself, its vessels, its shown view.
+/// Returns the part of a case that owns a field: the case, its vessels or its displayed view.
 template <class Value>
 auto& partWith(core::Case& session, Value core::Case::*)
 {
@@ -42,13 +42,13 @@ auto& partWith(core::Case& session, Value core::View::*)
     return session.shown();
 }
 
-/// What a pointer to a member points to.
+/// Value type of a pointer to member.
 template <class Owner, class Value>
 Value valueOf(Value Owner::*);
 
-/// Undoable change of some fields of the open case: of itself, its vessels or its shown view. Which view is shown may
-/// change with `Case::views` as a whole only. Edits with the same burst number merge into one step.
-///   stack.push(new SetFields<&core::View::frame>(document, {4}, [] { return tr("Show frame 4"); }));
+/// Undoable change of fields of the open case, its vessels or its displayed view. `Case::shownView` may change only
+/// together with `Case::views`. Edits with the same burst number merge into one step.
+/// stack.push(new SetFields<&core::View::frame>(document, {4}, [] { return tr("Show frame 4"); }));
 template <auto... Fields>
 class SetFields : public NamedEdit {
 public:
@@ -59,14 +59,14 @@ public:
     {
     }
 
-    /// The fields as they are in `wanted`.
+    /// Reads the values of the fields in `wanted`.
     static Values valuesOf(core::Case wanted) { return {std::move(partWith(wanted, Fields).*Fields)...}; }
 
     void redo() override { swapWithDocument(); }
     void undo() override { swapWithDocument(); }
     int id() const override { return burst_; }
 
-    /// The document already shows the later values, and `others_` keeps those from before the burst.
+    /// Merges without copying: the document already has the later values, and `others_` those from before the burst.
     bool mergeWith(const QUndoCommand* later) override { return dynamic_cast<const SetFields*>(later) != nullptr; }
 
 private:
@@ -78,7 +78,7 @@ private:
     }
 
     CaseDocument& document_;
-    Values others_;   ///< the values not in the document right now
+    Values others_;   ///< values not currently in the document
     int burst_;
 };
 

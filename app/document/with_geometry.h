@@ -4,7 +4,7 @@
 
 namespace angiopose::app {
 
-/// The case moved to `cArm`: a pose that still was the start pose follows the new one.
+/// Returns the case with the geometry `cArm`; a pose equal to the initial pose follows the new initial pose.
 core::Case withGeometry(core::Case base, const core::CArm& cArm);
 
 }   // namespace angiopose::app

@@ -7,7 +7,8 @@
 
 namespace angiopose::app {
 
-/// From the stored run to the curves that are registered to: subtraction, tracing, and edits by hand.
+/// Owns the controllers from the stored run to the target curves of the registration: subtraction, tracing and manual
+/// edits.
 class AngiogramController {
 public:
     explicit AngiogramController(const AngiogramParts& parts)

@@ -16,7 +16,7 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// What the controllers of the angiogram work on, and what of the window they serve.
+/// Objects and parts of the window that the angiogram controllers use.
 struct AngiogramParts {
     CaseDocument& document;
     TargetProvider& target;

@@ -12,9 +12,9 @@
 namespace angiopose::app {
 namespace {
 
-constexpr double insideShare = 0.5;   ///< of a branch's projection, from which a lasso holds it
+constexpr double insideShare = 0.5;   ///< share of a branch's projection inside the lasso that selects it
 
-/// Share of the branch's points whose projections lie inside.
+/// Share of the branch's points that project inside the outline.
 double shareInside(const core::VesselBranch& branch, const core::ProjectionCamera& camera,
                    const core::RigidTransform& cameraFromPatient, const QPolygonF& outline)
 {
@@ -162,7 +162,7 @@ void AuxiliaryController::request()
 {
     if (dialog_ && dialog_->isVisible()) {
         adviser_.ask();
-        show();   // the choice at once, the numbers when they are known
+        show();   // shows the selection immediately, the figures once they are computed
     }
 }
 

@@ -20,18 +20,18 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// The choice of auxiliary branches made easy: by lasso, generation and radius, and by what each branch tells about the
-/// pose, with a live account of what the choice would do.
+/// Supports selecting auxiliary branches by lasso, generation and radius, and by how well each branch constrains the
+/// pose, with a live preview of the effect.
 class AuxiliaryController : public QObject {
     Q_OBJECT
 public:
     AuxiliaryController(CaseDocument& document, BranchController& branches, ui::WindowActions& actions,
                         ui::AngiogramView& view, QWidget& dialogParent, QObject* parent = nullptr);
 
-    bool isRunning() const { return adviser_.isRunning(); }   ///< working out what each branch tells
+    bool isRunning() const { return adviser_.isRunning(); }   ///< computing how well each branch constrains the pose
     void open();
-    ui::AuxiliaryDialog* dialog() const { return dialog_; }   ///< null while it is closed
-    const std::vector<int>& suggestion() const;   ///< empty: none is known
+    ui::AuxiliaryDialog* dialog() const { return dialog_; }   ///< null while closed
+    const std::vector<int>& suggestion() const;   ///< empty: not known
 
     void chooseInside(const QPolygonF& outlineInImagePx, ui::LassoEffect effect);
     void chooseGenerations(int last);

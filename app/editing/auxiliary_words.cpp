@@ -14,7 +14,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Order of core::PoseUncertainty; in the words of the pose panel.
+/// Names of the pose components as in the pose panel, in the order of core::PoseUncertainty.
 QString nameOfStep(std::size_t step)
 {
     static const std::array names{QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "tilt"),
@@ -49,7 +49,7 @@ QString namesOf(const std::shared_ptr<const core::VesselTree>& tree, const std::
     return ui::joinedNames(names);
 }
 
-/// What the alternation would use now.
+/// Describes which branches the alternating method would use now.
 QString previewWords(const core::Case& current)
 {
     if (!current.vessels.tree) {
@@ -57,7 +57,7 @@ QString previewWords(const core::Case& current)
     }
     double lengthMm = 0.0;
     double chosenMm = 0.0;
-    std::vector<int> chosenIds;   // an excluded one is not used, chosen or not
+    std::vector<int> chosenIds;   // without excluded branches, which are never used
     for (const core::VesselBranch& branch : current.vessels.tree->branches) {
         if (contains(current.vessels.excludedBranchIds, branch.id)) {
             continue;

@@ -9,13 +9,13 @@
 
 namespace angiopose::app {
 
-/// The method that takes the auxiliary branches throughout.
+/// Id of the method that uses the auxiliary branches throughout.
 extern const std::string alternatingMethod;
 
-double medianRadiusMm(const core::VesselBranch& branch);   ///< 0: it knows no radii
+double medianRadiusMm(const core::VesselBranch& branch);   ///< 0: the branch has no radii
 
-/// What the dialog of the auxiliary branches shows of a case, in the language spoken: what the choice comes to, and,
-/// where it is known, what the branches tell about the pose.
+/// Builds the texts of the auxiliary-branch dialog in the current language: the effect of the selection and, if known,
+/// how well the branches constrain the pose.
 ui::AuxiliaryAdvice auxiliaryWords(const core::Case& current, const std::optional<BranchAdvice>& advice);
 
 }   // namespace angiopose::app

@@ -9,7 +9,7 @@
 namespace angiopose::app {
 namespace {
 
-constexpr int branchesPerStep = 2;   ///< named per step of the pose
+constexpr int branchesPerStep = 2;   ///< branches named per pose component
 
 core::Vector6d inDegrees(core::Vector6d std)
 {
@@ -17,7 +17,8 @@ core::Vector6d inDegrees(core::Vector6d std)
     return std;
 }
 
-/// `chosen` are the auxiliary branches; `priorStd` is what the solver believes of a start pose.
+/// Derives the advice. `chosen` are the auxiliary branches; `priorStd` is the solver's prior standard deviation of an
+/// initial pose.
 BranchAdvice adviceFrom(const std::vector<core::BranchInformation>& branches, const std::vector<int>& chosen,
                         const core::Vector6d& priorStd)
 {

@@ -12,23 +12,24 @@
 
 namespace angiopose::app {
 
-/// What the branches of the tree tell about the pose of the shown view.
+/// Constraints that the branches of the tree place on the pose of the displayed view.
 struct BranchAdvice {
-    core::Vector6d stdOfAll = core::Vector6d::Zero();   ///< of the steps of a pose, degrees and mm, from all branches
-    core::Vector6d stdOfChosen = core::Vector6d::Zero();   ///< from the auxiliary ones; none chosen: from all
-    std::array<std::vector<int>, 6> pinnedBy;   ///< branches that tell most about each step
-    std::vector<int> suggested;   ///< few that tell nearly as much as all
+    core::Vector6d stdOfAll =
+        core::Vector6d::Zero();   ///< standard deviations of the pose components, degrees and mm, from all branches
+    core::Vector6d stdOfChosen = core::Vector6d::Zero();   ///< from the auxiliary branches; if there are none, from all
+    std::array<std::vector<int>, 6> pinnedBy;   ///< branches that constrain each component best
+    std::vector<int> suggested;   ///< a few branches that are nearly as informative as all
 };
 
-/// Finds on a worker what the branches tell; while one answer is on its way, only the newest question waits.
+/// Computes the advice on a worker; while one request is running, only the newest further one is kept.
 class BranchAdviser : public QObject {
     Q_OBJECT
 public:
     explicit BranchAdviser(const CaseDocument& document, QObject* parent = nullptr);
 
-    void ask();   ///< about the case as it is
+    void ask();   ///< requests the advice for the current case
     bool isRunning() const { return job_.isRunning(); }
-    const std::optional<BranchAdvice>& advice() const { return advice_; }   ///< nothing: not known
+    const std::optional<BranchAdvice>& advice() const { return advice_; }   ///< empty: not known
 
 signals:
     void answered();
@@ -40,7 +41,7 @@ private:
     const CaseDocument& document_;
     Job<BranchAdvice> job_;
     std::optional<BranchAdvice> advice_;
-    bool isAskedAgain_ = false;   ///< when the running one is done
+    bool isAskedAgain_ = false;   ///< start again when the running job has finished
 };
 
 }   // namespace angiopose::app

@@ -12,7 +12,7 @@
 namespace angiopose::app {
 namespace {
 
-/// The other way round for all: when every one of `ids` is in the set they leave it, otherwise they all join.
+/// Removes `ids` from the set if it contains all of them, else adds them all.
 std::set<int> toggled(std::set<int> set, const std::set<int>& ids)
 {
     const bool allIn = std::ranges::includes(set, ids);

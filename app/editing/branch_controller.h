@@ -11,7 +11,8 @@
 
 namespace angiopose::app {
 
-/// Which branches are hovered and selected (shared by list and views), and which count for what (part of the case).
+/// Tracks the hovered and selected branches, shared by list and views, and sets auxiliary, excluded and hidden
+/// branches, which are part of the case.
 class BranchController : public QObject {
     Q_OBJECT
 public:
@@ -21,16 +22,16 @@ public:
 
     void hover(std::optional<int> branchId);
     void select(const std::set<int>& branchIds);
-    void click(int branchId, Qt::KeyboardModifiers modifiers);   ///< in a view: Ctrl or Shift adds or removes
+    void click(int branchId, Qt::KeyboardModifiers modifiers);   ///< click in a view; Ctrl or Shift adds or removes
     void selectAll();
     void toggleAuxiliary(const std::set<int>& branchIds);
     void toggleExcluded(const std::set<int>& branchIds);
     void setAuxiliary(const std::set<int>& branchIds);
-    /// Makes the branches auxiliary whose projection lies wholly in a part of the image, or whose radius is not below
-    /// the tree's median; says so where there is none.
+    /// Make auxiliary the branches that project entirely into a part of the image, or whose radius is at least the
+    /// tree's median; report if there are none.
     void setAuxiliaryInside(const std::map<int, ui::ViewRect>& extents, const ui::ViewRect& part);
     void setAuxiliaryWide();
-    void followDocument();   ///< takes over the case's choices; forgets branches that are gone
+    void followDocument();   ///< takes the selections from the case; drops deleted branches
 
 signals:
     void marksChanged();

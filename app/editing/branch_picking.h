@@ -14,12 +14,11 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Brings what the user points at, in the list, in the views or by command, to the branch controller, and its marks
-/// back.
+/// Connects picking in the list, in the views and by command to the branch controller, and shows its marks there.
 class BranchPicking : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the window that the class uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::BranchPanel& panel;

@@ -7,7 +7,7 @@
 
 namespace angiopose::app {
 
-/// The name of the only branch, or how many they are, in the language spoken when asked.
+/// Returns the name of a single branch or the number of branches, in the language current when called.
 ui::Words branchWords(const core::VesselTree& tree, const std::set<int>& branchIds);
 
 }   // namespace angiopose::app

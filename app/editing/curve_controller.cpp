@@ -30,7 +30,7 @@ std::shared_ptr<ui::CurveGround> makeGround(const TraceRequest& request)
         core::LiveWire(ground.vesselness), std::move(ground.opacity), request.options.maxVesselRadiusPx});
 }
 
-/// Null for no curves.
+/// Shares the curves; null if there are none.
 SharedCenterline shared(const core::Centerline2d& curves)
 {
     return curves.curves.empty() ? nullptr : std::make_shared<const core::Centerline2d>(curves);
@@ -62,7 +62,7 @@ CurveController::CurveController(const AngiogramParts& parts, QObject* parent)
     connect(&target_, &TargetProvider::changed, this, &CurveController::follow);
     connect(&view_, &ui::AngiogramView::toolChanged, this, &CurveController::follow);
     connect(&ground_, &QFutureWatcherBase::finished, this, [this] {
-        if (grounded_) {   // or nothing is being made: the tool was left
+        if (grounded_) {   // otherwise the tool was left and nothing is wanted
             tool_->setGround(takeResult(ground_));
         }
     });
@@ -89,7 +89,7 @@ void CurveController::connectTool()
     connect(tool_, &ui::EditCurvesTool::editChanged, bar_, &ui::CurveEditBar::showEdit);
     connect(bar_, &ui::CurveEditBar::editChosen, this, [this](ui::CurveEdit edit) {
         tool_->setEdit(edit);
-        view_.setFocus();   // the keys of the mode go to the image
+        view_.setFocus();   // the image gets the keys of the mode
     });
     connect(bar_, &ui::CurveEditBar::doneRequested, this, [this] { view_.setTool(nullptr); });
     connect(bar_, &ui::CurveEditBar::traceAgainRequested, this, &CurveController::askToTraceAgain);
@@ -123,7 +123,7 @@ void CurveController::showCurves()
     const SharedCenterline devices = core::devicesOf(document_.current().shown());
     const bool isShown = shownCurves_ == target_.current() && shownDevices_ == devices;
     if (shownCurves_ && isShown && shownAccepted_ == accepted) {
-        return;   // what is under way on them may go on
+        return;   // unchanged: an edit in progress may continue
     }
     shownCurves_ = target_.current();
     shownDevices_ = devices;
@@ -182,11 +182,12 @@ void CurveController::dropGround()
         return;
     }
     grounded_.reset();
-    ground_.setFuture({});   // what is being made is not wanted
+    ground_.setFuture({});   // discards a pending result
     tool_->setGround(nullptr);
 }
 
-/// Of a traced frame nothing was accepted yet: what the case has is of the curves of another.
+/// Returns the accepted curves of this frame; none if it has just been traced, since those of the case belong to other
+/// curves.
 std::vector<int> CurveController::acceptedHere() const
 {
     return target_.trace() ? std::vector<int>() : document_.current().shown().target.acceptedCurveIds;
@@ -212,7 +213,7 @@ void CurveController::accept(int curveId)
          [] { return tr("Keep suspect curve"); });
 }
 
-/// As a catheter or wire; taken back it is a vessel, and no suspect any more.
+/// Marks a curve as a catheter or guidewire, or as a vessel again; a vessel marked this way is no longer suspect.
 void CurveController::keepApart(int curveId, bool apart)
 {
     const core::CurvesApart before = curvesHere();

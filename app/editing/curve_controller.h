@@ -15,8 +15,8 @@ class CurveEditBar;
 
 namespace angiopose::app {
 
-/// Edits of the traced curves by hand, on the angiogram, and which of them are catheters and wires, kept apart. Edited
-/// curves are the target of their frame until it is traced again; each edit is one step of undo.
+/// Edits the traced curves on the angiogram manually and marks catheters and guidewires, which are excluded. Edited
+/// curves are the target of their frame until it is traced again; each edit is one undo step.
 class CurveController : public QObject {
     Q_OBJECT
 public:
@@ -30,14 +30,14 @@ private:
     void follow();
     void showCurves();
     void wantGround();
-    void dropGround();   ///< it is large, and keeps the angiogram it is of
+    void dropGround();   ///< frees the large data, which also hold the angiogram
     std::vector<int> suspects() const;
     std::vector<int> acceptedHere() const;
     void take(const core::Centerline2d& curves, const ui::Words& what);
     void accept(int curveId);
     void keepApart(int curveId, bool apart);
     void followDevice();
-    void push(core::GivenTarget target, const ui::Words& what);   ///< as edited here, in the frame that is shown
+    void push(core::GivenTarget target, const ui::Words& what);   ///< pushes the target edited in the displayed frame
     core::CurvesApart curvesHere() const;
     void traceAgain();
 
@@ -53,7 +53,7 @@ private:
     SharedCenterline shownCurves_;
     SharedCenterline shownDevices_;
     std::vector<int> shownAccepted_;
-    std::optional<TraceRequest> grounded_;   ///< what the ground is of, or is being made of
+    std::optional<TraceRequest> grounded_;   ///< request for which the ground is available or being computed
     QFutureWatcher<std::shared_ptr<ui::CurveGround>> ground_;
 };
 

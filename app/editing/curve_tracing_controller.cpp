@@ -30,7 +30,7 @@ void CurveTracingController::change(const core::TraceOptions& options, const ui:
     document_.push(std::make_unique<ChangeTracing>(document_, ChangeTracing::Values{options, std::nullopt, {}}, what));
 }
 
-/// Whoever looks at the curves wants to see where none can be.
+/// Shows the excluded image regions while the curves are displayed or edited.
 void CurveTracingController::showKeptOut()
 {
     const bool isLooking =

@@ -7,7 +7,7 @@
 
 namespace angiopose::app {
 
-/// The numbers of the tracing, and the regions of the image that it leaves out.
+/// Applies the tracing options and shows the image regions that tracing excludes.
 class CurveTracingController : public QObject {
     Q_OBJECT
 public:

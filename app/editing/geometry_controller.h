@@ -11,7 +11,7 @@ class GeometryPanel;
 
 namespace angiopose::app {
 
-/// The geometry panel: shows the case's values with their origins, turns edits into undoable changes.
+/// Controls the geometry panel: shows the case's values with their origins and turns edits into undoable changes.
 class GeometryController : public QObject {
     Q_OBJECT
 public:

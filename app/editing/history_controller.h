@@ -13,7 +13,7 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Undo and redo: the commands, and the words they and the strip show.
+/// Controls undo and redo, and the texts that their commands and the status strip show.
 class HistoryController : public QObject {
     Q_OBJECT
 public:

@@ -76,7 +76,7 @@ void LabelController::followDocument()
     }
 }
 
-/// A label image can be large: it is read for the list when that is in sight.
+/// Reads the label image, which can be large, only once the list is visible.
 void LabelController::readIfWanted()
 {
     const bool isInSight = actions_[ui::Command::SlicesLarge]->isChecked();
@@ -97,7 +97,7 @@ void LabelController::takeOverview(const LabelOverview& overview)
     emit edited();
 }
 
-/// What the labels of the case come to: none named, those that are vessels by their names, else all.
+/// Checks the labels of the case; if it names none, those whose names denote vessels, else all.
 void LabelController::takeTicksOfCase()
 {
     isEdited_ = false;
@@ -124,7 +124,7 @@ void LabelController::setDraft(const std::set<int>& labels)
     emit edited();
 }
 
-/// The ticks in the list and in the slices.
+/// Shows the checked labels in the list and in the slices.
 void LabelController::showTicks()
 {
     if (!overview_) {

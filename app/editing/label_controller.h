@@ -15,15 +15,15 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Which labels of a label image are traced. They are listed where the slices are large; the ticks are a draft until a
-/// trace has taken them into the case.
+/// Selects the labels of a label image to trace. They are listed while the slices are large; the selection is a draft
+/// until a trace stores it in the case.
 class LabelController : public QObject {
     Q_OBJECT
 public:
     LabelController(CaseDocument& document, ui::WindowActions& actions, ui::LabelChoice& choice, ui::SliceModel& slices,
                     QObject* parent = nullptr);
 
-    /// What the next trace takes, as in core::VesselInput: empty for what the names say, or all.
+    /// Labels for the next trace, as in core::VesselInput; empty: the labels named as vessels, or all.
     std::vector<int> draft() const;
     bool isNothingTicked() const { return overview_ && ticked_.empty(); }
 
@@ -43,11 +43,11 @@ private:
     ui::LabelChoice& choice_;
     ui::SliceModel& slices_;
     LabelJob job_;
-    core::InputFile shownFile_;   ///< the label image of the case; no path: it has none
-    std::vector<int> shownLabels_;   ///< of the case
+    core::InputFile shownFile_;   ///< label image of the case; empty path: none
+    std::vector<int> shownLabels_;   ///< labels stored in the case
     std::optional<LabelOverview> overview_;
-    std::set<int> ticked_;   ///< of the overview
-    bool isEdited_ = false;   ///< they are not those of the case
+    std::set<int> ticked_;   ///< checked labels of the overview
+    bool isEdited_ = false;   ///< the checked labels differ from those of the case
 };
 
 }   // namespace angiopose::app

@@ -16,12 +16,13 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Landmarks by clicks: a place on the vessels (3-D view or slice; nodes attract) and one in the image make a pair, in
-/// either order; the pairs are listed, moved, removed, and give the start pose. Every change is one step of undo.
+/// Controls landmark pairs: a point on the vessels (3-D view or slice; snaps to nodes) and one in the image, clicked in
+/// either order. The pairs are listed, moved and removed, and determine the initial pose. Every change is one undo
+/// step.
 class LandmarkController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::LandmarkPanel& panel;
@@ -31,7 +32,7 @@ public:
     };
     LandmarkController(CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
-    void pickPoint(const Eigen::Vector3d& pointInPatient);   ///< while landmarks are set
+    void pickPoint(const Eigen::Vector3d& pointInPatient);   ///< while landmark mode is on
     void pickPixel(const Eigen::Vector2d& pixel);
     void placeVessels();
 
@@ -53,7 +54,7 @@ private:
     CaseDocument& document_;
     Ui ui_;
     ui::LandmarkTool* tool_;
-    std::shared_ptr<const core::VesselTree> tree_;   ///< that `nodes_` are of
+    std::shared_ptr<const core::VesselTree> tree_;   ///< tree of `nodes_`
     std::vector<core::VesselNode> nodes_;
     std::optional<Eigen::Vector3d> pendingPoint_;
     std::optional<Eigen::Vector2d> pendingPixel_;

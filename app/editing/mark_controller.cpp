@@ -25,8 +25,8 @@ using core::VesselMark;
 using core::VesselMarkKind;
 using ui::MarkMode;
 
-constexpr double placeReachPx = 14.0;   // widget px: so near to the pointer a vessel lies under it
-constexpr double sliceReachMm = 4.0;   // from a click in a slice to the vessels
+constexpr double placeReachPx = 14.0;   // widget px; maximum distance of a vessel under the pointer
+constexpr double sliceReachMm = 4.0;   // maximum distance from a click in a slice to the vessels
 constexpr double sameMm = 1e-6;
 
 std::size_t placeOf(MarkMode mode)
@@ -44,7 +44,8 @@ VesselMarkKind kindOf(MarkMode mode)
     return mode == MarkMode::OstiumRing ? VesselMarkKind::OstiumRing : VesselMarkKind::CheckPoint;
 }
 
-/// On the nearest branch; of a ring its width is the branch's there, and nothing where that has none.
+/// Places a mark on the nearest branch; a ring gets the branch's diameter there. Empty if there is no branch or no
+/// radius.
 std::optional<VesselMark> putOn(const core::VesselTree& tree, VesselMark mark, const Eigen::Vector3d& point)
 {
     const auto place = core::nearestPlace(tree, point);
@@ -126,7 +127,7 @@ core::PoseOfView MarkController::poseOf() const
     return [this](std::size_t view) { return preview_.poseIn(view); };
 }
 
-/// On the vessels as they are drawn.
+/// Returns the point under the pixel on the vessels as drawn.
 std::optional<Eigen::Vector3d> MarkController::placeUnder(const Eigen::Vector2d& pixel) const
 {
     if (core::findProblem(ui_.view.camera())) {
@@ -136,7 +137,7 @@ std::optional<Eigen::Vector3d> MarkController::placeUnder(const Eigen::Vector2d&
                                  pixel, placeReachPx / ui_.view.zoom());
 }
 
-/// Where vessels are drawn bent, marks are kept as of the rigid ones.
+/// Maps a point on deformed vessels back to the rigid ones, on which marks are stored.
 Eigen::Vector3d MarkController::undeformed(const Eigen::Vector3d& drawnPoint) const
 {
     const core::Vessels& vessels = current().vessels;
@@ -155,7 +156,7 @@ void MarkController::pickPoint(const Eigen::Vector3d& pointInPatient)
     }
     const auto& tree = current().vessels.tree;
     const auto drawn = core::nearestOnTree(ui_.view.scene().content().tree, pointInPatient);
-    const bool isOfDrawn = drawn && (*drawn - pointInPatient).norm() < sameMm;   // picked in 3-D
+    const bool isOfDrawn = drawn && (*drawn - pointInPatient).norm() < sameMm;   // picked in the 3-D view
     const Eigen::Vector3d point = isOfDrawn ? undeformed(pointInPatient) : pointInPatient;
     const auto nearest = tree ? core::nearestPlace(*tree, point) : std::nullopt;
     const double reachMm = nearest ? std::max(sliceReachMm, core::radiusAt(*tree, *nearest).value_or(0.0)) : 0.0;
@@ -201,7 +202,7 @@ void MarkController::add(VesselMarkKind kind, const Eigen::Vector3d& pointInPati
     }
 }
 
-/// The one chosen in the list, else the only one, else the one drawn nearest.
+/// Returns the target point selected in the list, else the only one, else the one drawn nearest.
 std::optional<int> MarkController::chosenCheckPoint(const Eigen::Vector2d& pixel) const
 {
     const auto isPoint = [this](std::size_t i) { return marks()[i].kind == VesselMarkKind::CheckPoint; };
@@ -294,11 +295,12 @@ void MarkController::rename(std::size_t row, const QString& name)
         all[row - count].text = words;
         changeAnnotations(std::move(all), edit);
     } else {
-        show();   // what was typed may be blank around the name
+        show();   // restores the name if only white space around it changed
     }
 }
 
-/// Marks go from all views with where they are seen, annotations from the shown one: one step.
+/// Removes marks and their positions in the images from all views, and annotations from the displayed view, in one
+/// step.
 void MarkController::remove(const std::set<int>& rows)
 {
     std::vector<VesselMark> kept;
@@ -335,7 +337,7 @@ void MarkController::removeChosenOrLast()
 void MarkController::changeMarks(std::vector<VesselMark> marks, const ui::Words& name)
 {
     document_.push(std::make_unique<ChangeMarks>(document_, ChangeMarks::Values{std::move(marks)}, name));
-    show();   // also what was refused
+    show();   // also after a refused edit
 }
 
 void MarkController::changeAnnotations(std::vector<ImageAnnotation> annotations, const ui::Words& name)

@@ -22,13 +22,13 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Check points and rings on the vessels, where they are seen in the image, arrows and texts: set by clicks in image,
-/// 3-D view and slices, listed with their errors, renamed, moved and removed, each a step of undo. Errors follow the
-/// poses that are shown.
+/// Controls target points and rings on the vessels, their positions in the image, arrows and texts. Clicks in the
+/// image, 3-D view and slices set them; they are listed with their errors, renamed, moved and removed, each as an undo
+/// step. Errors follow the displayed poses.
 class MarkController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::MarkPanel& panel;
@@ -39,7 +39,8 @@ public:
     MarkController(CaseDocument& document, const ViewSync& sync, const PosePreview& preview, const Ui& ui,
                    QObject* parent = nullptr);
 
-    void pickPoint(const Eigen::Vector3d& pointInPatient);   ///< in 3-D or a slice, while check points or rings are set
+    void pickPoint(const Eigen::Vector3d&
+                       pointInPatient);   ///< in the 3-D view or a slice, while a target-point or ring mode is on
 
 signals:
     void refused(const QString& reason);
@@ -68,10 +69,10 @@ private:
     const core::Case& current() const { return document_.current(); }
     const std::vector<core::VesselMark>& marks() const { return document_.current().vessels.marks; }
 
-    /// What a handle of the image moves.
+    /// Object that a handle in the image moves.
     struct Handle {
-        std::size_t index = 0;   ///< of the mark or annotation
-        std::size_t point = 0;   ///< of the annotation
+        std::size_t index = 0;   ///< index of the mark or annotation
+        std::size_t point = 0;   ///< point of the annotation
     };
     CaseDocument& document_;
     const ViewSync& sync_;
@@ -79,7 +80,7 @@ private:
     Ui ui_;
     std::array<ui::MarkTool*, ui::markModeCount> tools_{};
     std::array<std::vector<Handle>, ui::markModeCount> handles_;
-    QTimer again_;   ///< poses change in bursts
+    QTimer again_;   ///< delays updates, since poses change in bursts
 };
 
 }   // namespace angiopose::app

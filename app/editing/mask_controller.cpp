@@ -23,7 +23,7 @@ using core::MaskAim;
 using core::VoxelMask;
 
 constexpr double minRadiusMm = 0.2;
-constexpr double maxRadiusMm = 25.0;   // a ball of these is found within a frame
+constexpr double maxRadiusMm = 25.0;   // a ball of this size is computed within one display frame
 
 ui::MaskSettings storedSettings()
 {
@@ -45,7 +45,8 @@ void store(const ui::MaskSettings& chosen)
     settings::cutRangeMm.write(chosen.rangeMm);
 }
 
-/// What editing begins with: the lumen, else what lies above the threshold that is shown, else nothing.
+/// Returns the mask that editing starts from: the lumen, else the voxels above the displayed threshold, else an empty
+/// mask.
 std::shared_ptr<VoxelMask> startOf(const std::shared_ptr<const VoxelMask>& lumen,
                                    const std::shared_ptr<const core::Volume>& scan, std::optional<double> threshold)
 {
@@ -174,7 +175,7 @@ std::shared_ptr<MaskDraft> MaskController::knownDraft() const
     return nullptr;
 }
 
-/// Undo may bring a lumen back for which another draft stands.
+/// Selects the draft of the current lumen; undo may restore a lumen that belongs to another draft.
 void MaskController::followDocument()
 {
     if (const int caseNumber = document_.state().caseNumber; caseNumber != caseNumber_) {
@@ -188,7 +189,7 @@ void MaskController::followDocument()
     if (!draft_ &&
         (ui_.actions[ui::Command::PaintMask]->isChecked() || ui_.actions[ui::Command::EraseMask]->isChecked() ||
          ui_.actions[ui::Command::CutMask]->isChecked())) {
-        beginEditing();   // the mode stays on over another lumen
+        beginEditing();   // the mode stays on for the new lumen
     }
     const ui::SliceModel& slices = ui_.slices;
     for (const ui::Command command : {ui::Command::PaintMask, ui::Command::EraseMask, ui::Command::CutMask}) {
@@ -205,7 +206,7 @@ void MaskController::useDraft(std::shared_ptr<MaskDraft> draft)
         draft_->disconnect(&ui_.slices);
     }
     if (draft_ && draft_ != draft && !stroke_.empty()) {
-        draft_->apply(core::changeOf(stroke_));   // a stroke of what is no longer here takes itself back
+        draft_->apply(core::changeOf(stroke_));   // reverts an unfinished stroke on a draft that is no longer current
     }
     if (draft_ != draft) {
         stroke_.clear();
@@ -220,7 +221,7 @@ void MaskController::useDraft(std::shared_ptr<MaskDraft> draft)
     showState();
 }
 
-/// The lumen is copied on a worker: it may be large.
+/// Copies the lumen on a worker, since it may be large.
 void MaskController::beginEditing()
 {
     const core::Vessels& vessels = document_.current().vessels;
@@ -272,11 +273,11 @@ void MaskController::endStroke()
                                                         : ui::Words([] { return tr("Erase mask"); });
     const core::MaskChange change = core::changeOf(std::exchange(stroke_, {}));
     if (!document_.push(std::make_unique<EditMask>(document_, draft_, change, name))) {
-        draft_->apply(change);   // takes itself back
+        draft_->apply(change);   // applying it again reverts the change
     }
 }
 
-/// Through a whole volume it takes longer than a frame.
+/// Starts a cut on a worker, since cutting through a whole volume takes longer than a display frame.
 void MaskController::cut(core::MaskCut cut)
 {
     if (!canEdit() || cut_.isRunning()) {
@@ -292,13 +293,13 @@ void MaskController::cut(core::MaskCut cut)
                    JobLink<double>&) -> core::Result<core::VoxelPlaces> { return core::cutVoxels(*mask, cut); });
 }
 
-/// What an undo has taken out since is gone already.
+/// Applies the cut to the voxels that still exist; an undo may have removed some in the meantime.
 void MaskController::takeCut(const core::VoxelPlaces& found)
 {
     const auto draft = std::exchange(cutDraft_, nullptr);
     draft->takeBack();
     if (draft != draft_) {
-        return;   // another mask is edited now
+        return;   // another mask is being edited now
     }
     core::VoxelPlaces there;
     std::ranges::copy_if(found, std::back_inserter(there),
@@ -310,7 +311,7 @@ void MaskController::takeCut(const core::VoxelPlaces& found)
     const core::MaskChange change = core::changeOf(std::move(there));
     draft->apply(change);
     if (!document_.push(std::make_unique<EditMask>(document_, draft, change, [] { return tr("Cut the mask"); }))) {
-        draft->apply(change);   // takes itself back
+        draft->apply(change);   // applying it again reverts the change
     }
 }
 
@@ -329,7 +330,7 @@ void MaskController::takeTrace(const VesselTrace& traced, const std::shared_ptr<
                                const MaskDraft::Strokes& strokes)
 {
     if (!draft_ || draft != draft_) {
-        return;   // another scan or case has been opened since
+        return;   // another scan or case has been opened in the meantime
     }
     draft_->standFor(traced.lumen, strokes);
     const TracedTree tree{{}, traced.input, traced.lumen, traced.tree, LumenOrigin::Edited};

@@ -18,25 +18,26 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// The lumen mask edited by hand: brush and scissors in the slices, each stroke a step of undo; then the vessels are
-/// traced from it, on a worker, as one step more.
+/// Edits the lumen mask manually with brush and scissors in the slices, each stroke as an undo step, and then traces
+/// the vessels from it on a worker as a further step.
 class MaskController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::TracingPanel& panel;
         ui::SliceModel& slices;
         ui::BottomStrip& strip;
     };
-    using Options = std::function<core::VesselTracingOptions()>;   ///< as the panel has them
+    using Options = std::function<core::VesselTracingOptions()>;   ///< current options of the panel
     MaskController(CaseDocument& document, Options options, const Ui& ui, QObject* parent = nullptr);
 
     bool isRunning() const { return tracing_.isRunning(); }
     bool isPreparing() const { return copy_.isRunning() || cut_.isRunning(); }
     void trace();
-    /// The case was saved: what the vessels do not know of the mask is not in it.
+    /// Call after saving. Marks the case unsaved, with a note, if the latest mask edits were not traced and so are not
+    /// in the file.
     void noteSaved();
 
 signals:
@@ -52,7 +53,7 @@ private:
     void beginEditing();
     void useDraft(std::shared_ptr<MaskDraft> draft);
     std::shared_ptr<MaskDraft> knownDraft() const;
-    bool fits(const MaskDraft& draft) const;   ///< it stands for the case's lumen
+    bool fits(const MaskDraft& draft) const;   ///< whether the draft belongs to the case's lumen
     bool canEdit() const;
     void brush(core::MaskAim aim, const core::SliceGrid& slice, const core::BrushStep& step);
     void endStroke();
@@ -70,13 +71,13 @@ private:
     ui::MaskSettings settings_;
     std::array<ui::MaskBrushTool*, 2> brushes_{};
     ui::MaskCutTool* scissors_;
-    std::shared_ptr<MaskDraft> draft_;   ///< of the case's lumen; null until it is edited
-    std::vector<std::weak_ptr<MaskDraft>> drafts_;   ///< that steps of undo know
-    core::VoxelPlaces stroke_;   ///< of the stroke under way
+    std::shared_ptr<MaskDraft> draft_;   ///< draft of the case's lumen; null until it is edited
+    std::vector<std::weak_ptr<MaskDraft>> drafts_;   ///< drafts referenced by undo steps
+    core::VoxelPlaces stroke_;   ///< voxels of the current stroke
     core::MaskAim strokeAim_ = core::MaskAim::Paint;
-    std::shared_ptr<MaskDraft> cutDraft_;   ///< that the cut under way reads
-    int caseNumber_ = 0;   ///< that the drafts belong to
-    std::shared_ptr<const core::VoxelMask> copied_;   ///< of the copy under way
+    std::shared_ptr<MaskDraft> cutDraft_;   ///< draft that the running cut reads
+    int caseNumber_ = 0;   ///< case that the drafts belong to
+    std::shared_ptr<const core::VoxelMask> copied_;   ///< lumen of the running copy
     Job<std::shared_ptr<core::VoxelMask>> copy_;
     Job<core::VoxelPlaces> cut_;
     MaskTracing tracing_;

@@ -10,27 +10,27 @@
 
 namespace angiopose::app {
 
-/// A mask under brush and scissors, and which lumens of the case it stands for. It changes on the window's thread
-/// alone, and not while a worker reads it: what comes then waits.
+/// Mask being edited with brush and scissors, and the lumens of the case it represents. It changes only on the window's
+/// thread and not while a worker reads it; changes made meanwhile are queued.
 class MaskDraft : public QObject {
     Q_OBJECT
 public:
     explicit MaskDraft(std::shared_ptr<core::VoxelMask> mask) : mask_(std::move(mask)) {}
 
     const std::shared_ptr<core::VoxelMask>& mask() const { return mask_; }
-    void apply(const core::MaskChange& change);   ///< at once, or when nobody reads it any more
-    void lendOut() { isLent_ = true; }   ///< a worker reads it
+    void apply(const core::MaskChange& change);   ///< immediately, or once no worker reads it
+    void lendOut() { isLent_ = true; }   ///< a worker starts reading it
     void takeBack();
     bool isLent() const { return isLent_; }
 
-    using Strokes = std::vector<int>;   ///< by their numbers, in the order in which they were made
-    int newStroke() { return ++lastStroke_; }   ///< a number of its own
+    using Strokes = std::vector<int>;   ///< stroke numbers in the order of the strokes
+    int newStroke() { return ++lastStroke_; }   ///< unique number
     void noteMade(int stroke);
     void noteUndone();
     const Strokes& strokes() const { return strokes_; }
-    /// The lumen was copied from it, or it from the lumen, when these strokes had been made; null: no lumen.
+    /// Records that lumen and draft were equal after these strokes; null: no lumen.
     void standFor(const std::shared_ptr<const core::VoxelMask>& lumen, const Strokes& strokes);
-    /// How many strokes it has more or less than that lumen; nothing: it does not stand for it.
+    /// Returns by how many strokes the draft differs from that lumen; empty: it does not represent it.
     std::optional<int> strokesSince(const std::shared_ptr<const core::VoxelMask>& lumen) const;
 
 signals:
@@ -51,7 +51,7 @@ private:
     int lastStroke_ = 0;
 };
 
-/// One stroke or cut as a step of undo. It was made before it is pushed. Keeps the voxels that changed, in runs.
+/// Undo step of one stroke or cut, which is already applied when it is pushed. Stores the changed voxels as runs.
 class EditMask : public NamedEdit {
 public:
     EditMask(CaseDocument& document, std::shared_ptr<MaskDraft> draft, core::MaskChange change, ui::Words name);

@@ -6,7 +6,7 @@
 
 namespace angiopose::app {
 
-/// Traces the vessels of a mask that is being edited, on a worker, which borrows the draft until it has its copy.
+/// Traces the vessels of an edited mask on a worker, which borrows the draft until it has made a copy.
 class MaskTracing : public QObject {
     Q_OBJECT
 public:
@@ -18,8 +18,8 @@ public:
 
 signals:
     void advanced(double fraction);
-    void ended();   ///< before each of the three below
-    /// Of this draft as it was when these strokes had been made.
+    void ended();   ///< emitted before each of the three signals below
+    /// Vessels of the draft as it was after these strokes.
     void traced(const VesselTrace& trace, const std::shared_ptr<MaskDraft>& draft, const MaskDraft::Strokes& strokes);
     void stopped();
     void failed(const QString& reason);
@@ -31,7 +31,7 @@ private:
 
     std::shared_ptr<MaskDraft> draft_;
     MaskDraft::Strokes strokes_;
-    bool isReading_ = false;   ///< the worker has no copy yet
+    bool isReading_ = false;   ///< the worker has not made its copy yet
     bool stopRequested_ = false;
     Job<VesselTrace> job_;
 };

@@ -19,12 +19,12 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Measurements in the shown image and in slices of the scan: drawn by the mouse, listed with their basis, renamed,
-/// moved and removed, each a step of undo. Values in the image follow the pose that is shown.
+/// Controls measurements in the displayed image and in slices of the scan: drawn with the mouse, listed with their
+/// basis, renamed, moved and removed, each as an undo step. Values in the image follow the displayed pose.
 class MeasureController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::MeasurePanel& panel;
@@ -51,8 +51,8 @@ private:
     void change(std::vector<core::ImageMeasurement> measurements, const ui::Words& name);
     void changeInSlices(std::vector<core::SliceMeasurement> measurements, const ui::Words& name);
     void goToChosen();
-    std::set<int> chosenImages() const;   ///< places in `measurements`
-    std::set<int> chosenSlices() const;   ///< places in `inSlices`
+    std::set<int> chosenImages() const;   ///< indices into `measurements`
+    std::set<int> chosenSlices() const;   ///< indices into `inSlices`
     void show();
     void showMarks();
     core::MeasurementPlane planeOfNext() const;
@@ -65,8 +65,8 @@ private:
     const PosePreview& preview_;
     Ui ui_;
     SliceMeasureController slices_;
-    std::array<ui::MeasureTool*, 3> tools_{};   ///< by core::MeasurementKind
-    std::optional<core::MeasurementPlane> plane_;   ///< picked by the user; else the best there is
+    std::array<ui::MeasureTool*, 3> tools_{};   ///< indexed by core::MeasurementKind
+    std::optional<core::MeasurementPlane> plane_;   ///< selected by the user; empty: the best available one
 };
 
 }   // namespace angiopose::app

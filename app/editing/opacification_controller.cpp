@@ -42,7 +42,7 @@ void OpacificationController::open()
     layout->addWidget(plot_);
     connect(plot_, &ui::OpacificationPlot::frameRequested, &strip_, &ui::BottomStrip::frameRequested);
     show();
-    dialog->show();   // beside the window: frames go on being chosen in both
+    dialog->show();   // non-modal: frames can be selected in dialog and window
 }
 
 void OpacificationController::show()

@@ -13,7 +13,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Heard by the search several times a second.
+/// Observer of the search, called several times per second.
 core::TracingObserver stopOf(JobLink<double>& link)
 {
     return [&link](const core::TracingReport& report) { return link.tell(report.progress); };
@@ -49,7 +49,7 @@ PathController::PathController(CaseDocument& document, const Ui& ui, QObject* pa
     followDocument();
 }
 
-/// What is traced in another scan, or for another case, is dropped.
+/// Discards paths of another scan or case.
 void PathController::followDocument()
 {
     const auto& scan = document_.current().vessels.scan;

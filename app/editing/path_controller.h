@@ -16,12 +16,12 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// One vessel of the scan by two clicks in the slices: its way is shown while the mouse moves, and becomes a branch of
-/// the tree as one step of undo.
+/// Traces one vessel of the scan between two clicks in the slices: shows its path while the mouse moves, and adds it to
+/// the tree as a branch in one undo step.
 class PathController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::TracingPanel& panel;

@@ -15,12 +15,12 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// The place on the vessels that they turn about by hand: picked in the angiogram, in 3-D or in a slice, marked there
-/// until the centroid is wanted again.
+/// Controls the rotation center on the vessels for manual rotation: picked in the angiogram, in 3-D or in a slice, and
+/// marked there until it is reset to the centroid.
 class PivotController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::PosePanel& panel;
@@ -29,8 +29,8 @@ public:
     };
     PivotController(CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
-    void pick(const Eigen::Vector3d& pointInPatient);   ///< the place on the vessels nearest to it
-    void pickIfWanted(const Eigen::Vector3d& pointInPatient);   ///< while the command to pick is on
+    void pick(const Eigen::Vector3d& pointInPatient);   ///< takes the nearest point on the vessels
+    void pickIfWanted(const Eigen::Vector3d& pointInPatient);   ///< only while the pick command is on
     void backToCentroid();
 
 signals:
@@ -43,8 +43,8 @@ private:
     CaseDocument& document_;
     Ui ui_;
     ui::PivotTool* tool_;   ///< owned by the view
-    std::shared_ptr<const core::VesselTree> tree_;   ///< shown by the tool,
-    std::vector<int> hidden_;   ///< without these branches
+    std::shared_ptr<const core::VesselTree> tree_;   ///< tree shown by the tool
+    std::vector<int> hidden_;   ///< branches it leaves out
 };
 
 }   // namespace angiopose::app

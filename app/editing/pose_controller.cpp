@@ -9,8 +9,8 @@
 namespace angiopose::app {
 namespace {
 
-constexpr qint64 poseBurstPauseMs = 900;   ///< a longer pause starts a new step of undo
-constexpr int fieldKind = 100;   ///< typed edits merge among themselves, not with nudges
+constexpr qint64 poseBurstPauseMs = 900;   ///< a longer pause starts a new undo step
+constexpr int fieldKind = 100;   ///< typed edits merge with each other, not with nudges
 
 }   // namespace
 
@@ -78,7 +78,7 @@ void PoseController::nudge(const ui::Nudge& nudge)
         emit refused(tr("“%1” is locked.").arg(ui::labelOf(nudge.axis)));
         return;
     }
-    // Relative to the pose as it is, so that a degree of freedom means the same however the vessels are turned.
+    // Relative to the current pose, so a degree of freedom means the same for every orientation of the vessels.
     core::PoseOffset change;
     ui::valueOf(change, nudge.axis) = nudge.amount;
     move(
@@ -140,7 +140,7 @@ void PoseController::move(const core::RigidTransform& pose, const ui::Words& nam
     push(core::movedAlong(document_.current(), pose), name, burst);
 }
 
-/// The shown view's pose, and those of the others where all move together.
+/// Pushes the pose of the displayed view, and those of the other views if all move together.
 void PoseController::push(std::vector<core::View> moved, const ui::Words& name, int burst)
 {
     const core::Case& current = document_.current();

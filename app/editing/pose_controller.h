@@ -11,18 +11,18 @@
 
 namespace angiopose::app {
 
-/// Edits of the pose by hand: fields, keys, drags. Each burst of the same kind is one step of undo.
+/// Edits the pose manually through fields, keys and drags. Each burst of the same kind is one undo step.
 class PoseController : public QObject {
     Q_OBJECT
 public:
     explicit PoseController(CaseDocument& document, QObject* parent = nullptr);
 
-    /// The pose relative to the start pose; nothing while there is no tree, camera or start pose.
+    /// Returns the pose relative to the initial pose; empty without a tree, a camera or an initial pose.
     std::optional<core::PoseOffset> currentOffset() const;
     bool isMovedFromStart() const;
     const ui::PoseLocks& locks() const { return document_.current().options.locks; }
-    void setMovesAllViews(bool all) { movesAllViews_ = all; }   ///< where the case has several
-    void setLocks(const ui::PoseLocks& locks);   ///< one step of undo
+    void setMovesAllViews(bool all) { movesAllViews_ = all; }   ///< for a case with several views
+    void setLocks(const ui::PoseLocks& locks);   ///< one undo step
 
     void setOffset(const core::PoseOffset& fromStart);
     void nudge(const ui::Nudge& nudge);
@@ -34,7 +34,7 @@ public:
     void cancelDrag();
 
 signals:
-    void previewed(const core::RigidTransform& cameraFromPatient);   ///< a drag under way
+    void previewed(const core::RigidTransform& cameraFromPatient);   ///< during a drag
     void previewEnded();
     void refused(const QString& why);
 

@@ -11,7 +11,7 @@
 
 namespace angiopose::app {
 
-/// Into how many pieces the tree is broken, and where it is best mended. Looked for on a worker after each change.
+/// Finds, on a worker after each change, the number of connected components of the tree and the best gaps to bridge.
 class RepairAdvice : public QObject {
     Q_OBJECT
 public:

@@ -16,12 +16,12 @@ class SlicesPage;
 
 namespace angiopose::app {
 
-/// Measurements in slices of the scan: drawn by the mouse and shown there. MeasureController lists them behind those of
-/// the image and changes the case.
+/// Draws and shows measurements in slices of the scan. MeasureController lists them after those of the image and
+/// changes the case.
 class SliceMeasureController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the window that the controller uses.
     struct Ui {
         ui::SliceModel& slices;
         ui::SlicesPage& slicesPage;
@@ -31,8 +31,8 @@ public:
 
     void bind(core::MeasurementKind kind, QAction& action);
     std::vector<ui::MeasureRow> rows() const;
-    void show(const std::set<int>& chosen);   ///< `chosen`: places among those of slices
-    void goTo(int place);   ///< shows its slice
+    void show(const std::set<int>& chosen);   ///< `chosen`: indices among the slice measurements
+    void goTo(int place);   ///< shows the slice of the measurement
     bool hasScan() const;
 
 signals:

@@ -8,7 +8,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Where a registration starts from: the angles, or the pose as it has been moved by hand. One step of undo each.
+/// Sets the initial pose of a registration: from the gantry angles, or the current pose after manual moves. Each is one
+/// undo step.
 class StartPoseController : public QObject {
     Q_OBJECT
 public:

@@ -136,7 +136,7 @@ void SubtractionController::change(const core::RunTreatment& wanted, const ui::W
     }
     request_ = Request{core::storedRunOf(current.shown()), wanted, what};
     if (wanted == current.shown().treatment) {
-        request_.reset();   // back to what is there before the other was made
+        request_.reset();   // returned to the current treatment before the other run was computed
     } else if (!wanted.changesFrames()) {
         take(*std::exchange(request_, std::nullopt), nullptr);
     } else if (const SharedRun known = made_.find(request_->stored, wanted)) {
@@ -150,7 +150,7 @@ void SubtractionController::change(const core::RunTreatment& wanted, const ui::W
 void SubtractionController::compute()
 {
     if (run_.isRunning()) {
-        *stop_ = true;   // `publish` goes on with the wish
+        *stop_ = true;   // `publish` then starts the new request
         return;
     }
     computing_ = request_;
@@ -165,7 +165,7 @@ void SubtractionController::publish()
     const Outcome outcome = takeResult(run_);
     const Request done = *std::exchange(computing_, std::nullopt);
     const auto& stored = core::storedRunOf(document_.current().shown());
-    if (outcome && done.stored == stored) {   // a run that was left meanwhile is let go
+    if (outcome && done.stored == stored) {   // discards the outcome if another run has been opened in the meantime
         made_.remember(done.stored, done.treatment, outcome.value());
     }
     if (request_ && request_->stored != stored) {
@@ -197,7 +197,7 @@ void SubtractionController::take(const Request& request, const SharedRun& run)
         request.what));
 }
 
-/// The hand begins where the mask lies: at its shift, or at the one found for the frame on screen.
+/// Starts the manual pixel shift from the shift of the case, or from the automatic one of the displayed frame.
 void SubtractionController::beginShift()
 {
     actions_[ui::Command::Cine]->setChecked(false);
@@ -258,7 +258,7 @@ void SubtractionController::settleShift()
 {
     rest_.stop();
     if (shiftTool_->shiftPx() == shiftBegan_) {
-        sync_.showFrame(document_.current().shown().frame);   // as it was
+        sync_.showFrame(document_.current().shown().frame);   // restores the frame
         view_.autoWindowLevel();
         return;
     }
@@ -274,7 +274,7 @@ void SubtractionController::follow()
     const core::Case& current = document_.current();
     made_.forgetAllBut(core::storedRunOf(current.shown()));
     if (view_.tool() == shiftTool_ && current.shown().treatment.plan.maskShiftPx && !rest_.isActive() && !request_) {
-        shiftBegan_ = *current.shown().treatment.plan.maskShiftPx;   // an undo
+        shiftBegan_ = *current.shown().treatment.plan.maskShiftPx;   // after an undo
         shiftTool_->showShift(shiftBegan_);
     }
     showState();

@@ -15,18 +15,22 @@
 
 namespace angiopose::app {
 
-/// Subtraction, composite and meaning of the pixel values: the run is made on a worker, and taken as one step of undo
-/// when it is there. While the mask is moved by hand the frame on screen follows at once, the run when the hand rests.
+/// Controls subtraction, peak-opacification image and meaning of the pixel values. A worker computes the run, which
+/// then enters the case as one undo step. During a manual pixel shift the displayed frame follows immediately, and the
+/// run once the mouse rests.
 class SubtractionController : public QObject {
     Q_OBJECT
 public:
     explicit SubtractionController(const AngiogramParts& parts, QObject* parent = nullptr);
-    ~SubtractionController() override;   ///< what is being made stops at its next frame, and is dropped
+    ~SubtractionController() override;   ///< stops a running computation at its next frame and discards it
 
-    /// Asks for the run so treated; only the newest wish is answered.
+    /// Requests the run with that treatment; only the newest request is answered.
     void change(const core::RunTreatment& wanted, const ui::Words& what);
     bool isComputing() const { return request_.has_value(); }
-    bool isFindingShift() const { return !isShiftFound_; }   ///< that moving by hand begins with
+    bool isFindingShift() const
+    {
+        return !isShiftFound_;
+    }   ///< searching for the initial shift of a manual pixel shift
 
 private:
     using SharedRun = TreatedRuns::SharedRun;
@@ -61,17 +65,17 @@ private:
     ui::BottomStrip& strip_;
     Notices& notices_;
     ui::MaskShiftTool* shiftTool_;
-    std::optional<Request> request_;   ///< newest, not yet answered
+    std::optional<Request> request_;   ///< newest request, not yet answered
     std::optional<Request> computing_;
     std::shared_ptr<std::atomic<bool>> stop_;
     QFutureWatcher<Outcome> run_;
     TreatedRuns made_;
     QFutureWatcher<Picture> preview_;
     std::optional<core::SubtractionPlan> wantedPreview_;
-    bool isShiftFound_ = true;   ///< false: the automatic shift of the frame, where the hand begins, is on its way
-    Eigen::Vector2d shiftBegan_ = Eigen::Vector2d::Zero();   ///< what the case or the search says
+    bool isShiftFound_ = true;   ///< false: the automatic shift of the frame is still being computed
+    Eigen::Vector2d shiftBegan_ = Eigen::Vector2d::Zero();   ///< shift of the case or from the search
     QTimer rest_;
-    bool isPreviewNew_ = false;   ///< its grey values are not those on screen
+    bool isPreviewNew_ = false;   ///< its gray values differ from those displayed
 };
 
 }   // namespace angiopose::app

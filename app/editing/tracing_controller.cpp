@@ -19,7 +19,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Values between which a threshold makes sense: those of the scan, for CT those of blood and bone.
+/// Returns the range of useful thresholds: the values of the scan; for CT, those from blood to bone.
 std::optional<std::pair<double, double>> thresholdRange(const ui::SliceModel& slices)
 {
     if (!slices.volume()) {
@@ -41,17 +41,17 @@ std::vector<ui::SliceMark> marksAt(const std::vector<Eigen::Vector3d>& points)
     return marks;
 }
 
-/// What tracing starts from.
+/// Input of the tracing.
 struct Source {
-    core::InputFile file;   ///< empty: from nothing
+    core::InputFile file;   ///< empty: no input
     core::VesselInput input;
 };
 
-/// What the vessels were traced from, or the scan: of a mask that was edited, and of a case without vessels, where
-/// tracing it as it was opened has failed.
+/// Returns the input that the vessels were traced from. Returns the scan if the mask was edited, or if the case has no
+/// vessels because tracing on opening failed.
 Source sourceOf(const core::Case& current)
 {
-    const bool isFromScan = current.vessels.isLumenEdited && current.vessels.scan;   // and not from the edited mask
+    const bool isFromScan = current.vessels.isLumenEdited && current.vessels.scan;   // rather than from the edited mask
     if (!isFromScan && !current.vessels.file.path.empty() &&
         current.vessels.input.kind != core::VesselInputKind::Centerline) {
         return {current.vessels.file, current.vessels.input};
@@ -168,7 +168,7 @@ void TracingController::followDocument()
         shownInput_ = current.vessels.input;
         setDraft(shownInput_.tracing);
     }
-    if (current.vessels.tree != warnedOf_) {   // what was said of another tree
+    if (current.vessels.tree != warnedOf_) {   // the warnings are about another tree
         ui_.panel.showOtherLumen({});
     } else if (otherLumen_) {
         ui_.panel.showOtherLumen(ui::messagesText(warnings_));
@@ -187,7 +187,7 @@ void TracingController::knowWarnings(const core::Messages& warnings)
     ui_.panel.showOtherLumen(ui::messagesText(warnings_));
 }
 
-/// Seeds say what is traced and what is not: the traced lumen needs one, too.
+/// Adds seeds for the other lumen and for the traced one, since seeds select all that is traced.
 void TracingController::seedOtherLumen()
 {
     const auto& tree = document_.current().vessels.tree;
@@ -230,7 +230,7 @@ void TracingController::setPick(ui::TracingPick pick)
 {
     pick_ = pick;
     if (pick != ui::TracingPick::Nothing) {
-        ui_.slices.setTool(nullptr);   // the click is for points
+        ui_.slices.setTool(nullptr);   // clicks set points
     }
     ui_.panel.showPick(pick);
 }
@@ -288,7 +288,7 @@ void TracingController::finish(const VesselTrace& result)
 {
     ended();
     if (document_.state().caseNumber != startedFrom_.caseNumber) {
-        return;   // another case has been opened since
+        return;   // another case has been opened in the meantime
     }
     if (document_.isLocked()) {
         waiting_ = result;

@@ -17,12 +17,12 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Tracing the vessels of a scan by hand-set threshold, seeds and limits. What is set is a draft until a trace has
-/// succeeded: then tree and settings enter the case as one step.
+/// Traces the vessels of a scan with manual threshold, seeds and limits. The settings are a draft until a trace
+/// succeeds; then tree and settings enter the case as one step.
 class TracingController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::TracingPanel& panel;
@@ -32,13 +32,13 @@ public:
     };
     TracingController(CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
-    const core::VesselTracingOptions& draft() const { return draft_; }   ///< as the panel has them
+    const core::VesselTracingOptions& draft() const { return draft_; }   ///< current options of the panel
     bool isRunning() const { return job_.isRunning(); }
     void start();
     void stop() { job_.stop(); }
-    void dropPick() { setPick(ui::TracingPick::Nothing); }   ///< a click in a slice sets no point any more
+    void dropPick() { setPick(ui::TracingPick::Nothing); }   ///< clicks in a slice no longer set points
     void addPoint(ui::TracingPick kind, const Eigen::Vector3d& pointInPatient);
-    void knowWarnings(const core::Messages& warnings);   ///< of tracing the scan of the case
+    void knowWarnings(const core::Messages& warnings);   ///< warnings from tracing the scan of the case
 
 signals:
     void traced(const QString& note);
@@ -51,7 +51,7 @@ private:
     void setDraft(const core::VesselTracingOptions& draft);
     void setPick(ui::TracingPick pick);
     void showPreview();
-    void findThreshold();   ///< that "automatic" comes to, on a worker
+    void findThreshold();   ///< computes the "automatic" threshold on a worker
     void finish(const VesselTrace& result);
     void ended();
     void seedOtherLumen();
@@ -63,13 +63,13 @@ private:
     VesselTraceJob job_;
     core::VesselTracingOptions draft_;
     core::VesselInput shownInput_;
-    std::shared_ptr<const core::Volume> shownVolume_;   ///< that the vessels are traced from
+    std::shared_ptr<const core::Volume> shownVolume_;   ///< scan that the vessels are traced from
     CaseState startedFrom_;
-    core::InputFile source_;   ///< of the trace under way
+    core::InputFile source_;   ///< input of the running trace
     core::Messages warnings_;
-    std::optional<Eigen::Vector3d> otherLumen_;   ///< that the warnings tell of
+    std::optional<Eigen::Vector3d> otherLumen_;   ///< lumen that the warnings report
     std::shared_ptr<const core::VesselTree> warnedOf_;
-    std::optional<VesselTrace> waiting_;   ///< for the end of a registration
+    std::optional<VesselTrace> waiting_;   ///< held until a registration ends
     ui::TracingPick pick_ = ui::TracingPick::Nothing;
     Job<double> level_;
 };

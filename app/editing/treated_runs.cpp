@@ -29,7 +29,7 @@ TreatedRuns::SharedRun TreatedRuns::find(const SharedRun& stored, const core::Ru
 void TreatedRuns::forgetAllBut(const SharedRun& stored)
 {
     const auto before = made_.size();
-    // No run is open: what was made of one that is gone would count as made of it.
+    // If no run is open, everything is discarded: an expired run would compare equal to the null pointer `stored`.
     std::erase_if(made_, [&stored](const Made& made) { return !stored || made.stored.lock() != stored; });
     if (made_.size() != before) {
         kept_.clear();

@@ -8,15 +8,15 @@
 
 namespace angiopose::app {
 
-/// What was made of the open run: the newest are kept, so that switching to and fro costs nothing; older ones are found
-/// as long as somebody else keeps them (the history of undo), so that the same picture never lies in memory twice.
+/// Caches treated versions of the open run. The newest are kept, so switching between them is instant; older ones are
+/// found while another owner (the undo history) holds them, so the same images never exist twice in memory.
 class TreatedRuns {
 public:
     using SharedRun = std::shared_ptr<const core::Angiogram>;
 
     void remember(const SharedRun& stored, const core::RunTreatment& treatment, const SharedRun& run);
-    SharedRun find(const SharedRun& stored, const core::RunTreatment& treatment) const;   ///< null: not there any more
-    void forgetAllBut(const SharedRun& stored);   ///< another case was opened
+    SharedRun find(const SharedRun& stored, const core::RunTreatment& treatment) const;   ///< null: no longer available
+    void forgetAllBut(const SharedRun& stored);   ///< call when another case is opened
 
 private:
     struct Made {

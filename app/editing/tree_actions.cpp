@@ -24,7 +24,7 @@ namespace {
 
 using ui::Command;
 
-/// The commands that change single branches, in the order of the menus.
+/// Commands that change single branches, in menu order.
 constexpr std::array branchCommands{Command::RenameBranch,   Command::CutBranch,     Command::JoinBranches,
                                     Command::SmoothBranches, Command::RootAtBranch,  Command::HideBranches,
                                     Command::DeleteBranches, Command::DeleteSubtrees};
@@ -35,7 +35,7 @@ int countGone(const core::VesselTree& tree, const ui::PruneLimits& limits)
     return left ? static_cast<int>(tree.branches.size() - left.value().branches.size()) : -1;
 }
 
-/// The branch that a point of a slice is meant to be on.
+/// Returns the branch nearest to a point of a slice, if it is close enough.
 std::optional<int> branchNear(const core::VesselTree& tree, const Eigen::Vector3d& point)
 {
     double nearestMm = 3.0;
@@ -166,7 +166,8 @@ void TreeActions::showAdvice()
     if (isMendable) {
         const core::TreeGap& gap = advice_.gaps().front();
         const auto nameOf = [&tree](int id) {
-            return ui::displayName(*tree->find(id)).replace(QLatin1Char(' '), QChar::Nbsp);   // stays on one line
+            return ui::displayName(*tree->find(id))
+                .replace(QLatin1Char(' '), QChar::Nbsp);   // keeps the name on one line
         };
         text = tr("%1 pieces · gap %2 mm: %3 – %4")
                    .arg(advice_.pieceCount())

@@ -17,11 +17,11 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// How the user reaches the edits of the tree: menus, keys, the branch list, and clicks in the 3-D view and the slices.
+/// Connects the tree edits to menus, keys, the branch list, and clicks in the 3-D view and the slices.
 class TreeActions : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the window that the class uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::BranchPanel& panel;
@@ -40,7 +40,7 @@ public:
 signals:
     void refused(const QString& why);
     void adviceChanged();
-    void pivotWanted(const Eigen::Vector3d& pointInPatient);   ///< by a menu
+    void pivotWanted(const Eigen::Vector3d& pointInPatient);   ///< requested from a menu
 
 private:
     void connectCommands();

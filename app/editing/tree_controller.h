@@ -12,22 +12,22 @@
 
 namespace angiopose::app {
 
-/// Edits of the vessel tree, each one named step of undo. Marks of branches that go, and a result that no longer
-/// belongs to the tree, go with the edit and come back with its undo. The pose stays, unless it is the start pose.
+/// Edits the vessel tree; each edit is a named undo step. Marks of deleted branches and a result that no longer belongs
+/// to the tree are removed with the edit and restored by its undo. The pose stays, unless it is the initial pose.
 class TreeController : public QObject {
     Q_OBJECT
 public:
     TreeController(CaseDocument& document, BranchController& branches, QObject* parent = nullptr);
 
-    /// Where the user pointed last, in a view: the place of a cut or a root.
+    /// Sets the point last clicked in a view, where a cut or a root goes.
     void setPlace(const Eigen::Vector3d& pointInPatient) { place_ = pointInPatient; }
 
     void deleteSelected();
     void deleteSelectedSubtrees();
-    void cutSelected();   ///< at the place
-    void joinSelected();   ///< two branches over their nearest ends
+    void cutSelected();   ///< at the point of `setPlace`
+    void joinSelected();   ///< joins two branches at their nearest ends
     void smoothSelected();
-    void rootAtSelected();   ///< at the selected branch's end that is nearest to the place
+    void rootAtSelected();   ///< at the end of the selected branch nearest to the point of `setPlace`
     void toggleHiddenSelected();
     void showAll();
     void prune(double minLengthMm, double minRadiusMm);
@@ -46,7 +46,8 @@ private:
     ui::Words namesOf(const std::set<int>& branchIds) const;
     ui::Words joinName(int branchId, int otherId) const;
     bool apply(const Edited& edited, const ui::Words& name);
-    void relabel(const Edited& edited, const ui::Words& name);   ///< names and counts: what was registered still holds
+    void relabel(const Edited& edited,
+                 const ui::Words& name);   ///< changes only names and generations: the registration stays valid
 
     CaseDocument& document_;
     BranchController& branches_;

@@ -42,7 +42,7 @@ QString sidecarOf(const QString& path)
     return path + QStringLiteral(".origin");
 }
 
-/// One for the session, whatever it keeps.
+/// Returns the lock file of the session, the same for a case and for vessels alone.
 QString lockOf(const QString& path)
 {
     const QFileInfo file(path);
@@ -62,7 +62,7 @@ core::Result<QString> write(const core::Case& snapshot, const QString& path, con
         if (const core::Status written = io::writeVesselTree(*snapshot.vessels.tree, vessels.toStdString()); !written) {
             return written.error();
         }
-        QFile::remove(path);   // an angiogram that was there has been taken back
+        QFile::remove(path);   // the angiogram has been removed, so an older copy of the case is obsolete
         return vessels;
     }
     if (const auto saved = io::saveCase(snapshot, path.toStdString()); !saved) {
@@ -74,7 +74,7 @@ core::Result<QString> write(const core::Case& snapshot, const QString& path, con
     return origin ? core::Result<QString>(path) : origin.error();
 }
 
-/// Half-written files and locks of sessions that were killed and left no copy; of copies the user decides.
+/// Removes partially written files and the locks of killed sessions without a copy; the user decides about copies.
 void removeLeftovers()
 {
     const QDir folder = autosaveFolder();
@@ -84,7 +84,7 @@ void removeLeftovers()
         if (!QFile::exists(copy) && !QFile::exists(vesselsBeside(copy))) {
             QLockFile stale(lock.filePath());
             stale.setStaleLockTime(0);
-            stale.tryLock(0);   // where it succeeds, the file goes with this object
+            stale.tryLock(0);   // on success, the lock's destructor removes the file
         }
     }
 }
@@ -96,7 +96,7 @@ void removeCopy(const QString& path)
     QFile::remove(vesselsBeside(path));
     QDir folder = QFileInfo(path).dir();
     const QString base = QFileInfo(path).completeBaseName();
-    for (const QString& kept :   // edited curves and bends, also those of other views, and an edited mask
+    for (const QString& kept :   // edited curves and deformations of all views, and an edited mask
          folder.entryList({base + QStringLiteral(".*curves.csv"), base + QStringLiteral(".mask*.nrrd"),
                            base + QStringLiteral(".*bends*.nrrd")})) {
         folder.remove(kept);
@@ -132,7 +132,7 @@ bool Autosave::isWorthCopying() const
     if (document_.isEmpty() || !document_.isModified() || document_.isInTrial()) {
         return false;
     }
-    // Centrelines that were only opened lie in their file; tracing took its time.
+    // Centerlines that were only opened exist in their file; traced vessels take time to compute again.
     return current.shown().angiogram || document_.holdsWork() ||
            current.vessels.input.kind != core::VesselInputKind::Centerline;
 }
@@ -157,7 +157,7 @@ void Autosave::take(const core::Result<QString>& written)
         emit saved();
         return;
     }
-    savedIndex_ = -1;   // the next minute tries again
+    savedIndex_ = -1;   // retried at the next interval
     if (!wasFailing) {
         emit failed(ui::messageText(written.error().message));
     }
@@ -185,7 +185,7 @@ std::vector<LeftBehind> Autosave::leftBehind()
         QLockFile lock(lockOf(file.absoluteFilePath()));
         lock.setStaleLockTime(0);
         if (!lock.tryLock(0)) {
-            continue;   // that session is alive
+            continue;   // that session is still running
         }
         QFile sidecar(sidecarOf(file.absoluteFilePath()));
         const QString origin = sidecar.open(QIODevice::ReadOnly) ? QString::fromUtf8(sidecar.readAll()) : QString();
@@ -238,14 +238,14 @@ void CaseKeeper::expectUnchangedSince(const QDateTime& when)
         [kept = kept_, when]() -> core::Result<QString> {
             const QFileInfo file(QString::fromStdString(kept->path));
             if (!kept->sha256.empty() && file.lastModified() > when) {
-                kept->sha256 = "changed since";   // the hash of nothing
+                kept->sha256 = "changed since";   // matches no hash
             }
             return file.filePath();
         },
         {});
 }
 
-/// Another case, or another file of this one.
+/// Handles a change of the open case or of its file path.
 void CaseKeeper::follow()
 {
     const int caseNumber = document_.state().caseNumber;

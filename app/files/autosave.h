@@ -15,40 +15,43 @@
 
 namespace angiopose::app {
 
-/// A case that a session left behind when it ended without closing.
+/// Autosaved copy left by a session that did not close normally.
 struct LeftBehind {
-    QString path;   ///< of the autosaved copy
-    QString original;   ///< where the case lived; empty when it was never saved
-    QString title;   ///< of the case; empty: not known
+    QString path;   ///< path of the autosaved copy
+    QString original;   ///< path of the case file; empty: never saved
+    QString title;   ///< title of the case; empty: not known
     QDateTime when;
 
-    bool holdsVessels() const { return path.endsWith(QLatin1String(".vtp")); }   ///< without an angiogram: no case
+    bool holdsVessels() const
+    {
+        return path.endsWith(QLatin1String(".vtp"));
+    }   ///< vessels without an angiogram, not a case
 };
 
-/// Keeps a copy of a changed case in the application's data folder, every minute and on a worker. Vessels that have no
-/// angiogram yet are kept as centrelines. What cannot be written is tried again every minute.
+/// Saves a copy of a modified case to the application's data folder every minute on a worker. Vessels without an
+/// angiogram are saved as centerlines. A failed save is retried every minute.
 class Autosave : public QObject {
     Q_OBJECT
 public:
     explicit Autosave(const CaseDocument& document, QObject* parent = nullptr);
 
-    void saveSoon();   ///< for the timer and for tests
-    void discard();   ///< the copy is no longer needed: saved, closed or discarded; goes once it is written
+    void saveSoon();   ///< called by the timer and by tests
+    void discard();   ///< removes the copy after save, close or discard; waits for a running write
     std::optional<QDateTime> lastSaved() const { return lastSaved_; }
-    bool isFailing() const { return isFailing_; }   ///< the last try; an older copy may be there
+    bool isFailing() const { return isFailing_; }   ///< the last attempt failed; an older copy may exist
 
-    /// Copies of sessions that are not alive any more, newest first.
+    /// Lists the copies of sessions that are no longer running, newest first.
     static std::vector<LeftBehind> leftBehind();
     static void forget(const LeftBehind& copy);
-    /// Vessels get a file that stays, for cases refer to it; where it lies.
+    /// Moves recovered vessels to a permanent file that cases can refer to; returns its path.
     static QString keepVessels(const LeftBehind& copy);
 
 signals:
     void saved();
-    void failed(const QString& reason);   ///< once, until it works again
+    void failed(const QString& reason);   ///< emitted once until autosave works again
 
 private:
-    QString path() const;   ///< of the case; vessels alone lie beside it
+    QString path() const;   ///< path for the case; vessels alone are saved next to it
     bool isWorthCopying() const;
     void take(const core::Result<QString>& written);
 
@@ -57,33 +60,33 @@ private:
     std::unique_ptr<QLockFile> lock_;
     std::optional<QDateTime> lastSaved_;
     bool isFailing_ = false;
-    int savedIndex_ = -1;   ///< undo position that the copy holds
+    int savedIndex_ = -1;   ///< undo index that the copy holds
     FileQueue files_;
 };
 
-/// Stands between the open case and whoever else has its file open: tells others that it is open here and the user who
-/// else has it, and knows what content a save may replace. Looks at files by the queue that saves, in its order.
+/// Coordinates access to the file of the open case with other windows and programs: locks it, informs the user who else
+/// has it open, and knows which content a save may overwrite. Accesses files in the save queue, in its order.
 class CaseKeeper : public QObject {
     Q_OBJECT
 public:
     CaseKeeper(const CaseDocument& document, FileQueue& files, QObject* parent = nullptr);
 
-    enum class Replaced { KnownContent, AnyContent };   ///< what a save may write over
+    enum class Replaced { KnownContent, AnyContent };   ///< content that a save may overwrite
 
-    /// Writes a case, when the queue comes to it: fails, nothing written, where another program has changed the file.
+    /// Returns the job that writes a case; it fails without writing if another program has changed the file.
     std::function<core::Status()> saving(core::Case snapshot, const QString& path, Replaced replaced) const;
 
-    /// The open case comes from a copy of that time: what was saved over its file later, this session does not know.
+    /// Call for a case opened from a copy of that time: a later version of its file counts as changed elsewhere.
     void expectUnchangedSince(const QDateTime& when);
 
 signals:
-    void openElsewhere(const QString& words);   ///< the case that was just opened, saved or recovered
+    void openElsewhere(const QString& words);   ///< the case just opened, saved or recovered is open elsewhere
 
 private:
-    /// Used by work of the queue alone.
+    /// Accessed only by jobs of the queue.
     struct Kept {
         std::string path;
-        std::string sha256;   ///< of the file as it was opened or saved here
+        std::string sha256;   ///< hash of the file as opened or saved here
         io::CaseLock lock;
     };
     void follow();

@@ -15,7 +15,7 @@ CloseController::CloseController(CaseDocument& document, SaveController& save, R
     connect(actions[ui::Command::CloseCase], &QAction::triggered, this, [this] { requestClose(Closed::Case); });
     connect(&registration_, &RegistrationController::runningChanged, this, [this](bool running) {
         if (!running && closing_ != Closing::No) {
-            // The solver's best pose is applied by the same event: close once that is done.
+            // The same event applies the solver's best pose, so close after it.
             QMetaObject::invokeMethod(this, &CloseController::close, Qt::QueuedConnection);
         }
     });
@@ -44,7 +44,7 @@ void CloseController::requestClose(Closed closed)
     connect(
         dialog, &ui::QuestionDialog::answered, this,
         [this, answers = words.answers](int index) { answerClose(answers.at(static_cast<std::size_t>(index)).second); },
-        Qt::QueuedConnection);   // one dialog goes, then one may come
+        Qt::QueuedConnection);   // close this dialog before another one may open
     dialog->open();
 }
 
@@ -83,7 +83,7 @@ void CloseController::answerClose(Closing closing)
     }
     closing_ = closing;
     if (registration_.isRunning()) {
-        registration_.stop();   // setRunning goes on when the worker has ended
+        registration_.stop();   // setRunning continues once the worker has finished
     } else {
         close();
     }
@@ -92,7 +92,7 @@ void CloseController::answerClose(Closing closing)
 void CloseController::close()
 {
     if (std::exchange(closing_, Closing::No) == Closing::AfterSaving) {
-        // What a mask or an edit made meanwhile is not in the file: asked about again, not thrown away.
+        // Edits made while saving are not in the file: ask again instead of discarding them.
         const auto goOn = [this] { save_.holdsWork() ? requestClose(closed_) : close(); };
         if (save_.savable() == SaveController::Savable::Vessels) {
             save_.saveVessels(goOn);

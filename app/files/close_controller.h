@@ -19,8 +19,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Closing the window or the case alone loses nothing unasked: neither changes nor a running registration, whose best
-/// pose is kept before saving.
+/// Closes the window or the case without losing unsaved changes or a running registration unless the user agrees; the
+/// best pose of a running registration is kept before saving.
 class CloseController : public QObject {
     Q_OBJECT
 public:
@@ -30,8 +30,8 @@ public:
     void closeWindow() { requestClose(Closed::Window); }
 
 signals:
-    void aboutToClose();   ///< the user asked for it; what must not stay open ends now
-    void windowMayClose();   ///< nothing is lost with it
+    void aboutToClose();   ///< the user requested it; end everything that must not stay open
+    void windowMayClose();   ///< closing loses nothing
 
 private:
     enum class Closing { No, Now, AfterSaving };
@@ -39,7 +39,7 @@ private:
 
     struct Question {
         ui::Message message;
-        std::vector<std::pair<QString, Closing>> answers;   ///< the first one stands out
+        std::vector<std::pair<QString, Closing>> answers;   ///< the first one is the default
     };
 
     void requestClose(Closed closed);
@@ -52,7 +52,7 @@ private:
     RegistrationController& registration_;
     QWidget& dialogParent_;
     Closing closing_ = Closing::No;
-    Closed closed_ = Closed::Window;   ///< what is being closed
+    Closed closed_ = Closed::Window;   ///< window or case being closed
 };
 
 }   // namespace angiopose::app

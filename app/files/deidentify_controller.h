@@ -17,10 +17,10 @@ class BottomStrip;
 
 namespace angiopose::app {
 
-/// How identity is taken out, as a dialog says it.
+/// Converts the de-identification options of the dialog.
 io::Deidentification deidentificationOf(const ui::PackChoice& choice);
 
-/// Files and folders written without identity: asked for, then written by a worker with progress and Stop.
+/// De-identifies files and folders: asks for the options, then writes on a worker with progress and Stop.
 class DeidentifyController : public QObject {
     Q_OBJECT
 public:
@@ -32,7 +32,7 @@ public:
 
 signals:
     void written(const QString& folder, const QString& words);
-    void partlyRefused(const QString& words, const QString& details);   ///< one line for each file
+    void partlyRefused(const QString& words, const QString& details);   ///< `details`: one line per file
     void stopped();
     void failed(const QString& reason);
 
@@ -46,11 +46,12 @@ private:
     ui::BottomStrip& strip_;
     QWidget& dialogParent_;
     QPointer<ui::DeidentifyDialog> dialog_;
-    QString output_;   ///< of what is under way
+    QString output_;   ///< output of the running job
     Job<io::DeidentifiedFiles> job_;
 };
 
-/// The case with its inputs in one archive, as it stands: asked for, then written by a worker with progress and Stop.
+/// Writes the case with its inputs to one archive, in its current state: asks for the options, then writes on a worker
+/// with progress and Stop.
 class PackController : public QObject {
     Q_OBJECT
 public:
@@ -71,8 +72,8 @@ private:
     CaseDocument& document_;
     ui::BottomStrip& strip_;
     QWidget& dialogParent_;
-    QString archive_;   ///< that is being written
-    Job<QStringList> job_;   ///< the notes on it
+    QString archive_;   ///< archive being written
+    Job<QStringList> job_;   ///< its outcome is a list of notes
 };
 
 }   // namespace angiopose::app

@@ -17,7 +17,7 @@ namespace angiopose::app {
 
 class ExportController;
 
-/// The case as DICOM objects: asked for, then written into a folder by a worker.
+/// Exports the case as DICOM objects: asks for the options, then writes to a folder on a worker.
 class DicomController : public QObject {
     Q_OBJECT
 public:
@@ -25,10 +25,10 @@ public:
                     QObject* parent = nullptr);
 
     void ask();
-    /// `wanted` follows where the user chose objects.
+    /// Asks which objects to send; emits `wanted` if the user selects some.
     void askToSend();
 
-    /// Makes the objects of the case as it is now, in a folder; on any thread.
+    /// Creates the objects of the current case in a folder; may run on any thread.
     using Maker = std::function<core::Result<DicomFiles>(const std::string& folder, const DicomObserver& observe)>;
     Maker makerOf(const ui::DicomChoice& choice) const;
 
@@ -38,7 +38,7 @@ signals:
     void started();
     void written(const QString& folder, const QStringList& notes);
     void failed(const QString& reason);
-    void wanted(const ui::DicomChoice& choice);   ///< to be sent
+    void wanted(const ui::DicomChoice& choice);   ///< objects to send
 
 private:
     ui::DicomDialog* askWhat(ui::DicomPurpose purpose);
@@ -55,7 +55,7 @@ private:
 
 class ExportController;
 
-/// The report of a case: asked for, by which template, written by the export.
+/// Asks for the options and template of a case report and writes it through the export controller.
 class ReportController : public QObject {
     Q_OBJECT
 public:

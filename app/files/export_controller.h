@@ -19,7 +19,7 @@ class AngiogramView;
 
 namespace angiopose::app {
 
-/// Writes what leaves the program: overlay picture, result, pose, traced vessels.
+/// Exports files: overlay image, result, pose, traced vessels.
 class ExportController : public QObject {
     Q_OBJECT
 public:
@@ -29,18 +29,19 @@ public:
     struct FileQuestion {
         QString title;
         QString filter;
-        QString suffix;   ///< also the end of the suggested name
-        bool isOfCase = true;   ///< else written beside it, as a template
+        QString suffix;   ///< also ends the suggested file name
+        bool isOfCase = true;   ///< false: not an export of the case, such as a template
     };
-    /// Writes one file on a worker; gets all it needs by value.
+    /// Writes one file on a worker; holds all its data by value.
     using Write = std::function<core::Status(const QString& path)>;
-    using Then = std::function<void()>;   ///< called once it is written
+    using Then = std::function<void()>;   ///< called after the file is written
     void askFile(const FileQuestion& question, const Write& write, const Then& then = {});
     void askPath(const FileQuestion& question, const std::function<void(const QString& path)>& use);
-    void writeFile(const QString& path, const Write& write, const Then& then = {});   ///< of the case; returns at once
+    void writeFile(const QString& path, const Write& write,
+                   const Then& then = {});   ///< exports from the case; returns at once
 
     void askOverlay();
-    OverlayPictureOptions lookOf(const ui::ExportChoice& choice) const;   ///< as the window shows it
+    OverlayPictureOptions lookOf(const ui::ExportChoice& choice) const;   ///< appearance as in the window
     void exportOverlay(const ui::ExportChoice& choice, const QString& path);   ///< returns at once
     void askResult();
     void askPose();
@@ -49,12 +50,12 @@ public:
     void askCheckPoints();
     void askMask();   ///< the lumen as a label image
     void askVessels(const Then& then = {});
-    void askDeformed();   ///< the tree as it is bent, or how each of its points moved
+    void askDeformed();   ///< deformed tree, or displacement of each of its points
 
 signals:
     void started();
     void written(const QString& path);
-    void exported();   ///< what was written is of the case
+    void exported();   ///< an export of the case was written
     void failed(const QString& reason);
 
 private:
@@ -64,7 +65,7 @@ private:
 
     CaseDocument& document_;
     TargetProvider& target_;
-    const PosePreview& preview_;   ///< which vessels pictures show
+    const PosePreview& preview_;   ///< vessels that exported images show
     ui::AngiogramView& view_;
     QWidget& dialogParent_;
     FileQueue files_;

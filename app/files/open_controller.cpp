@@ -15,7 +15,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Where the user has been lately.
+/// Lists the folders used recently.
 std::vector<std::string> foldersInUse()
 {
     QStringList folders;
@@ -60,7 +60,7 @@ void OpenController::openStudy(const StudyChoice& choice)
          hints);
 }
 
-/// Vessels of a file without a scan: a scan that is opened may be theirs.
+/// Returns the use of an opened scan; if the vessels come from a file and there is no scan, it may be theirs.
 io::ScanUse OpenController::scanUse() const
 {
     const core::Case& current = document_.current();
@@ -85,7 +85,7 @@ void OpenController::openView(const QStringList& paths)
     load(paths, {{}, {}, foldersInUse()});
 }
 
-/// The next run of a study; without vessels there is nothing to view from several sides.
+/// Opens the next run of a study as a view, unless there are no vessels.
 void OpenController::openNextRun()
 {
     if (furtherRuns_.isEmpty()) {
@@ -222,7 +222,8 @@ void OpenController::finish()
     emit ended();
 }
 
-/// Nothing was read yet: which series, what the scan is for, or where the inputs of a case lie has to be known first.
+/// Asks for the series, the use of the scan or the location of missing inputs if reading stopped to find out; returns
+/// whether it asked.
 bool OpenController::asksFirst(const io::LoadedInputs& inputs, const QStringList& paths)
 {
     if (inputs.isStudyOffered) {
@@ -292,7 +293,7 @@ void OpenController::take(const io::LoadedInputs& inputs, const QStringList& pat
     admit(opening);
 }
 
-/// A pose or points: they change the open case and are no part of it.
+/// Takes a pose or points, which change the open case but do not become one of its inputs.
 void OpenController::takeShared(const io::LoadedInputs& inputs, const QStringList& paths)
 {
     asView_ = false;
@@ -332,7 +333,7 @@ void OpenController::finishPose(const io::PoseWithCamera& pose, ArrivingCamera c
     emit poseOpened(QStringList{tr("Pose from %1 applied.").arg(name)} + notes);
 }
 
-/// Nothing of another patient comes in unasked.
+/// Takes the opened files into the case, after confirmation if they seem to belong to another patient.
 void OpenController::admit(const Opening& opening)
 {
     const auto wanted = caseWith(document_.current(), opening);

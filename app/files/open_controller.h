@@ -8,25 +8,26 @@
 
 namespace angiopose::app {
 
-/// What was chosen of the studies in a folder.
+/// Selection from the studies in a folder.
 struct StudyChoice {
-    QString folder, seriesId;   ///< of the vessels; empty: none
-    QStringList runs;   ///< files of the views
+    QString folder, seriesId;   ///< folder and series of the vessels; empty: none
+    QStringList runs;   ///< angiogram files to open as views
 };
 
-/// Opens files: cases, or parts that make a case or join the open one. Reading happens on a worker; the open case stays
-/// as it is until everything has been read and whatever had to be asked is answered.
+/// Opens files: cases, or parts that make a case or join the open one. Reads on a worker; the open case does not change
+/// until everything has been read and all questions are answered.
 class OpenController : public QObject {
     Q_OBJECT
 public:
     explicit OpenController(CaseDocument& document, QObject* parent = nullptr);
 
     void open(const QStringList& paths);
-    /// Opens the copy of a case that lives at `original` (empty: it was never saved); it counts as unsaved.
+    /// Opens a copy of the case at `original` (empty: never saved); it counts as unsaved.
     void openCopy(const QString& copy, const QString& original);
-    /// Answers `seriesChoiceNeeded`: opens one of the series that were offered.
+    /// Answers `seriesChoiceNeeded`: opens one of the offered series.
     void openSeries(const QString& seriesId);
-    /// Opens vessels and the first run together, as a case or into the open one, and the other runs as further views.
+    /// Opens vessels and the first run together, as a new case or into the open one, and the other runs as further
+    /// views.
     void openStudy(const StudyChoice& choice);
     /// Opens an angiogram, or the image of a case, as another view of the open case's vessels.
     void openView(const QStringList& paths);
@@ -41,42 +42,43 @@ public:
     void openMismatched(bool isSamePatient);
     /// Answers `cameraChoiceNeeded`.
     void openWaitingPose(ArrivingCamera camera);
-    /// Answers `inputsMissing`: opens without those that can be done without.
+    /// Answers `inputsMissing`: opens the case without optional inputs.
     void openWithoutOptional();
-    /// Answers `inputsMissing`: where some of them lie, or another folder to search.
+    /// Answers `inputsMissing` with the locations of some inputs, or with another folder to search.
     void openWithInputs(const io::MovedInputs& moved, const QString& searchFolder = {});
-    /// The copy that the open case came from; empty when it is no copy.
+    /// Path of the copy that the open case came from; empty if it is not a copy.
     QString openedCopy() const { return original_ ? copy_ : QString(); }
     void abandon();
     bool isLoading() const { return job_ != nullptr; }
 
 signals:
-    void tookIn(const core::Messages& warnings);   ///< said of files that are in the case now
+    void tookIn(const core::Messages& warnings);   ///< warnings about files that are now part of the case
     void started(const QString& what);
     void advanced(const QString& what, double fraction);
-    /// A DICOM folder holds several series; answer with `openSeries` or nothing.
+    /// Emitted if a DICOM folder holds several series; answer with `openSeries` or ignore.
     void seriesChoiceNeeded(const QString& folder, const std::vector<io::DicomSeries>& series);
     void ended();
-    /// A folder or DICOMDIR was opened by itself; answer with `openStudy` or nothing.
+    /// Emitted if only a folder or DICOMDIR was opened; answer with `openStudy` or ignore.
     void studyOffered(const QString& place);
-    /// A case refers to files that were found nowhere; answer with `openWithInputs` or nothing.
+    /// Emitted if files that a case refers to were not found; answer with `openWithInputs` or ignore.
     void inputsMissing(const QString& casePath, const QStringList& missing, bool areOptional);
-    /// A scan was opened while the case has vessels of a file: to be seen beside them, or to trace vessels from?
-    /// Answer with `openScan` or nothing.
+    /// Emitted if a scan was opened while the case has vessels from a file: show it with them, or trace vessels in it?
+    /// Answer with `openScan` or ignore.
     void scanChoiceNeeded(const QString& name);
-    /// Vessels that say no unit are too small or large for mm; answer with `openInUnit` or nothing.
+    /// Emitted if vessels without a unit are too small or too large for mm; answer with `openInUnit` or ignore.
     void unitNeeded(const QString& name, double unitsAcross);
-    /// An angiogram was opened while the case has one: another view, or instead of it? Answer with `addWaitingView`,
-    /// `replaceImage` or nothing.
+    /// Emitted if an angiogram was opened while the case has one: add a view, or replace it? Answer with
+    /// `addWaitingView`, `replaceImage` or ignore.
     void viewChoiceNeeded(const QString& name);
-    /// A pose brings another camera than the case has; answer with `openWaitingPose` or nothing.
+    /// Emitted if a pose comes with a camera other than that of the case; answer with `openWaitingPose` or ignore.
     void cameraChoiceNeeded(const QString& name);
-    /// What was opened seems to be of another patient, or of the other side; answer with `openMismatched` or nothing.
+    /// Emitted if the opened files seem to belong to another patient or to the other side; answer with `openMismatched`
+    /// or ignore.
     void mismatchNeedsConsent(const QString& names, const core::Messages& mismatch, const core::Case& wanted);
-    void opened(const QStringList& notes);   ///< what to know about the files, in words
-    void poseOpened(const QStringList& notes);   ///< a pose or points were taken into the open case
+    void opened(const QStringList& notes);   ///< remarks on the files for the user
+    void poseOpened(const QStringList& notes);   ///< the open case took a pose or points
     void failed(const QString& reason, const QStringList& paths);
-    /// Asked before the open case, with unsaved changes, is replaced; answer with `replaceOpenCase` or nothing.
+    /// Emitted before an open case with unsaved changes is replaced; answer with `replaceOpenCase` or ignore.
     void replacementNeedsConsent();
 
 public slots:
@@ -96,15 +98,15 @@ private:
 
     CaseDocument& document_;
     LoadJob* job_ = nullptr;
-    std::optional<Opening> waiting_;   ///< read, but the user still has to agree
-    std::optional<io::PoseWithCamera> waitingPose_;   ///< with another camera than the case's
+    std::optional<Opening> waiting_;   ///< read, waiting for the user's consent
+    std::optional<io::PoseWithCamera> waitingPose_;   ///< has a camera other than that of the case
     QString waitingPoseName_;
-    QString askedSeries_;   ///< of the scan that is asked about
-    QStringList furtherRuns_;   ///< of a study, to be opened as views
-    QStringList askedPaths_;   ///< what was opened when a choice of series or the place of inputs was asked for
-    bool asView_ = false;   ///< what is being opened becomes another view
-    io::MovedInputs moved_;   ///< inputs found so far of the case that lacks some
-    std::optional<QString> original_;   ///< of a copy, the last that was opened: where its case lives
+    QString askedSeries_;   ///< series of the scan in question
+    QStringList furtherRuns_;   ///< runs of a study, to be opened as views
+    QStringList askedPaths_;   ///< paths whose series or input locations were asked for
+    bool asView_ = false;   ///< the files being opened become another view
+    io::MovedInputs moved_;   ///< inputs found so far for a case with missing ones
+    std::optional<QString> original_;   ///< for the last opened copy, path of its case
     QString copy_;
 };
 

@@ -23,12 +23,12 @@
 namespace angiopose::app {
 namespace {
 
-/// The words of this file.
+/// Translation context of this file.
 struct KindWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::InputKind)
 };
 
-/// Name filters of the open dialog, all kinds first.
+/// Name filters of the open dialog; the first one covers all kinds.
 QStringList openFilters()
 {
     const QString scans = QStringLiteral("*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.stl *.ply *.obj");
@@ -49,8 +49,8 @@ struct LengthUnit {
     double mm;
 };
 
-/// The units that make vessels of something so many units across, the likeliest first; millimetres, which are doubted,
-/// come last, and where no unit helps all are there.
+/// Returns the units that give a plausible vessel size, most likely first and millimeters, which are in doubt, last; if
+/// no unit fits, returns all.
 std::vector<LengthUnit> unitsFor(double unitsAcross)
 {
     constexpr double smallestMm = 10.0, usualMm = 200.0, largestMm = 2000.0;
@@ -227,7 +227,7 @@ void OpenDialogs::askWhatScan(const QString& name)
     question->open();
 }
 
-/// What each unit would make of it stands on its button, the likeliest first.
+/// Asks for the unit; each button shows the resulting size, the most likely one first.
 void OpenDialogs::askUnit(const QString& name, double unitsAcross)
 {
     const std::vector<LengthUnit> units = unitsFor(unitsAcross);
@@ -310,7 +310,7 @@ void OpenDialogs::askToReplace()
         if (index == keep) {
             open_.abandon();
         } else if (index == 0) {
-            save_.save([this] { askToReplace(); });   // at once where nothing is left unsaved
+            save_.save([this] { askToReplace(); });   // asks no question if nothing is left unsaved
         } else {
             open_.replaceOpenCase();
         }

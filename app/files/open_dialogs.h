@@ -19,12 +19,12 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Asks what opening has to know: which files, which series, where moved inputs are, what a further scan or angiogram
-/// is for, the unit of a surface, whether the open case may go.
+/// Asks the questions of opening: which files and series, where moved inputs are, what a further scan or angiogram is
+/// for, the unit of a surface, and whether the open case may be replaced.
 class OpenDialogs : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the window that the class uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::WelcomePage& welcome;
@@ -53,7 +53,7 @@ private:
     SaveController& save_;
     Notices& notices_;
     Ui ui_;
-    FileQueue files_;   ///< makes the sample case
+    FileQueue files_;   ///< generates the sample case
 };
 
 }   // namespace angiopose::app

@@ -7,13 +7,13 @@
 
 namespace angiopose::app {
 
-/// "a.dcm, b.vtp"
+/// Joins the file names, as in "a.dcm, b.vtp".
 QString namesOf(const QStringList& paths);
 
-/// What to know about the files that were opened, and about how they fit the case they are in now.
+/// Remarks on the opened files and on how they fit the case they are now part of.
 QStringList notesOf(const io::LoadedInputs& inputs, const core::Case& opened);
 
-/// A scan beside vessels of another origin has to have their axes.
+/// Remarks on a scan opened with vessels of another origin, which must share its axes.
 QStringList notesOnScan(const io::LoadedInputs& inputs, const core::Case& opened);
 
 }   // namespace angiopose::app

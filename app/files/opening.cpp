@@ -24,14 +24,15 @@ QStringList replaceCase(CaseDocument& document, const core::Case& wanted, const 
         rememberCase(path);
     }
     if (opening.original || !opening.inputs.moved.empty()) {
-        document.markUnsaved();   // the file knows less than the window
+        document.markUnsaved();   // the case in the window differs from its file
     }
     return notesOf(opening.inputs, document.current());
 }
 
 QStringList joinCase(CaseDocument& document, const core::Case& wanted, const Opening& opening)
 {
-    if (document.isEmpty() && document.undoStack().count() == 0) {   // else a mask painted on a scan alone would go
+    if (document.isEmpty() &&
+        document.undoStack().count() == 0) {   // replacing would otherwise discard a mask painted on a scan alone
         document.replace(wanted, {});
     } else {
         document.push(joinInputs(
@@ -51,7 +52,7 @@ QStringList addView(CaseDocument& document, const core::Case& wanted, const Open
 
 constexpr double farFromVesselsMm = 50.0;
 
-/// The camera of the file, of the size of the image where it does not say one.
+/// Returns the camera of the file with the size of the image.
 core::ProjectionCamera arrivingCamera(const core::View& view, core::ProjectionCamera camera)
 {
     camera.width = view.angiogram->width();
@@ -85,7 +86,7 @@ bool liesBehindSource(const core::Case& open, const core::RigidTransform& pose)
     return (pose * core::centroidInPatient(*open.vessels.tree)).z() < core::minProjectableDepthMm;
 }
 
-/// Of a result: what it was found with, where the case is known to have something else.
+/// For the pose of a result, lists the inputs it was found with that differ from those of the case.
 QStringList notesOnInputs(const core::Case& open, const io::PoseWithCamera& pose)
 {
     const auto differ = [](const std::string& theirs, const std::string& ours) {

@@ -10,42 +10,43 @@
 
 namespace angiopose::app {
 
-/// Files that have been read, and what becomes of them.
+/// Files that have been read and how they enter the case.
 struct Opening {
-    enum class Way { Replace, Join, AddView };   ///< the open case gives way, gets more, gets a further view
+    enum class Way { Replace, Join, AddView };   ///< replace the open case, add inputs to it, or add a view
 
     io::LoadedInputs inputs;
     QStringList paths;
     Way way = Way::Join;
-    std::optional<bool> isSamePatient{};   ///< of all images, as the user answered; none: there was nothing to ask
-    std::optional<QString> original;   ///< of a copy of a case: where that lives; empty: it was never saved
+    std::optional<bool> isSamePatient{};   ///< the user's answer for all images; empty: not asked
+    std::optional<QString> original;   ///< for a copy, path of its case (empty: never saved)
 };
 
-/// An angiogram alone, and not the one that a case with vessels has.
+/// Returns whether only an angiogram was opened and a case with vessels already has a different one.
 bool isAnotherView(const core::Case& open, const io::LoadedInputs& inputs);
 
-/// The open case as it would be.
+/// Returns the open case as it would be after opening.
 core::Result<core::Case> caseWith(const core::Case& open, const Opening& opening);
 
-/// Takes it into the document, as one step of undo where a case is open that stays. What to know about it, in words.
+/// Takes the files into the document, as one undo step if the open case stays. Returns remarks for the user.
 core::Result<QStringList> takeIn(CaseDocument& document, const Opening& opening);
 
-/// Whose camera counts after a pose was opened that brings another one.
+/// Camera to use after opening a pose with another one.
 enum class ArrivingCamera { OfCase, OfPose };
 
-/// How a pose from a file goes with the shown view.
+/// Compatibility of a pose from a file with the displayed view.
 struct PoseFit {
-    QString refusal;   ///< why it cannot be taken; empty: it can
-    bool isOtherCamera = false;   ///< it brings one that the case does not have: which counts has to be asked
-    QStringList notes;   ///< what to know all the same
+    QString refusal;   ///< reason why the pose cannot be used; empty: it can
+    bool isOtherCamera = false;   ///< its camera differs from that of the case: ask which to use
+    QStringList notes;   ///< remarks for the user in any case
 };
 PoseFit poseFit(const core::Case& open, const io::PoseWithCamera& pose);
 
-/// The pose becomes that of the shown view, one step of undo. What to know about it.
+/// Sets the pose of the displayed view as one undo step. Returns remarks for the user.
 QStringList takePose(CaseDocument& document, const io::PoseWithCamera& pose, ArrivingCamera camera,
                      const QString& name);
 
-/// Points become check points of the case, one step of undo. What to know about them, or why not.
+/// Adds the points as target points of the case in one undo step. Returns remarks for the user; fails if they cannot be
+/// used.
 core::Result<QStringList> takePoints(CaseDocument& document, const std::vector<io::Fiducial>& points,
                                      const QString& name);
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double screenDotsPerInch = 96.0;
 constexpr double pointsPerInch = 72.0;
 
-/// Qt draws the texts of an SVG as outlines, so they are written beside it. Right ones end where they should.
+/// Writes the texts separately, since Qt draws SVG texts as outlines; right-aligned texts end at their position.
 void writeTexts(QPainter& painter, const ui::VectorPicture& picture)
 {
     QFont font;

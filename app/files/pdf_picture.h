@@ -6,8 +6,8 @@
 
 namespace angiopose::app {
 
-/// The picture as a page of PDF of its size: paths stay paths, texts stay texts. Provenance is an attached file. Empty
-/// where Qt cannot read the SVG in between.
+/// Returns the image as a PDF page of its size; paths stay paths and texts stay texts. Provenance is an attached file.
+/// Empty if Qt cannot read the intermediate SVG.
 QByteArray pdfOf(const ui::VectorPicture& picture, const SvgFacts& facts);
 
 }   // namespace angiopose::app

@@ -8,13 +8,13 @@ class QWidget;
 
 namespace angiopose::app {
 
-/// A plot as SVG text: lines and letters, sharp at any size.
+/// Returns the plot as SVG with vector lines and text.
 QByteArray plotAsSvg(QWidget& plot);
 
-/// A plot as PNG, three screen px to a dot.
+/// Returns the plot as PNG at three times the screen resolution.
 QByteArray plotAsPng(QWidget& plot);
 
-/// Gives the window's plots a context menu that copies them or writes them to a file.
+/// Adds a context menu to the window's plots that copies them or writes them to a file.
 class PlotExport : public QObject {
     Q_OBJECT
 public:

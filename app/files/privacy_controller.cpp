@@ -85,7 +85,8 @@ AuditController::AuditController(const CaseDocument& document, QAction& keep, QW
     : QObject(parent), document_(document), keep_(keep), dialogParent_(dialogParent)
 {
     keep_.setChecked(!auditPath().isEmpty());
-    keep_.setEnabled(io::auditFileOfEnvironment().empty());   // who set that does not want it switched off here
+    keep_.setEnabled(
+        io::auditFileOfEnvironment().empty());   // an audit file set by the environment cannot be switched off here
     ui::withTip(&keep_, [] {
         const QString kept = auditPath();
         return kept.isEmpty()
@@ -102,12 +103,12 @@ void AuditController::choose(bool on)
         ui::speakAgain();
         return;
     }
-    keep_.setChecked(false);   // until there is a file
+    keep_.setChecked(false);   // off until a file is chosen
     auto* dialog = new QFileDialog(&dialogParent_, tr("Write audit log"),
                                    suggestedPath({}, QStringLiteral("audit.jsonl")), tr("Audit logs (*.jsonl)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setOption(QFileDialog::DontConfirmOverwrite);   // it is added to
+    dialog->setOption(QFileDialog::DontConfirmOverwrite);   // the file is appended to, not overwritten
     dialog->setDefaultSuffix(QStringLiteral("jsonl"));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& chosen) {
         settings::auditFile.write(chosen);

@@ -12,7 +12,7 @@ class QWidget;
 
 namespace angiopose::app {
 
-/// Private mode, on and off: asks before it forgets, and clears up when the window goes.
+/// Switches private mode on and off: asks before deleting stored data, and clears data when the window closes.
 class PrivacyController : public QObject {
     Q_OBJECT
 public:
@@ -20,7 +20,7 @@ public:
     ~PrivacyController() override;
 
 signals:
-    void changed();   ///< what is remembered and shown is another now
+    void changed();   ///< the stored and displayed data have changed
 
 private:
     void choose(bool on);
@@ -31,19 +31,19 @@ private:
     QWidget& dialogParent_;
 };
 
-/// The file that says who opened and wrote what, where one is wished: by the environment, or by the switch in the menu,
-/// which asks where. Off unless somebody says so.
+/// Writes the audit file, which records who opened and wrote which files. Set by the environment or by the menu switch,
+/// which asks for the file; off by default.
 class AuditController : public QObject {
     Q_OBJECT
 public:
     AuditController(const CaseDocument& document, QAction& keep, QWidget& dialogParent, QObject* parent = nullptr);
 
     void note(io::AuditEvent event, const QStringList& paths);   ///< returns at once
-    void noteOpened();   ///< the open case and what it was made of
-    void noteCase(io::AuditEvent event);   ///< of the open case's own file
+    void noteOpened();   ///< records the open case and its inputs
+    void noteCase(io::AuditEvent event);   ///< records an event of the open case's own file
 
 signals:
-    void failed(const QString& reason);   ///< what was done is not in the file
+    void failed(const QString& reason);   ///< an event could not be recorded
 
 private:
     void choose(bool on);

@@ -22,7 +22,7 @@ QString folderName()
     return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + QStringLiteral("/cases");
 }
 
-/// The name tells nothing about the case.
+/// Returns a file name that reveals nothing about the case.
 QString pictureName(const QString& casePath)
 {
     const QByteArray path = QFileInfo(casePath).absoluteFilePath().toUtf8();
@@ -30,7 +30,7 @@ QString pictureName(const QString& casePath)
            QStringLiteral(".png");
 }
 
-/// The frame alone, in one grey where letters were drawn into it.
+/// Returns the frame alone, with burned-in text replaced by a uniform gray.
 std::shared_ptr<const core::Angiogram> withoutLetters(const core::Angiogram& run, int frame)
 {
     core::Angiogram shown;
@@ -47,17 +47,18 @@ std::shared_ptr<const core::Angiogram> withoutLetters(const core::Angiogram& run
     return std::make_shared<const core::Angiogram>(std::move(shown));
 }
 
-/// The picture takes the time of its case: another case at the same path, as on another stick, has another one.
+/// Gives the thumbnail the time stamp of its case, to distinguish another case at the same path, for example on another
+/// USB drive.
 void markAsOf(const std::string& picturePath, const std::string& casePath)
 {
     std::error_code failed;
     const auto time = std::filesystem::last_write_time(casePath, failed);
     if (!failed) {
-        std::filesystem::last_write_time(picturePath, time, failed);   // else it is not shown
+        std::filesystem::last_write_time(picturePath, time, failed);   // on failure, the thumbnail is not shown
     }
 }
 
-constexpr qsizetype keptCases = 30;   // beside the pinned ones
+constexpr qsizetype keptCases = 30;   // maximum number of cases besides the pinned ones
 
 void store(const QStringList& cases)
 {

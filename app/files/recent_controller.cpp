@@ -27,7 +27,7 @@ namespace angiopose::app {
 namespace {
 
 constexpr int pollMs = 33;
-constexpr auto graceAtEnd = std::chrono::milliseconds(200);   // for those that are about to be done
+constexpr auto graceAtEnd = std::chrono::milliseconds(200);   // for threads that are about to finish
 constexpr std::uintmax_t maxPictureBytes = 1 << 20;
 
 struct Asked {
@@ -46,7 +46,7 @@ std::string contentOf(const std::string& path)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// See storeCasePicture.
+/// Returns whether the thumbnail has the time stamp of the case.
 bool isOfSameTime(const std::string& casePath, const std::string& picturePath)
 {
     std::error_code failed, alsoFailed;
@@ -76,19 +76,19 @@ CaseLook lookAtCase(const std::string& casePath, const std::string& picturePath)
     if (!std::filesystem::is_regular_file(casePath, failed)) {
         return {CasePresence::Missing, {}};
     }
-    const auto missing = io::missingInputs(casePath);   // a case that cannot be read says so when it is opened
+    const auto missing = io::missingInputs(casePath);   // an unreadable case is reported when it is opened
     const bool isWhole = !missing || missing.value().empty();
     return {isWhole ? CasePresence::Present : CasePresence::InputsMissing,
             isOfSameTime(casePath, picturePath) ? contentOf(picturePath) : std::string()};
 }
 
-/// What the threads and the window share; outlives both.
+/// State shared by the threads and the window; outlives both.
 struct CaseLookup::Shared {
     std::mutex mutex;
     std::condition_variable ended;
     int threads = 0;
     std::set<QString> underWay;
-    std::set<QString> askedAgain;   ///< since: what was seen may be of before
+    std::set<QString> askedAgain;   ///< requested again while running: the result may be outdated
     std::vector<std::pair<QString, CaseLook>> answers;
 
     void answer(const Asked& asked, const Look& look)
@@ -171,7 +171,7 @@ RecentController::RecentController(const CaseDocument& document, const Ui& ui, C
 {
     const ui::RecentList& list = ui_.welcome.recent();
     connect(&list, &ui::RecentList::openRequested, this, &RecentController::openRequested);
-    // What asks for these goes away with the list.
+    // Queued, because these actions delete the widgets that emit the signals.
     connect(&list, &ui::RecentList::clearRequested, this, &RecentController::clear, Qt::QueuedConnection);
     connect(
         &list, &ui::RecentList::removeRequested, this,
@@ -242,7 +242,7 @@ void RecentController::take(const QString& path, const CaseLook& look)
     known = {look.state, picture};
 }
 
-/// Rows are made anew only where there is something new to say: one may be under the mouse.
+/// Rebuilds the rows only if something has changed, since one may be under the mouse.
 void RecentController::showNews()
 {
     if (std::exchange(isNews_, false)) {
@@ -256,7 +256,7 @@ void RecentController::clear()
     show();
 }
 
-/// Pictures that are not wanted are not kept either.
+/// Switches thumbnails on or off; switching off deletes the stored ones.
 void RecentController::setPictures(bool wanted)
 {
     settings::recentPictures.write(wanted);
@@ -281,7 +281,8 @@ void RecentController::pictureOpened()
             return path;
         },
         [this](const core::Result<QString>& stored) {
-            keepCasePictures(settings::recentPictures.read() ? recentCases() : QStringList());   // as is wanted by now
+            keepCasePictures(settings::recentPictures.read() ? recentCases()
+                                                             : QStringList());   // according to the current setting
             if (stored) {
                 fill();
             }

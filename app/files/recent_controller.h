@@ -21,17 +21,17 @@ namespace angiopose::app {
 
 enum class CasePresence { Present, Missing, InputsMissing };
 
-/// What is known of a case in the list of recent ones.
+/// State of a case in the list of recent cases.
 struct CaseLook {
     CasePresence state = CasePresence::Present;
-    std::string picture;   ///< content of its picture's file; empty: none
+    std::string picture;   ///< content of its thumbnail file; empty: none
 };
 
-/// Whether the file of a case and its inputs are there, and its picture.
+/// Checks whether the case file and its inputs exist, and reads its thumbnail.
 CaseLook lookAtCase(const std::string& casePath, const std::string& picturePath);
 
-/// Looks after cases on threads of their own, one for each folder: a drive that does not answer keeps neither the
-/// window nor the others waiting, and nobody waits for such a thread when the program ends.
+/// Checks cases on separate threads, one per folder, so a drive that does not respond blocks neither the window nor the
+/// other folders. The program does not wait for these threads when it exits.
 class CaseLookup : public QObject {
     Q_OBJECT
 public:
@@ -39,12 +39,12 @@ public:
     explicit CaseLookup(Look look, QObject* parent = nullptr);
     ~CaseLookup() override;
 
-    /// A case that is looked after already is looked after once more when that is done.
+    /// Checks the cases; a case being checked is checked again afterwards.
     void look(const QStringList& paths);
 
 signals:
     void found(const QString& path, const CaseLook& look);
-    void reported();   ///< for now all that was found
+    void reported();   ///< all results so far have been reported
 
 private:
     struct Shared;
@@ -55,12 +55,12 @@ private:
     QTimer poll_;
 };
 
-/// The cases opened or saved lately, on the first page and in the menu. What the disk knows of them comes later, from
-/// threads of their own.
+/// Shows recently opened or saved cases on the welcome page and in the menu. File checks run on separate threads and
+/// update the list later.
 class RecentController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::WelcomePage& welcome;
@@ -68,8 +68,8 @@ public:
     RecentController(const CaseDocument& document, const Ui& ui, CaseLookup::Look look = lookAtCase,
                      QObject* parent = nullptr);
 
-    void fill();   ///< the list anew, and a look at every case in it
-    void pictureOpened();   ///< the case that was opened gets its picture
+    void fill();   ///< rebuilds the list and checks every case in it
+    void pictureOpened();   ///< creates the thumbnail of the case just opened
 
 signals:
     void openRequested(const QString& path);
@@ -91,7 +91,7 @@ private:
     CaseLookup lookup_;
     FileQueue pictures_;
     QHash<QString, Known> known_;
-    bool isNews_ = false;   ///< since the list was shown
+    bool isNews_ = false;   ///< something changed since the list was shown
 };
 
 }   // namespace angiopose::app

@@ -94,11 +94,11 @@ void SaveController::offerVessels(const std::function<void()>& whenSaved)
                 saveVessels(whenSaved);
             }
         },
-        Qt::QueuedConnection);   // one dialog goes, then one comes
+        Qt::QueuedConnection);   // close this dialog before another one opens
     question->open();
 }
 
-/// Nobody chooses a name for what cannot be saved.
+/// Refuses before asking for a name if the case cannot be saved.
 bool SaveController::refusesToSave(const std::function<void()>& whenSaved)
 {
     if (savable() == Savable::Vessels) {
@@ -155,14 +155,15 @@ void SaveController::saveTo(const QString& path, const std::function<void()>& wh
                 return;
             }
             take(path, state);
-            keepCasePictures(settings::recentPictures.read() ? recentCases() : QStringList());   // as is wanted by now
+            keepCasePictures(settings::recentPictures.read() ? recentCases()
+                                                             : QStringList());   // according to the current setting
             if (whenSaved) {
                 whenSaved();
             }
         });
 }
 
-/// Nobody's work is written over unasked.
+/// Asks before overwriting changes saved by another window or program.
 void SaveController::askAboutChange(const QString& path, const std::function<void()>& whenSaved)
 {
     auto* question =
@@ -185,7 +186,7 @@ void SaveController::askAboutChange(const QString& path, const std::function<voi
                 emit reloadWanted(path);
             }
         },
-        Qt::QueuedConnection);   // one dialog goes, then one comes
+        Qt::QueuedConnection);   // close this dialog before another one opens
     question->open();
 }
 
@@ -249,7 +250,7 @@ void SaveController::noteOpened(const QString& copy)
     }
     const QString vessels = std::exchange(recoveredVessels_, {});
     if (!vessels.isEmpty() && document_.current().vessels.file.path == vessels.toStdString()) {
-        document_.markUnsaved();   // the user has given them no name yet
+        document_.markUnsaved();   // the user has not named the file yet
     }
 }
 

@@ -13,27 +13,27 @@ class QWidget;
 
 namespace angiopose::app {
 
-/// Saves the open case, under its name or a new one, and offers what crashed sessions left behind.
+/// Saves the open case under its name or a new one, and offers to recover copies left by crashed sessions.
 class SaveController : public QObject {
     Q_OBJECT
 public:
     SaveController(CaseDocument& document, ExportController& files, QWidget& window, QObject* parent = nullptr);
 
-    /// What of the open case a file can hold: a case has vessels and an angiogram, vessels alone are centrelines.
+    /// Part of the open case that can be saved: a case has vessels and an angiogram; vessels alone are centerlines.
     enum class Savable { Case, Vessels, Nothing };
     Savable savable() const;
-    bool holdsWork() const;   ///< that no file has
+    bool holdsWork() const;   ///< work that is not in any file
 
-    void save(const std::function<void()>& whenSaved = {});   ///< asks for a name where there is none
-    void saveVessels(const std::function<void()>& whenSaved = {});   ///< as centrelines; asks for a name
+    void save(const std::function<void()>& whenSaved = {});   ///< asks for a name if there is none
+    void saveVessels(const std::function<void()>& whenSaved = {});   ///< as centerlines; asks for a name
     void saveAs(const std::function<void()>& whenSaved = {});
-    /// Returns at once. Where the file was changed elsewhere since it was opened, the user is asked.
+    /// Saves in the background. Asks the user if the file was changed elsewhere since it was opened.
     void saveTo(const QString& path, const std::function<void()>& whenSaved = {},
                 CaseKeeper::Replaced replaced = CaseKeeper::Replaced::KnownContent);
     bool isSaving() const { return files_.isBusy(); }
     void offerRecovery();
-    void keepWork() { givenUp_.reset(); }   ///< what was to replace it could not be had
-    void noteOpened(const QString& copy);   ///< another case is open; from a left copy, or not (empty)
+    void keepWork() { givenUp_.reset(); }   ///< the file that was to replace the work could not be opened
+    void noteOpened(const QString& copy);   ///< another case is open; `copy`: recovered copy, or empty
     void autosaveSoon() { autosave_.saveSoon(); }
     void discardAutosave() { autosave_.discard(); }
     QString saveState() const;   ///< "Autosaved 12 s ago", "All changes saved", …
@@ -42,14 +42,14 @@ signals:
     void started();
     void failed(const QString& reason);
     void saved();
-    void autosaveFailed(const QString& reason);   ///< it goes on trying
-    void openElsewhere(const QString& words);   ///< the open case, in another window or program
-    void reloadWanted(const QString& path);   ///< rather than write over what was changed elsewhere
+    void autosaveFailed(const QString& reason);   ///< autosave keeps trying
+    void openElsewhere(const QString& words);   ///< the open case is also open in another window or program
+    void reloadWanted(const QString& path);   ///< instead of overwriting changes made elsewhere
     void recoveryWanted(const app::LeftBehind& copy);
-    void vesselsRecovered(const QString& path);   ///< vessels without an angiogram; this is their file now
+    void vesselsRecovered(const QString& path);   ///< vessels without an angiogram and their new file
 
 private:
-    bool refusesToSave(const std::function<void()>& whenSaved);   ///< and says why, or offers what can be saved
+    bool refusesToSave(const std::function<void()>& whenSaved);   ///< states the reason, or offers to save a part
     void offerVessels(const std::function<void()>& whenSaved);
     void askAboutChange(const QString& path, const std::function<void()>& whenSaved);
     void recover(const LeftBehind& copy);
@@ -62,11 +62,11 @@ private:
     Autosave autosave_;
     FileQueue files_;
     CaseKeeper keeper_;
-    std::optional<CaseState> keptVessels_;   ///< as which a file of centrelines has them
-    std::optional<CaseState> givenUp_;   ///< the user rather wants what is in the file
-    QString recoveredVessels_;   ///< where they lie
+    std::optional<CaseState> keptVessels_;   ///< state saved in a centerline file
+    std::optional<CaseState> givenUp_;   ///< state that the user discards in favor of the file
+    QString recoveredVessels_;   ///< their file path
     std::optional<LeftBehind> wanted_;   ///< being opened
-    std::optional<LeftBehind> recovered_;   ///< open; its copy goes once this session has its own
+    std::optional<LeftBehind> recovered_;   ///< open; its copy is removed once this session has its own
 };
 
 }   // namespace angiopose::app

@@ -11,7 +11,7 @@
 namespace angiopose::app {
 namespace {
 
-/// The words of this file.
+/// Translation context of this file.
 struct SeriesWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::SeriesRows)
 };

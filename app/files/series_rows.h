@@ -5,7 +5,7 @@
 
 namespace angiopose::app {
 
-/// The series of a folder in the words of the chooser.
+/// Builds the rows of the series chooser for a folder.
 std::vector<ui::SeriesRow> seriesRows(const std::vector<io::DicomSeries>& series);
 
 }   // namespace angiopose::app

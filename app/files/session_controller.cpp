@@ -75,7 +75,7 @@ void SessionController::start(const QStringList& paths)
     if (paths.isEmpty()) {
         save_.offerRecovery();
     } else {
-        offersRecovery_ = true;   // what opening asks would lie over it
+        offersRecovery_ = true;   // wait until questions from opening are answered
         open(paths);
     }
 }
@@ -93,7 +93,7 @@ void SessionController::abandonLoading()
     studies_.abandon();
 }
 
-/// What files ask would lie over it: they are opened afterwards.
+/// Shows the notice, then opens the files, whose questions would otherwise cover it.
 void SessionController::showNotice(const QStringList& paths)
 {
     auto* notice = new ui::QuestionDialog(
@@ -214,7 +214,7 @@ void SessionController::connectDicom()
             [this](const QString& reason) { notices_.showProblem(tr("Could not export"), reason); });
 }
 
-/// What was written, and what is to be known of it.
+/// Reports what was written, with remarks.
 void SessionController::tellWritten(const QString& there, const QStringList& notes)
 {
     if (notes.isEmpty()) {
@@ -285,7 +285,7 @@ void SessionController::connectAudit(RegistrationController& registration)
     connect(archive_.get(), &ArchiveController::unaudited, this, showIncomplete);
 }
 
-/// A process of its own: what happens to one case cannot touch another.
+/// Starts a separate process, so a problem with one case cannot affect another.
 void SessionController::openNewWindow()
 {
     if (!QProcess::startDetached(QCoreApplication::applicationFilePath(), {})) {

@@ -34,11 +34,11 @@ namespace angiopose::app {
 class ArchiveController;
 class ArchiveSender;
 
-/// From the first start to the last window: notice, opening, saving, exporting, recovery and closing.
+/// Controls the session: notice, opening, saving, exporting, recovery and closing.
 class SessionController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::WelcomePage& welcome;
@@ -50,13 +50,13 @@ public:
                       const PosePreview& preview, Notices& notices, const Ui& ui, QObject* parent = nullptr);
     ~SessionController() override;
 
-    /// Notice, recovery offer and the files of the command line.
+    /// Shows the notice and the recovery offer, and opens the files of the command line.
     void begin(const QStringList& paths);
     void open(const QStringList& paths) { open_.open(paths); }
-    void closeWindow() { close_.closeWindow(); }   ///< asks first where something would be lost
+    void closeWindow() { close_.closeWindow(); }   ///< asks first if something would be lost
     void abandonLoading();
     bool isLoading() const { return open_.isLoading() || studies_.isLooking(); }
-    bool isWriting() const { return pack_.isRunning() || deidentify_.isRunning(); }   ///< what may take long
+    bool isWriting() const { return pack_.isRunning() || deidentify_.isRunning(); }   ///< jobs that may take long
 
     SaveController& saving() { return save_; }
     ExportController& exporting() { return export_; }
@@ -64,10 +64,10 @@ public:
     OpenController& opening() { return open_; }
 
 signals:
-    void restarted();   ///< for the first time, the notice read and no file given
+    void restarted();   ///< first start, after the notice and without files to open
     void exported();
-    void aboutToClose();   ///< the user asked for it; what must not stay open ends now
-    void windowMayClose();   ///< nothing is lost with it
+    void aboutToClose();   ///< the user requested it; end everything that must not stay open
+    void windowMayClose();   ///< closing loses nothing
 
 private:
     void connectFiles();
@@ -103,7 +103,8 @@ private:
     std::unique_ptr<ArchiveSender> sender_;
     PrivacyController privacy_;
     AuditController audit_;
-    bool offersRecovery_ = false;   ///< when the files of the command line are open, or could not be opened
+    bool offersRecovery_ =
+        false;   ///< offer recovery after the files of the command line were opened or failed to open
     QStringList openingNotes_;
 };
 

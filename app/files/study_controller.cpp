@@ -18,9 +18,9 @@
 namespace angiopose::app {
 namespace {
 
-constexpr int patienceMs = 700;   // a folder with one series is read within it and opens without a list
-constexpr int restShare = 10;   // of the time that making the list takes
-constexpr int picturePx = 2 * ui::StudyList::pictureSize;   // sharp at 200 %
+constexpr int patienceMs = 700;   // time in which a folder with one series is read and opened without a list
+constexpr int restShare = 10;   // minimum pause between list updates, in multiples of the time an update takes
+constexpr int picturePx = 2 * ui::StudyList::pictureSize;   // sharp at 200 % scaling
 
 std::vector<const io::StudySeries*> usableOf(const io::StudyTree& tree)
 {
@@ -122,7 +122,7 @@ void StudyController::start(io::StudyReach reach)
     job_.start(folders_, reach);
 }
 
-/// Nothing is read for the list any more.
+/// Stops reading for the list.
 void StudyController::leave()
 {
     patience_.stop();
@@ -150,7 +150,8 @@ void StudyController::follow(const io::StudyProgress& progress)
         return;
     }
     browser_->showProgress(static_cast<qsizetype>(progress.read), static_cast<qsizetype>(progress.found));
-    const bool isDue = !shown_.isValid() || shown_.elapsed() > restShare * showingMs_;   // long lists are shown seldom
+    const bool isDue =
+        !shown_.isValid() || shown_.elapsed() > restShare * showingMs_;   // long lists are updated less often
     if (progress.tree && progress.tree != tree_ && reach_ == io::StudyReach::Listed && isDue) {
         QElapsedTimer took;
         took.start();
@@ -208,7 +209,7 @@ void StudyController::showTree(const SharedStudies& tree)
                                  isComplete_ ? Numbering::Final : Numbering::Passing));
 }
 
-/// How much was read, what is damaged, what lies beside a DICOMDIR.
+/// Reports how many files were read, which are damaged, and which are not listed in a DICOMDIR.
 void StudyController::showEnd()
 {
     const QLocale locale;
@@ -289,7 +290,7 @@ void StudyController::open(const QString& vessels, const QStringList& views)
 {
     StudyChoice choice;
     if (const io::StudySeries* series = find(vessels)) {
-        // Of a series that was not read to its end, slices may lie anywhere below the place.
+        // If reading did not finish, slices of the series may lie anywhere below the folder.
         choice.folder = isComplete_ || folders_.size() > 1 ? QString::fromStdString(series->place) : placeFolder();
         choice.seriesId = QString::fromStdString(series->series.id);
     }

@@ -20,12 +20,12 @@ class StudyBrowser;
 
 namespace angiopose::app {
 
-/// A folder or disc that is opened: what lies in it is listed while it is found, and what is chosen goes the way of all
-/// files. A folder with one thing that can be opened is opened without asking.
+/// Opens a folder or disc: lists its contents while they are found and opens the selection like any other files. A
+/// folder with a single item that can be opened is opened without asking.
 class StudyController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the window that the controller uses.
     struct Ui {
         QAction& hideIdentity;
         ui::BottomStrip& strip;
@@ -34,7 +34,7 @@ public:
     StudyController(OpenController& open, Notices& notices, const Ui& ui, QObject* parent = nullptr);
 
     void look(const QString& place);
-    /// Folders of series, together one place of that name.
+    /// Lists several folders of series together under one name.
     void lookAtAll(const QStringList& folders, const QString& name);
     void abandon();
     bool isLooking() const { return job_.isRunning(); }
@@ -58,15 +58,15 @@ private:
     OpenController& open_;
     Notices& notices_;
     Ui ui_;
-    QStringList folders_;   ///< one, or those that are looked at together
-    QString name_;   ///< of all of them, for the user
+    QStringList folders_;   ///< one folder, or several listed together
+    QString name_;   ///< display name of all folders
     SharedStudies tree_;
     QPointer<ui::StudyBrowser> browser_;
     io::StudyReach reach_ = io::StudyReach::Listed;
-    bool isComplete_ = false;   ///< all files of the reach are read
-    QElapsedTimer shown_;   ///< since the list was made anew
-    qint64 showingMs_ = 0;   ///< that took
-    QTimer patience_;   ///< the browser is shown when it ends, whatever was found
+    bool isComplete_ = false;   ///< all files within reach have been read
+    QElapsedTimer shown_;   ///< time since the list was rebuilt
+    qint64 showingMs_ = 0;   ///< duration of the last rebuild
+    QTimer patience_;   ///< shows the browser on timeout, whatever was found
     StudyJob job_;
     SeriesPictures pictures_;
 };

@@ -8,7 +8,7 @@
 namespace angiopose::app {
 namespace {
 
-/// The words of this file.
+/// Translation context of this file.
 struct StudyWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::StudyRows)
 };
@@ -70,7 +70,7 @@ QString sizeOf(const io::DicomSeries& series)
     return QStringLiteral("%1 × %2").arg(size.x()).arg(size.y());
 }
 
-/// Distance of slices, or frames in a second.
+/// Adds the slice spacing, or the frames per second.
 void addPace(const io::StudySeries& each, ui::StudySeriesRow& row)
 {
     if (each.use == io::SeriesUse::Vessels) {
@@ -137,7 +137,7 @@ ui::StudySeriesRow rowOf(const io::StudySeries& each, Numbering numbering)
 
 QString keyOf(const io::StudySeries& each)
 {
-    // Parts change their places while more is read: a tick must not slide from one to another.
+    // Parts are renumbered while reading: a check mark must not move from one to another.
     const std::string size = each.series.part ? "|" + std::to_string(each.series.slices.size()) : std::string();
     return QString::fromStdString(each.series.id + "|" + each.series.identity.modality + "|" + each.place + size);
 }

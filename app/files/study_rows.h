@@ -9,13 +9,13 @@ namespace angiopose::app {
 
 enum class IdentityShown { Yes, No };
 
-enum class Numbering { Final, Passing };   ///< of the parts of a series: passing while more of it may come
+enum class Numbering { Final, Passing };   ///< numbering of the parts of a series; Passing: more parts may follow
 
-/// The studies in words; without names, IDs, dates of birth and accessions where identity is hidden. A part of a series
-/// can be opened once it is known which one it is.
+/// Builds the list rows of the studies; without names, IDs, dates of birth and accession numbers if identity is hidden.
+/// A part of a series can be opened once its number is final.
 std::vector<ui::PatientRow> studyRows(const io::StudyTree& tree, IdentityShown identity, Numbering numbering);
 
-/// By which a series is known to the list.
+/// Key that identifies a series in the list.
 QString keyOf(const io::StudySeries& series);
 
 }   // namespace angiopose::app

@@ -15,7 +15,7 @@ class HeaderBar;
 
 namespace angiopose::app {
 
-/// Says which case is open, of which study, and what of it is saved: title bar, header and strip.
+/// Shows the open case, its study and its save state in title bar, header and status strip.
 class TitleController : public QObject {
     Q_OBJECT
 public:
@@ -32,7 +32,7 @@ private:
     ui::HeaderBar& header_;
     ui::BottomStrip& strip_;
     QWidget& window_;
-    QTimer clock_;   ///< keeps "Autosaved 12 s ago" true
+    QTimer clock_;   ///< keeps texts such as "Autosaved 12 s ago" current
 };
 
 }   // namespace angiopose::app

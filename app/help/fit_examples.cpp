@@ -27,7 +27,7 @@ core::DsaOptions imageOf(ui::FitExample example)
     return options;
 }
 
-/// How far from the truth the example lies.
+/// Pose error of the example relative to the ground truth.
 core::PoseOffset errorOf(ui::FitExample example)
 {
     core::PoseOffset error;

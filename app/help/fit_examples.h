@@ -7,8 +7,9 @@
 
 namespace angiopose::app {
 
-/// The picture of an example fit, drawn as exports are: a simulated angiogram, its vessel tree at a right or wrong
-/// pose, residual colours against the true vessels. Made once per version and kept in the cache. For a worker thread.
+/// Returns the image of an example fit, drawn like exports: a simulated angiogram, its vessel tree at a correct or
+/// wrong pose, and residual colors relative to the true vessels. Created once per version and cached. Call it on a
+/// worker thread.
 core::Result<QString> fitExamplePicture(ui::FitExample example);
 
 }   // namespace angiopose::app

@@ -28,7 +28,8 @@ HelpController::HelpController(ui::MainWindow& window, QObject* parent) : QObjec
     connect(actions[ui::Command::About], &QAction::triggered, this, &HelpController::showAbout);
 }
 
-/// The widget under the mouse; with the mouse elsewhere, the one that has the keys.
+/// Shows the help page of the widget under the mouse; if the mouse is outside the window, of the widget with keyboard
+/// focus.
 void HelpController::showPage()
 {
     QWidget* pointed = QApplication::widgetAt(QCursor::pos());
@@ -51,13 +52,14 @@ void HelpController::startTour()
         return;
     }
     settings::tourSeen.write(true);
-    for (const ui::ColumnSide side : {ui::ColumnSide::Left, ui::ColumnSide::Right}) {   // it points at what is there
+    for (const ui::ColumnSide side :
+         {ui::ColumnSide::Left, ui::ColumnSide::Right}) {   // the tour points at visible panels only
         window_.column(side).setFolded(false);
     }
     ui::TourStop start{&window_.angiogramView(), tr("Start here"),
                        tr("Drop a case, or vessels and an angiogram, anywhere in the window. “Open the sample case” "
                           "needs no data of your own.")};
-    if (!window_.angiogramView().isVisible()) {   // an empty window shows nothing of what the tour tells of
+    if (!window_.angiogramView().isVisible()) {   // an empty window does not show the parts that the tour explains
         start.target = &window_.welcome();
         start.way = tr("Open the sample case");
         start.onLeave = [this] { window_.actions()[ui::Command::OpenSample]->trigger(); };

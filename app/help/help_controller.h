@@ -12,8 +12,8 @@ class Tour;
 }   // namespace angiopose::ui
 namespace angiopose::app {
 
-/// Help on what the mouse points at, the tour, and the page of good and bad fits. Has the whole window: it explains
-/// every part of it.
+/// Context help, the tour, and the page of good and bad fits. Gets the whole window because it explains every part of
+/// it.
 class HelpController : public QObject {
     Q_OBJECT
 public:

@@ -28,10 +28,10 @@
 namespace angiopose::app {
 namespace {
 
-/// Texts that are one of a few names; all others could be anything.
+/// Text settings with a fixed set of values; other text settings may hold anything.
 constexpr std::array namedSettings{"window/theme", "window/colors", "window/language", "window/mouse"};
 
-/// What is told in passing stands in no catalogue.
+/// Words of transient status notes, which no message catalog contains.
 constexpr std::array wordsThatMayPass{
     "opened saved saving written writing packed packing ready stopped finished failed traced tracing registered",
     "could not export open save the file files case pack with without identity converged iterations median trustworthy",
@@ -53,14 +53,15 @@ QString valueOf(const QString& key, const QVariant& value)
     return isEmpty ? QStringLiteral("(none)") : QStringLiteral("(set)");
 }
 
-/// "files/lastFolder" may be said, a key with a name in it not: keys of our own have letters and few slashes.
+/// Whether a settings key is one of the program's own, such as "files/lastFolder", and may be shown: ASCII letters,
+/// digits and at most two slashes. Other keys may contain names.
 bool isOwnKey(const QString& key)
 {
     return key.size() < 40 && key.count(QLatin1Char('/')) <= 2 &&
            std::ranges::all_of(key, [](QChar c) { return c.unicode() < 128 && (c.isLetterOrNumber() || c == u'/'); });
 }
 
-/// Toolkit, screens and who draws, as "key: value" in lines. On the window's thread.
+/// Toolkit, screens and renderer as lines of "key: value". Must be called on the GUI thread.
 std::string windowFacts()
 {
     const ui::GlDriver& driver = ui::glDriver();
@@ -81,7 +82,8 @@ std::string windowFacts()
     return facts.toStdString();
 }
 
-/// Preferences that are switches, numbers or one of a few names; of texts only whether there is one.
+/// Preferences with their values if these are switches, numbers or one of a few names; for other texts only whether
+/// they are set.
 std::string settingsText()
 {
     const QSettings stored;
@@ -94,7 +96,7 @@ std::string settingsText()
     return text.toStdString();
 }
 
-/// Every word of the catalogues, in English and as the window speaks, and of the menus.
+/// All words of the message catalogs, in English and in the language of the window, and of the menus.
 io::KnownWords wordsOfProgram()
 {
     io::KnownWords words;
@@ -112,7 +114,7 @@ io::KnownWords wordsOfProgram()
     for (const char* each : wordsThatMayPass) {
         words.add(each);
     }
-    words.add("name path file uid date");   // what stands in place of what was taken out
+    words.add("name path file uid date");   // placeholders for redacted text
     return words;
 }
 
@@ -157,8 +159,8 @@ void SupportController::tellOfFault()
     }
 }
 
-/// Of every case that was open in this session, for the log speaks of all of them. Only where inputs are others: edits
-/// of what is typed are taken up when the bundle is made.
+/// Adds the identifiers of the open case to the redaction, because the log covers every case of the session. Acts only
+/// when the inputs change; edited texts are added when the bundle is created.
 void SupportController::rememberCase()
 {
     const QStringList inputs = inputsOf(document_);

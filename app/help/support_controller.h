@@ -24,12 +24,12 @@ namespace angiopose::app {
 
 using SharedTexts = std::shared_ptr<const std::vector<io::SupportText>>;
 
-/// The support bundle: put together from what the program knows of itself, freed of whom the cases of the session are
-/// of, shown, and written where the user says. Tells of the fault that ended the last session.
+/// Support bundle: collects what the program knows about itself, removes the identity of all patients of the session,
+/// shows the result and writes it to a file that the user chooses. Reports the crash that ended the last session.
 class SupportController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the main window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::BottomStrip& strip;
@@ -38,7 +38,7 @@ public:
     };
     SupportController(const CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
-    void tellOfFault();   ///< once for each
+    void tellOfFault();   ///< once for each crash
 
 signals:
     void written(const QString& path);
@@ -55,8 +55,8 @@ private:
     const CaseDocument& document_;
     Ui ui_;
     QDateTime begun_ = QDateTime::currentDateTime();
-    io::Redaction redaction_;   ///< knows every case of this session
-    QStringList inputs_;   ///< of all of them
+    io::Redaction redaction_;   ///< identifiers of every case of this session
+    QStringList inputs_;   ///< input files of all these cases
     QStringList newest_;
     Job<SharedTexts> texts_;
     Job<QString> writing_;

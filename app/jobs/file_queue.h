@@ -11,8 +11,8 @@
 
 namespace angiopose::app {
 
-/// Writes files off the GUI thread, one after the other in the order of asking. Work gets what it needs by value and
-/// returns the path it wrote. A destroyed queue finishes its work first, so that nothing asked for is lost.
+/// Writes files off the GUI thread, one at a time in the order of the requests. The work receives its data by value and
+/// returns the path it wrote. A destroyed queue completes all pending work first.
 class FileQueue : public QObject {
     Q_OBJECT
 public:

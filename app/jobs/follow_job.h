@@ -9,7 +9,7 @@
 
 namespace angiopose::app {
 
-/// Follows the vessels through the frames of a run off the GUI thread: core::followFrames.
+/// Tracks the vessels through the frames of a cine run off the GUI thread: core::followFrames.
 class FollowJob : public QObject {
     Q_OBJECT
 public:
@@ -21,7 +21,7 @@ public:
 
 signals:
     void advanced(double fraction);
-    void finished(const std::vector<core::FollowedFrame>& frames);   ///< after a stop: those it came to
+    void finished(const std::vector<core::FollowedFrame>& frames);   ///< after a stop: the frames tracked so far
     void failed(const core::Message& reason);
 
 private:

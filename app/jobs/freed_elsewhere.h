@@ -9,8 +9,8 @@
 
 namespace angiopose::app {
 
-/// The same thing, for the window: whoever lets go of it last, a worker gives its memory back. The system takes the
-/// pages of a run or a scan back one by one, and the window would stand still meanwhile.
+/// Shares the same object, but frees it on a worker thread, whoever releases the last reference: the system reclaims
+/// the pages of a cine run or scan one by one, which would block the window.
 template <class T>
 std::shared_ptr<const T> freedElsewhere(std::shared_ptr<const T> shared)
 {
@@ -23,7 +23,7 @@ std::shared_ptr<const T> freedElsewhere(std::shared_ptr<const T> shared)
             }};
 }
 
-/// Likewise the runs and scans in what was read.
+/// The same for the cine runs and scans among loaded inputs.
 io::LoadedInputs freedElsewhere(io::LoadedInputs inputs);
 
 }   // namespace angiopose::app

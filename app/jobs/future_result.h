@@ -5,8 +5,8 @@
 
 namespace angiopose::app {
 
-/// What finished work found, once: a future that kept it would keep closed cases alive. From then on the future is
-/// neither running nor finished.
+/// Takes the result of completed work out of its watcher, once; a future that kept it would keep closed cases alive.
+/// Afterwards the future is neither running nor finished.
 template <typename T>
 T takeResult(const QFutureWatcher<T>& watcher)
 {

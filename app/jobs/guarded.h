@@ -8,7 +8,8 @@
 
 namespace angiopose::app {
 
-/// Runs `work` and turns whatever a library throws into an error for the user: the only place where a job catches.
+/// Runs `work` and converts exceptions of libraries into an error for the user; the only place where a job catches
+/// exceptions.
 template <class T, class Work>
 core::Result<T> guarded(const Work& work)
 {

@@ -18,11 +18,12 @@
 
 namespace angiopose::app {
 
-/// What running work shares with the job that waits for it; outlives both.
+/// State shared by running work and the job that waits for it; outlives both.
 template <class Report>
 class JobLink {
 public:
-    /// By the worker, as often as it likes: the newest report counts. Stop once that is wished.
+    /// Called by the worker as often as it likes; only the newest report is delivered. Returns Stop after a stop
+    /// request.
     core::Verdict tell(Report report)
     {
         const std::lock_guard lock(mutex_);
@@ -44,28 +45,28 @@ private:
     std::optional<Report> report_;
 };
 
-/// Work off the window's thread, one piece at a time: a snapshot goes in; reports, at most thirty a second, and one
-/// outcome come out on the thread that made the job. A job that is destroyed wishes its work to stop and lets go of it,
-/// without waiting.
+/// Runs one piece of work at a time off the GUI thread. The work receives a snapshot; reports (at most 30 per second)
+/// and one outcome are delivered on the thread that created the job. The destructor requests a stop and returns without
+/// waiting.
 template <class Found, class Report = double>
 class Job {
 public:
     using Link = JobLink<Report>;
     using Outcome = core::Result<Found>;
-    using Work = std::function<Outcome(Link&)>;   ///< gets all it needs by value; what it throws becomes an error
+    using Work = std::function<Outcome(Link&)>;   ///< receives all data by value; exceptions become errors
 
     struct Answers {
         std::function<void(const Found&)> finished;
-        std::function<void(const core::Error&)> failed;   ///< nothing was found, or it was stopped before
+        std::function<void(const core::Error&)> failed;   ///< the work failed or was stopped before it had a result
         std::function<void(const Report&)> advanced = {};
     };
 
     explicit Job(Answers answers) : answers_(std::move(answers))
     {
-        poll_.setInterval(33);   // what the eye can follow
+        poll_.setInterval(33);   // ms; about 30 updates per second
         QObject::connect(&poll_, &QTimer::timeout, &poll_, [this] { tellNews(); });
     }
-    /// For what is merely not shown where it cannot be found.
+    /// For optional results: a failure is ignored.
     explicit Job(std::function<void(const Found&)> finished)
         : Job(Answers{std::move(finished), [](const core::Error&) {}})
     {
@@ -74,7 +75,7 @@ public:
     Job(const Job&) = delete;
     Job& operator=(const Job&) = delete;
 
-    void start(Work work)   ///< what is under way is dropped
+    void start(Work work)   ///< drops work in progress
     {
         drop();
         link_ = std::make_shared<Link>();
@@ -86,14 +87,14 @@ public:
         }));
     }
 
-    void requestStop()   ///< returns at once; an answer follows
+    void requestStop()   ///< returns at once; an outcome follows
     {
         if (link_) {
             link_->requestStop();
         }
     }
 
-    void drop()   ///< stops the work, and nothing comes any more
+    void drop()   ///< stops the work; no further signals follow
     {
         requestStop();
         link_.reset();
@@ -116,12 +117,12 @@ private:
         const auto link = link_;
         tellNews();
         if (link != link_) {
-            return;   // dropped by who heard of it
+            return;   // dropped by a receiver of the report
         }
         const Outcome outcome = takeResult(*watcher_);
         link_.reset();
         poll_.stop();
-        watcher_.release()->deleteLater();   // its signal is being answered
+        watcher_.release()->deleteLater();   // its signal is still being delivered
         if (outcome) {
             answers_.finished(outcome.value());
         } else {
@@ -131,11 +132,12 @@ private:
 
     Answers answers_;
     QTimer poll_;
-    std::shared_ptr<Link> link_;   ///< of what is under way, else null
+    std::shared_ptr<Link> link_;   ///< of the work in progress; null: none
     std::unique_ptr<QFutureWatcher<Outcome>> watcher_;
 };
 
-/// Answers that are signals of `owner`: finished(found), failed(message) and, where it has that, advanced(report).
+/// Forwards the answers as signals of `owner`: finished(found), failed(message) and, if `owner` has it,
+/// advanced(report).
 template <class Found, class Report = double, class Owner>
 typename Job<Found, Report>::Answers signalsOf(Owner& owner)
 {

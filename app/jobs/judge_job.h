@@ -12,20 +12,20 @@
 
 namespace angiopose::app {
 
-/// A pose to judge: everything by value or shared and constant.
+/// Request to evaluate a pose; all data by value, or shared and constant.
 struct JudgeRequest {
-    core::RegistrationInput input;   ///< its target is what the tree is compared with
+    core::RegistrationInput input;   ///< its target is the reference for the tree
     core::RigidTransform cameraFromPatient;
 };
 
 using SharedJudgement = std::shared_ptr<const core::PoseJudgement>;
 
-/// Judges poses off the GUI thread, always the newest: a request while one is being judged, or soon after, replaces the
-/// waiting one.
+/// Evaluates poses off the GUI thread, always the newest: a request that arrives during an evaluation, or shortly after
+/// it, replaces the waiting one.
 class JudgeJob : public QObject {
     Q_OBJECT
 public:
-    /// `rest`: from an outcome to the next request's turn, so that the processor has time for others.
+    /// `rest`: pause between an outcome and the next request, which leaves processor time for other work.
     explicit JudgeJob(std::chrono::milliseconds rest = {}, QObject* parent = nullptr);
 
     void request(JudgeRequest request);

@@ -10,22 +10,22 @@
 
 namespace angiopose::app {
 
-/// What there is to choose from in a label image.
+/// Labels of a label image that the user can choose from.
 struct LabelOverview {
     std::vector<io::ListedLabel> labels;
-    std::set<int> vessels;   ///< by their names; empty where no name says so
+    std::set<int> vessels;   ///< labels whose names denote vessels; empty: no name does
     std::shared_ptr<const core::VoxelMask> rows;   ///< see core::LabelRows
     std::vector<Eigen::Vector3d> middlesInPatient;
 };
 
-/// Reads what labels there are off the GUI thread. A later start drops an earlier one, as does destruction.
+/// Lists the labels of a label image off the GUI thread. A new start drops the previous one, as does the destructor.
 class LabelJob : public QObject {
     Q_OBJECT
 public:
     explicit LabelJob(QObject* parent = nullptr);
 
     void start(const std::string& path);
-    void drop() { job_.drop(); }   ///< nothing comes any more
+    void drop() { job_.drop(); }   ///< no further signals follow
     bool isRunning() const { return job_.isRunning(); }
 
 signals:

@@ -11,8 +11,8 @@
 
 namespace angiopose::app {
 
-/// Runs several methods one after the other off the GUI thread, each from the same input with its default or given
-/// options. Every signal arrives on the job's own thread.
+/// Runs several registration methods one after the other off the GUI thread, each from the same input with its default
+/// or given options. All signals are emitted on the job's own thread.
 class MethodSeriesJob : public QObject {
     Q_OBJECT
 public:
@@ -24,17 +24,17 @@ public:
 
 signals:
     void advanced(const QString& methodId, double progress);   ///< over all methods, 0…1
-    void solved(const core::RegistrationResult& result);   ///< once per method that reached its end
+    void solved(const core::RegistrationResult& result);   ///< once for each method that completed
     void failed(const QString& methodId, const core::Message& reason);   ///< the next method follows
     void ended(bool wasStopped);
 
 private:
-    /// How one method ended.
+    /// Outcome of one method.
     struct Ended {
         std::string methodId;
         core::Result<core::RegistrationResult> outcome;
     };
-    /// How far the series is, and all that has ended by now.
+    /// Progress of the series, with all methods that have ended so far.
     struct Report {
         std::string methodId;
         double progress = 0.0;
@@ -44,7 +44,7 @@ private:
                                           const std::vector<std::string>& methodIds, JobLink<Report>& link);
     void tell(const Report& report);
 
-    std::size_t reportedCount_ = 0;   ///< of those that ended
+    std::size_t reportedCount_ = 0;   ///< number of ended methods already reported
     bool stopRequested_ = false;
     Job<core::Done, Report> job_;
 };

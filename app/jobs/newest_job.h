@@ -8,14 +8,14 @@
 
 namespace angiopose::app {
 
-/// Work off the window's thread on the newest of many wishes: one that comes while another is worked on waits, and
-/// takes the place of the one that waited.
+/// Works off the GUI thread on the newest of many requests: a request that arrives during work waits and replaces the
+/// one that was waiting.
 template <class Request, class Found>
 class NewestJob {
 public:
     using Work = std::function<core::Result<Found>(const Request&, JobLink<double>&)>;
 
-    /// `made`: each on the thread that made the job. What fails is merely not shown.
+    /// `made` is called with each result on the thread that created the job. Failures are ignored.
     explicit NewestJob(std::function<void(const Found&)> made)
         : job_({[this, made = std::move(made)](const Found& found) {
                     startWaiting();
@@ -25,7 +25,7 @@ public:
     {
     }
 
-    /// From now on; gets what it needs by value. What is under way is dropped.
+    /// Sets the work for all further requests; it receives its data by value. Drops work in progress.
     void setWork(Work work)
     {
         drop();
@@ -41,7 +41,7 @@ public:
             start(std::move(wanted));
         }
     }
-    /// At once, in place of what is under way.
+    /// Starts at once and drops the work in progress.
     void requestInstead(Request wanted)
     {
         drop();

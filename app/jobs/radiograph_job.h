@@ -14,24 +14,24 @@ namespace angiopose::app {
 
 class RadiographSource;
 
-/// Makes radiographs of the vessels (of the CTA inside them, or of tubes) off the GUI thread, always from the newest
-/// pose: a wish while one is being made replaces the waiting one.
+/// Computes DRRs of the vessels (from the CTA inside them, or from tubes) off the GUI thread, always for the newest
+/// pose: a request during the computation replaces the waiting one.
 class RadiographJob : public QObject {
     Q_OBJECT
 public:
     explicit RadiographJob(QObject* parent = nullptr);
 
     void setInput(core::RegistrationInput input,
-                  core::RegistrationOptions options);   ///< made ready with the next wish
+                  core::RegistrationOptions options);   ///< prepared with the next request
     void request(const core::RigidTransform& cameraFromPatient);
-    void clear();   ///< drops what waits, what is being made and the input
+    void clear();   ///< drops the waiting request, the one in progress and the input
 
 signals:
     void made(const core::ImageF& picture);   ///< vessels bright on 0, at half the image's resolution
     void failed(const core::Message& reason);
 
 private:
-    void cancel();   ///< drops what waits and what is being made
+    void cancel();   ///< drops the waiting request and the one in progress
     void start(const core::RigidTransform& cameraFromPatient);
     void startWaiting();
 

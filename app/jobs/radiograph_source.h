@@ -8,18 +8,19 @@
 
 namespace angiopose::app {
 
-/// The vessels of a case, X-rayed from any pose; made ready with the first. Used by one worker at a time.
+/// Computes DRRs of the vessels of a case from any pose; the first call prepares the data. Used by one worker at a
+/// time.
 class RadiographSource {
 public:
     RadiographSource(core::RegistrationInput input, core::RegistrationOptions options);
 
-    /// Vessels bright on 0, at half the image's resolution. Fails on what cannot be registered either.
+    /// DRR with vessels bright on 0, at half the image's resolution. Fails if the input cannot be registered.
     core::Result<core::ImageF> from(const core::RigidTransform& cameraFromPatient);
 
 private:
     core::RegistrationInput input_;
     core::RegistrationOptions options_;
-    std::unique_ptr<core::RegistrationProblem> problem_;   ///< the radiograph looks into it
+    std::unique_ptr<core::RegistrationProblem> problem_;   ///< must outlive `radiograph_`, which refers to it
     std::optional<core::Radiograph> radiograph_;
 };
 

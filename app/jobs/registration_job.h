@@ -7,10 +7,10 @@
 
 namespace angiopose::app {
 
-/// How far a running registration is, for the eye.
+/// Progress of a running registration, for display.
 struct RunReport {
-    core::IterationReport iteration;   ///< of the solver; its progress is that of the whole run
-    bool isOfShownView = true;   ///< whose pose it is
+    core::IterationReport iteration;   ///< of the solver; its progress is that of the whole registration
+    bool isOfShownView = true;   ///< whether the pose belongs to the shown view
 };
 
 /// Registers the open case off the GUI thread: core::registerCase.

@@ -9,7 +9,7 @@ namespace angiopose::app {
 namespace {
 
 constexpr std::size_t roughVoxels = 400'000;
-constexpr double fineStepShare = 0.6;   // of a voxel, from sample to sample
+constexpr double fineStepShare = 0.6;   // sampling step, relative to the voxel size
 constexpr double roughStepShare = 1.0;
 
 }   // namespace
@@ -56,7 +56,7 @@ core::Result<std::shared_ptr<const ScanJob::Ready>> ScanJob::madeReady(const cor
     if (!fine) {
         return core::Error(says::scanBesideVessels());
     }
-    core::VolumeToPrepare again;   // from what is reduced already
+    core::VolumeToPrepare again;   // built from the volume that is already reduced
     again.scan = std::make_shared<const core::Volume>(fine->volume);
     if (fine->hasKinds) {
         auto kinds = std::make_shared<core::VoxelMask>();
@@ -86,7 +86,7 @@ core::Result<CastPicture> ScanJob::cast(const Ready& ready, const ScanPictureReq
         ready.isMask ? core::lookOfMask(wanted.look) : core::lookOf(ready.levels, wanted.look, scan.hasKinds);
     auto pixels = core::castScan(scan, look, wanted.sight, isFine ? fineStepShare : roughStepShare, shouldContinue);
     if (!pixels) {
-        return core::Error(says::notShown());   // stopped: a newer wanted is there
+        return core::Error(says::notShown());   // stopped because a newer request has arrived
     }
     return CastPicture{wanted.sight, std::move(*pixels), wanted.detail};
 }

@@ -11,7 +11,7 @@ namespace angiopose::app {
 
 enum class ScanDetail { Rough, Fine };
 
-/// How the scan is to be seen.
+/// Request to render the scan: appearance, view and level of detail.
 struct ScanPictureRequest {
     core::ScanRequest look;
     core::ParallelSight sight;
@@ -24,25 +24,26 @@ struct CastPicture {
     ScanDetail detail = ScanDetail::Rough;
 };
 
-/// A scan made ready to be looked through, and pictures of it, off the window's thread. A rough picture takes a scan
-/// of fewer voxels; a wanted takes the place of fine pictures under way, and waits for a rough one, so that pictures
-/// come while the view turns.
+/// Prepares a scan for volume rendering and renders it off the GUI thread. Rough renderings use fewer voxels. A new
+/// request replaces a fine rendering in progress but waits for a rough one, so that the display keeps updating while
+/// the view turns.
 class ScanJob : public QObject {
     Q_OBJECT
 public:
     explicit ScanJob(QObject* parent = nullptr);
 
-    void prepare(core::VolumeToPrepare what, std::optional<double> threshold);   ///< what was ready is let go of
+    void prepare(core::VolumeToPrepare what,
+                 std::optional<double> threshold);   ///< releases the previously prepared scan
     void clear();
     bool isReady() const { return ready_ != nullptr; }
-    bool isHu() const;   ///< once it is ready
-    Eigen::AlignedBox3d boxInPatient() const;   ///< where the scan that is ready lies
+    bool isHu() const;   ///< valid once the scan is ready
+    Eigen::AlignedBox3d boxInPatient() const;   ///< bounding box of the prepared scan
 
-    void request(const ScanPictureRequest& wanted);   ///< once it is ready
+    void request(const ScanPictureRequest& wanted);   ///< valid once the scan is ready
 
 signals:
     void prepared();
-    void failed(const core::Message& reason);   ///< there is nothing to see
+    void failed(const core::Message& reason);   ///< there is nothing to show
     void made(const CastPicture& picture);
 
 private:

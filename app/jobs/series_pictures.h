@@ -12,7 +12,7 @@
 
 namespace angiopose::app {
 
-/// Makes small pictures of series off the GUI thread, one after the other, those that are wanted now.
+/// Creates thumbnails of the currently requested series off the GUI thread, one at a time.
 class SeriesPictures : public QObject {
     Q_OBJECT
 public:
@@ -22,19 +22,19 @@ public:
     };
     SeriesPictures(int sidePx, QObject* parent);
 
-    /// Instead of those wanted before: what is under way ends unless it is wanted still.
+    /// Replaces the previous requests; work in progress stops unless it is still requested.
     void want(std::deque<Wanted> wanted);
 
 signals:
     void made(const QString& key, const core::ImageF& picture);   ///< 0 black to 1 white
-    void failed(const QString& key);   ///< there is none
+    void failed(const QString& key);   ///< no thumbnail can be made
 
 private:
     void startNext();
 
     int sidePx_;
     std::deque<Wanted> waiting_;
-    QString underWay_;   ///< empty: none
+    QString underWay_;   ///< key of the series in progress; empty: none
     Job<core::ImageF> job_;
 };
 

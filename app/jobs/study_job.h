@@ -10,16 +10,17 @@ namespace angiopose::app {
 
 using SharedStudies = std::shared_ptr<const io::StudyTree>;
 
-/// Looks through a folder, a disc or a DICOMDIR off the GUI thread. Stop is no failure: what was found comes.
+/// Scans a folder, a disc or a DICOMDIR for studies off the GUI thread. A stop is not a failure: the studies found so
+/// far are delivered.
 class StudyJob : public QObject {
     Q_OBJECT
 public:
     explicit StudyJob(QObject* parent = nullptr);
 
-    /// Several are folders of series, all files of which are read.
+    /// If several places are given, they are folders of series, and all their files are read.
     void start(const QStringList& places, io::StudyReach reach);
     void requestStop() { job_.requestStop(); }
-    void abandon() { job_.drop(); }   ///< nothing comes any more
+    void abandon() { job_.drop(); }   ///< no further signals follow
     bool isRunning() const { return job_.isRunning(); }
 
 signals:

@@ -13,7 +13,7 @@
 
 namespace angiopose::app {
 
-/// One frame to trace, by value; the run itself is shared and never changes.
+/// Request to trace one frame, by value; the cine run itself is shared and constant.
 struct TraceRequest {
     std::shared_ptr<const core::Angiogram> angiogram;
     int frame = 0;
@@ -24,16 +24,16 @@ struct TraceRequest {
 
 using SharedCenterline = std::shared_ptr<const core::Centerline2d>;
 
-/// What of a trace the window shows.
+/// Parts of a trace that the window shows.
 struct TracedFrame {
     core::Centerline2d centerline;
     std::vector<int> suspectIds;
     core::Messages warnings;
-    core::Mask2d fieldMask;   ///< 0 where nothing is traced
+    core::Mask2d fieldMask;   ///< 0 outside the field of view, where nothing is traced
 };
 using SharedTrace = std::shared_ptr<const TracedFrame>;
 
-/// Traces one frame off the GUI thread. A destroyed job drops its result.
+/// Traces one frame off the GUI thread. The destructor drops the result.
 class TraceJob : public QObject {
     Q_OBJECT
 public:

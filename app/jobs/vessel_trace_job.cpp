@@ -5,7 +5,7 @@
 namespace angiopose::app {
 namespace {
 
-/// The scan as it lies in memory; other inputs are read again.
+/// Traces a scan from memory; reads other inputs again.
 core::Result<VesselTrace> traceVessels(const VesselTraceRequest& request, const io::ReadObserver& observe)
 {
     const bool isScan = request.volume && request.input.kind == core::VesselInputKind::Volume;
@@ -28,7 +28,7 @@ core::Result<VesselTrace> traceVessels(const VesselTraceRequest& request, const 
 
 VesselTraceJob::VesselTraceJob(QObject* parent) : QObject(parent), job_(answers()) {}
 
-/// Stopped is stopped, even where the end was near.
+/// After a stop request only `stopped` is emitted, even if the work has completed meanwhile.
 Job<VesselTrace>::Answers VesselTraceJob::answers()
 {
     const auto unlessStopped = [this](const auto& answer) {

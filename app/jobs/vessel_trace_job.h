@@ -10,7 +10,7 @@
 
 namespace angiopose::app {
 
-/// What to trace a vessel tree from. The scan is taken as it lies in memory; other inputs are read again.
+/// Input of vessel-tree tracing. A scan is used from memory; other inputs are read again.
 struct VesselTraceRequest {
     std::string path;
     core::VesselInput input;
@@ -21,12 +21,12 @@ struct VesselTrace {
     core::VesselInput input;
     std::shared_ptr<const core::VoxelMask> lumen;
     std::shared_ptr<const core::VesselTree> tree;
-    double threshold = 0.0;   ///< where the lumen begins
+    double threshold = 0.0;   ///< lower bound of the lumen
     core::Messages warnings;
 };
 
-/// Traces a tree off the GUI thread; asked to stop it ends within a second and leaves nothing. A destroyed job stops
-/// its work and drops it.
+/// Traces a vessel tree off the GUI thread. A stop request takes effect within a second and leaves no result; the
+/// destructor stops the work and drops it.
 class VesselTraceJob : public QObject {
     Q_OBJECT
 public:

@@ -74,7 +74,7 @@ core::Angiogram runOf(const std::vector<Image>& frames, Polarity polarity, const
     return run;
 }
 
-/// The frame of that number; throws where there is none.
+/// Returns the frame with this number; throws if there is none.
 const core::ImageF& frameAt(const core::Angiogram& run, int frame)
 {
     if (frame < 0 || frame >= run.frameCount()) {

@@ -8,7 +8,7 @@
 namespace angiopose::library {
 namespace {
 
-/// A case file that names branches its tree does not have would not open again.
+/// Throws if a branch id is not in the tree; a case file that names such a branch could not be opened again.
 void checkBranches(const core::VesselTree& tree, const std::vector<int>& ids)
 {
     for (const int id : ids) {
@@ -94,7 +94,7 @@ void Case::setCamera(const ProjectionCamera& camera)
 {
     core::View view = content_->values.shown();
     view.geometry.cameraOverride = library::toCore(camera);
-    library::valueOf(core::cameraOf(view));   // throws where it is none for this image
+    library::valueOf(core::cameraOf(view));   // throws if the camera is invalid for this image
     core::forgetFindings(view);
     content_->values.shown() = std::move(view);
 }

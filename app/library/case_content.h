@@ -11,15 +11,14 @@ namespace angiopose {
 
 struct Case::Content {
     core::Case values;
-    core::Messages warnings;   ///< of reading
-    std::string path;   ///< absolute, of the case file that was read or written last; empty: none
-    std::string sha256;   ///< of what is known to lie there
+    core::Messages warnings;   ///< from reading the case
+    std::string path;   ///< absolute path of the case file read or written last; empty: none
+    std::string sha256;   ///< hash of the file last known to be at `path`
 };
 
 namespace library {
 
-/// Puts the run into a case that has vessels: its geometry, its suggested frame, and the start pose where that is
-/// known.
+/// Adds an angiogram to a case that has vessels: its geometry, its suggested frame and, if known, the initial pose.
 void putAngiogram(core::Case& values, const std::shared_ptr<const core::Angiogram>& angiogram);
 
 }   // namespace library

@@ -22,13 +22,13 @@ std::string absolute(const std::string& path)
     return fs::absolute(path).lexically_normal().string();
 }
 
-/// A file beside the case at `casePath` that is called after it.
+/// Path of a file next to the case at `casePath`, named after it.
 std::string besideCase(const std::string& casePath, const std::string& ending)
 {
     return fs::path(absolute(casePath)).replace_extension(ending).string();
 }
 
-/// Vessels and angiogram that come from no file get one.
+/// Writes vessels and angiogram to files if they do not come from one.
 void keepInputs(core::Case& values, const std::string& casePath)
 {
     core::Vessels& vessels = values.vessels;
@@ -45,7 +45,7 @@ void keepInputs(core::Case& values, const std::string& casePath)
     }
 }
 
-/// What the files are instead that should have been vessels and an angiogram.
+/// Throws an error that says why the two files are not vessels and an angiogram.
 [[noreturn]] void throwWhyNoCase(const std::string& vesselPath, const core::VesselInput& input,
                                  const std::string& imagePath)
 {

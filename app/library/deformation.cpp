@@ -19,7 +19,7 @@ DeformationVerdict publicVerdict(core::DeformationVerdict verdict)
     }
 }
 
-/// The motions of all branches, row by row as the points of the tree.
+/// Appends the displacements of all branches, one row per point of the tree.
 void appendMotions(const core::VesselTree& tree, const core::DeformableResult& deformed, DeformedVessels& converted)
 {
     for (const core::VesselBranch& branch : tree.branches) {

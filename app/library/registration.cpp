@@ -9,7 +9,7 @@
 namespace angiopose::library {
 namespace {
 
-/// Where the vessels are told to be: a pose that nobody gave would be the identity.
+/// Throws if the view has no initial pose; registration would otherwise start from the identity.
 void requireStart(const core::View& view, const core::Vessels& vessels)
 {
     if (auto start = core::startPoseOf(view, vessels); !start) {
@@ -24,7 +24,7 @@ core::RegistrationInput coreInputOf(const core::Case& values)
     return valueOf(core::registrationInputOf(values, valueOf(core::targetOf(values.shown(), values.options.method))));
 }
 
-/// Every view that has an image knows where it starts; one without is told of by the run.
+/// Checks that every view with an image has an initial pose; the registration itself reports views without one.
 void requireStarts(const core::Case& values)
 {
     for (const core::View& view : values.views) {
@@ -55,7 +55,7 @@ StopReason toPublic(core::StopReason reason)
     }
 }
 
-// Naming every part makes it a compile error when core has one more.
+// Naming every member causes a compile error when core adds one.
 DistanceMetrics toPublic(const core::DistanceMetrics& metrics)
 {
     const auto& [meanPx, medianPx, p75Px, p95Px, meanMm, medianMm, p75Mm, p95Mm, coverage, reversePx, reverseMm] =
@@ -213,7 +213,7 @@ MultiViewResult registerViews(const std::vector<RegistrationInput>& views, const
     library::Relay relay(observe);
     core::MultiViewResult joint =
         relay.take(core::registerViews(inputs, library::toCore(options), {}, relay.iterations()));
-    return library::toPublic(joint, inputs.front().tree);   // it refuses fewer than two views
+    return library::toPublic(joint, inputs.front().tree);   // not empty: registerViews fails for fewer than two views
 }
 
 std::string toText(StopReason reason)

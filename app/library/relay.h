@@ -17,14 +17,14 @@
 
 namespace angiopose::library {
 
-/// The messages of the layers below as the library gives them away.
+/// Converts messages of the lower layers to the public type.
 Message toPublic(const core::Message& message);
 std::vector<Message> toPublic(const core::Messages& messages);
 
-/// Throws what the layers below say.
+/// Throws the error of a lower layer as an exception.
 [[noreturn]] void raise(const core::Error& error);
 
-/// The value of work that was not observed; else throws why there is none.
+/// Value of unobserved work; throws its error if it failed.
 template <class T>
 T valueOf(core::Result<T> outcome)
 {
@@ -41,8 +41,8 @@ inline void check(const core::Status& status)
     }
 }
 
-/// Tells a caller's observer what observed work reports. What the observer throws stops the work, and comes out of
-/// `take`: the layers below know no exceptions of others.
+/// Forwards the progress of observed work to the caller's observer. An exception of the observer stops the work and is
+/// rethrown by `take`, because the lower layers do not handle foreign exceptions.
 class Relay {
 public:
     explicit Relay(const Observer& observe) : observe_(observe) {}
@@ -54,7 +54,7 @@ public:
     io::ReadObserver reading(std::string_view stage);
     core::TracingObserver tracing();
 
-    /// The value of the work; else throws what the observer threw, or why there is none.
+    /// Value of the work; otherwise rethrows the observer's exception or throws the error of the work.
     template <class T>
     T take(core::Result<T> outcome) const
     {

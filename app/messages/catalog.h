@@ -6,7 +6,7 @@
 
 namespace angiopose::app {
 
-/// Every message of this layer, for translations and tests.
+/// All messages of this layer, for translations and tests.
 std::span<const core::MessageEntry* const> messageCatalog();
 
 }   // namespace angiopose::app

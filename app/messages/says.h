@@ -2,7 +2,7 @@
 
 #include "core/support/message.h"
 
-/// All that the command line and the window's work can tell, by name, as core/messages/says.h.
+/// Messages of the command line and of the window's background work, by name; see core/messages/says.h.
 namespace angiopose::app::says {
 
 using core::MessageKind;

@@ -2,7 +2,7 @@
 
 #include "core/support/message.h"
 
-/// Of batches, as app/messages/says.h.
+/// Messages of batch processing; see app/messages/says.h.
 namespace angiopose::app::says {
 
 #define MESSAGE(name, id, english) inline constexpr core::MessageKind<core::placesIn(english)> name{{id, english}};

@@ -2,7 +2,7 @@
 
 #include "app/messages/says.h"
 
-/// What the export of DICOM objects can tell; apart from says.h, which much includes.
+/// Messages of the DICOM export; separate from says.h, which many files include.
 namespace angiopose::app::says {
 
 #define MESSAGE(name, id, english) inline constexpr MessageKind<placesIn(english)> name{{id, english}};

@@ -2,7 +2,7 @@
 
 #include "core/support/message.h"
 
-/// Of poses and points that come from other programs, as app/messages/says.h.
+/// Messages about poses and points from other programs; see app/messages/says.h.
 namespace angiopose::app::says {
 
 #define MESSAGE(name, id, english) inline constexpr core::MessageKind<core::placesIn(english)> name{{id, english}};

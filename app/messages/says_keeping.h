@@ -2,7 +2,7 @@
 
 #include "core/support/message.h"
 
-/// Of output that does not arrive, as app/messages/says.h.
+/// Messages about output that could not be written; see app/messages/says.h.
 namespace angiopose::app::says {
 
 #define MESSAGE(name, id, english) inline constexpr core::MessageKind<core::placesIn(english)> name{{id, english}};

@@ -2,7 +2,7 @@
 
 #include "core/support/message.h"
 
-/// Of the evaluation of own cases, as app/messages/says.h.
+/// Messages of the evaluation on the user's own cases; see app/messages/says.h.
 namespace angiopose::app::says {
 
 #define MESSAGE(name, id, english) inline constexpr core::MessageKind<core::placesIn(english)> name{{id, english}};

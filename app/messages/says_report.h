@@ -2,7 +2,7 @@
 
 #include "core/support/message.h"
 
-/// Of reports that no window writes, as app/messages/says.h.
+/// Messages of reports written without a window; see app/messages/says.h.
 namespace angiopose::app::says {
 
 #define MESSAGE(name, id, english) inline constexpr core::MessageKind<core::placesIn(english)> name{{id, english}};

@@ -2,7 +2,7 @@
 
 #include "core/support/message.h"
 
-/// Of poses that are still where they start, as app/messages/says.h.
+/// Messages about poses that are still the initial pose; see app/messages/says.h.
 namespace angiopose::app::says {
 
 #define MESSAGE(name, id, english) inline constexpr core::MessageKind<core::placesIn(english)> name{{id, english}};

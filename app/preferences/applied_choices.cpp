@@ -37,7 +37,7 @@ void applyChosenKeys()
 
 void applyChosenTheme(QApplication& application)
 {
-    static const ui::ThemeMode desktop = ui::systemTheme(application);   // before the first theme hides it
+    static const ui::ThemeMode desktop = ui::systemTheme(application);   // read before the first theme overrides it
     const QString choice = settings::theme.read();
     if (choice == QLatin1String("system")) {
         ui::applyTheme(application, desktop);

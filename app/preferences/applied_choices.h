@@ -6,23 +6,23 @@
 
 namespace angiopose::app {
 
-/// Makes the program speak as the user chose. Before the first window is made; later, what is said already has to be
-/// said again.
+/// Applies the language that the user chose. Call it before the first window is created; later, texts that are already
+/// shown must be set again.
 void applyChosenLanguage();
 
-/// Makes buttons and hints name the keys that the user chose. What is said already has to be said again.
+/// Shows the user's shortcuts on buttons and in tooltips. Texts that are already shown must be set again.
 void applyChosenKeys();
 
-/// Dresses the application as the user chose. Called before the first window is made, and again after a new choice.
+/// Applies the theme that the user chose. Called before the first window is created and after each new choice.
 void applyChosenTheme(QApplication& application);
 
-/// `--renderer=auto|vtk|painter`: who draws the angiogram's overlay.
+/// `--renderer=auto|vtk|painter`: renderer of the angiogram's overlay.
 QCommandLineOption rendererOption();
 
-/// What the command line says of it.
+/// Value of this option on the command line.
 QString rendererIn(const QCommandLineParser& parser);
 
-/// Follows it; false when it names no renderer.
+/// Applies this option; false if it does not name a renderer.
 bool applyRenderer(const QCommandLineParser& parser);
 
 }   // namespace angiopose::app

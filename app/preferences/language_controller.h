@@ -13,7 +13,7 @@ enum class ColorScheme;
 
 namespace angiopose::app {
 
-/// The language menu: a choice is remembered, and the window speaks it from then on.
+/// Language menu: stores the choice and switches the window to it at once.
 class LanguageController : public QObject {
     Q_OBJECT
 public:
@@ -25,10 +25,10 @@ private:
     QWidget& window_;
 };
 
-/// Vessels and residuals take the colours that the user chose; for pictures that are drawn without a window.
+/// Applies the color scheme for vessels and residuals that the user chose; for images rendered without a window.
 void applyChosenColors();
 
-/// The menu of colours for vessels and residuals, each readable with any colour vision.
+/// Menu of color schemes for vessels and residuals, all readable with any type of color vision.
 class ColorController : public QObject {
     Q_OBJECT
 public:

@@ -37,7 +37,7 @@ MenuController::MenuController(BranchController& branches, ui::WindowActions& ac
     connect(&treeView, &ui::TreeView::menuRequested, this, &MenuController::showTreeMenu);
 }
 
-/// Begins with what can be done with the branch under the mouse, which is selected then.
+/// Starts the menu with the commands for the branch under the mouse, which becomes selected.
 QMenu* MenuController::makeMenu(std::optional<int> branchId)
 {
     auto* menu = new QMenu(&menuParent_);
@@ -89,7 +89,7 @@ void PictureController::copy()
 
 void PictureController::askFile()
 {
-    const QPixmap picture = window_.grab();   // before the dialog covers it
+    const QPixmap picture = window_.grab();   // grabbed before the dialog covers it
     QMetaObject::invokeMethod(
         this, [this, picture] { askFileFor(picture); }, Qt::QueuedConnection);
 }

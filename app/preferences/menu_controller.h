@@ -19,7 +19,7 @@ namespace angiopose::app {
 
 class BranchController;
 
-/// The menus behind a right click (or the menu key) in the two views: the commands that fit what lies there.
+/// Context menus (right click or menu key) of the two views, with the commands that fit the item under the pointer.
 class MenuController : public QObject {
     Q_OBJECT
 public:
@@ -36,7 +36,7 @@ private:
     QWidget& menuParent_;
 };
 
-/// Pictures of the whole window, as it is: to the clipboard, or into a file.
+/// Screenshots of the whole window, to the clipboard or to a file.
 class PictureController : public QObject {
     Q_OBJECT
 public:
@@ -45,7 +45,8 @@ public:
 private:
     void copy();
     void askFile();
-    void askFileFor(const QPixmap& picture);   ///< in an event of its own: either takes most of what one may take
+    void askFileFor(const QPixmap& picture);   ///< in a separate event: grabbing and opening the dialog each use up
+                                               ///< most of the time budget
 
     ui::BottomStrip& strip_;
     QWidget& window_;

@@ -4,16 +4,16 @@
 
 namespace angiopose::app {
 
-/// Private mode: nothing that could name a case stays behind on this computer or stands in the window's title.
+/// Private mode: nothing that could identify a case is stored on this computer or shown in the window title.
 bool isPrivate();
 
-/// The case as it goes into pictures, reports and their metadata: in private mode without the title somebody typed.
+/// Case for exported images, reports and their metadata: in private mode without the title that the user typed.
 core::Case outgoingCase(const core::Case& session);
 
-/// What Qt's own file dialogs remember of the folders they showed goes, for all programs of this user.
+/// Clears the folder history of Qt's file dialogs, for all programs of this user.
 void forgetFileDialogs();
 
-/// Forgets what was remembered of cases and people before: lists, pictures, folders, names.
+/// Clears everything stored about earlier cases and people: lists, thumbnails, folders, names.
 void forgetTraces();
 
 }   // namespace angiopose::app

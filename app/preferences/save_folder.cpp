@@ -10,7 +10,8 @@
 namespace angiopose::app {
 namespace {
 
-/// The sample case lies among the program's own files, where nobody would look for an export.
+/// Whether the folder belongs to the program's own files, which include the sample case; nobody would look for an
+/// export there.
 bool isOurs(const QString& folder)
 {
     const QString ours = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);

@@ -6,10 +6,10 @@
 
 namespace angiopose::app {
 
-/// Whether a preference could name a case or a person: then private mode keeps it from being stored.
+/// Whether a preference could identify a case or a person; private mode does not store such values.
 enum class Informative { Nothing, OfCases };
 
-/// One stored preference: key, type and default in one place.
+/// One stored preference, with its key, type and default in one place.
 template <class T>
 struct Setting {
     const char* key;
@@ -21,7 +21,7 @@ struct Setting {
         const QVariant stored = QSettings().value(QLatin1String(key));
         return stored.isValid() ? stored.value<T>() : fallback;
     }
-    /// What is the same already is not written again: that would wait for the disk.
+    /// Skips unchanged values, because writing waits for the disk.
     void write(const T& value) const
     {
         QSettings stored;
@@ -35,12 +35,13 @@ struct Setting {
     void forget() const { QSettings().remove(QLatin1String(key)); }
 };
 
-/// Every preference that outlives a session. Poses and options belong to the case, not here.
+/// All preferences that persist between sessions. Poses and registration options belong to the case instead.
 namespace settings {
 inline const Setting<QString> lastFolder{"files/lastFolder", {}, Informative::OfCases};
-inline const Setting<QString> saveFolder{"files/saveFolder", {}, Informative::OfCases};   ///< of exports and new cases
+inline const Setting<QString> saveFolder{"files/saveFolder", {}, Informative::OfCases};   ///< for exports and new cases
 inline const Setting<QStringList> recentCases{"files/recentCases", {}, Informative::OfCases};
-inline const Setting<QStringList> pinnedCases{"files/pinnedCases", {}, Informative::OfCases};   ///< of the recent ones
+inline const Setting<QStringList> pinnedCases{
+    "files/pinnedCases", {}, Informative::OfCases};   ///< subset of the recent cases
 inline const Setting<bool> recentPictures{"files/recentPictures", true};
 inline const Setting<QByteArray> windowLayout{"window/layout", {}};
 inline const Setting<bool> layoutFollowsStep{"window/layoutFollowsStep", true};
@@ -57,10 +58,10 @@ inline const Setting<bool> noticeAccepted{"window/noticeAccepted", false};
 inline const Setting<double> overlayOpacity{"view/overlayOpacity", 0.9};
 inline const Setting<QStringList> brightness{"view/brightness", {}};   ///< see BrightnessMemory
 inline const Setting<bool> identityHidden{"view/identityHidden", false};
-inline const Setting<double> playSpeed{"view/playSpeed", 1.0};   ///< times as fast as the run was taken
+inline const Setting<double> playSpeed{"view/playSpeed", 1.0};   ///< playback speed relative to the acquisition
 inline const Setting<bool> playBackAndForth{"view/playBackAndForth", false};
 inline const Setting<bool> sideBySide{"view/sideBySide", false};
-inline const Setting<double> gantryRao{"angles/rao", -90.0};   ///< what the gantry reaches, degrees
+inline const Setting<double> gantryRao{"angles/rao", -90.0};   ///< gantry limits, degrees
 inline const Setting<double> gantryLao{"angles/lao", 90.0};
 inline const Setting<double> gantryCaudal{"angles/caudal", -40.0};
 inline const Setting<double> gantryCranial{"angles/cranial", 40.0};
@@ -77,7 +78,8 @@ inline const Setting<int> scanLook{"view/scanLook", 0};   ///< see core::ScanPre
 inline const Setting<bool> scanAtVessels{"view/scanAtVessels", false};
 inline const Setting<double> scanStrength{"view/scanStrength", 0.5};
 inline const Setting<bool> scanOnDetector{"view/scanOnDetector", false};
-inline const Setting<QString> observer{"user/observer", {}, Informative::OfCases};   ///< of the last blind trial
+inline const Setting<QString> observer{
+    "user/observer", {}, Informative::OfCases};   ///< name used in the last blind trial
 inline const Setting<QString> trialLog{"user/trialLog", {}, Informative::OfCases};
 inline const Setting<double> trialRangeMm{"user/trialRangeMm", 15.0};
 inline const Setting<double> trialRangeDeg{"user/trialRangeDeg", 8.0};
@@ -85,14 +87,15 @@ inline const Setting<int> exportWidthPx{"export/widthPx", 1024};
 inline const Setting<int> exportDotsPerInch{"export/dotsPerInch", 300};
 inline const Setting<int> exportFormat{"export/format", 0};   ///< see ui::PictureFormat
 inline const Setting<QString> reportTemplate{
-    "export/reportTemplate", {}, Informative::OfCases};   ///< a file; empty: the built-in one
+    "export/reportTemplate", {}, Informative::OfCases};   ///< file path; empty: the built-in template
 inline const Setting<bool> privateMode{"privacy/private", false};   ///< see app/preferences/private_mode.h
-inline const Setting<QString> auditFile{"privacy/auditFile", {}};   ///< empty: none is kept
-inline const Setting<QString> seenFault{"support/seenFault", {}};   ///< name of the last dump that was told of
-inline const Setting<bool> movieIsGif{"export/movieIsGif", false};   ///< else MP4
+inline const Setting<QString> auditFile{"privacy/auditFile", {}};   ///< empty: no audit log
+inline const Setting<QString> seenFault{"support/seenFault", {}};   ///< name of the last crash dump shown to the user
+inline const Setting<bool> movieIsGif{"export/movieIsGif", false};   ///< false: MP4
 inline const Setting<int> movieWidthPx{"export/movieWidthPx", 1024};
 inline const Setting<bool> exportResiduals{"export/residuals", true};
-inline const Setting<bool> exportEnglish{"export/english", false};   ///< whatever language the window speaks
+inline const Setting<bool> exportEnglish{"export/english",
+                                         false};   ///< in English, whatever the language of the window
 }   // namespace settings
 
 }   // namespace angiopose::app

@@ -32,13 +32,13 @@ const MouseChoice& chosenMouseChoice()
     return found == mouseChoices.end() ? mouseChoices.front() : *found;
 }
 
-/// Settings group of the keys; each command under its object name.
+/// Settings key of a command's shortcuts, from its object name.
 QString settingOf(const QAction* action)
 {
     return QStringLiteral("keys/%1").arg(action->objectName());
 }
 
-/// As stored: separated by "; ", nothing where there is no key.
+/// Parses stored shortcuts, separated by "; "; empty if there is none.
 QList<QKeySequence> keysOf(const QString& stored)
 {
     return stored.isEmpty() ? QList<QKeySequence>() : QKeySequence::listFromString(stored);
@@ -98,7 +98,7 @@ void ShortcutController::openSheet()
     connect(sheet_, &ui::KeySheet::keyChosen, this, &ShortcutController::choose);
     connect(sheet_, &ui::KeySheet::resetRequested, this, &ShortcutController::resetAll);
     connect(sheet_, &QDialog::finished, this, [this] {
-        if (std::exchange(areNew_, false)) {   // buttons and hints name keys
+        if (std::exchange(areNew_, false)) {   // buttons and tooltips show shortcuts
             applyChosenKeys();
             ui::speakAgain();
         }

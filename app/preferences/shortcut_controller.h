@@ -19,17 +19,17 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// The preset that the user chose.
+/// Mouse preset that the user chose.
 ui::MousePreset chosenMouse();
 
-/// The mouse menu: which button does what on the angiogram.
+/// Mouse menu: assigns actions to the mouse buttons on the angiogram.
 class MouseController : public QObject {
     Q_OBJECT
 public:
     MouseController(ui::WindowActions& actions, ui::AngiogramView& view, QObject* parent = nullptr);
 };
 
-/// The key sheet, and the keys that the user chose in it: kept between sessions, each command at most one user's key.
+/// Shortcut sheet and the user-defined shortcuts: stored between sessions, at most one per command.
 class ShortcutController : public QObject {
     Q_OBJECT
 public:
@@ -46,9 +46,9 @@ private:
 
     ui::WindowActions& actions_;
     QWidget& dialogParent_;
-    std::map<QAction*, QList<QKeySequence>> usual_;   ///< as the program brings them
+    std::map<QAction*, QList<QKeySequence>> usual_;   ///< default shortcuts of the program
     ui::KeySheet* sheet_ = nullptr;
-    bool areNew_ = false;   ///< since the sheet was opened
+    bool areNew_ = false;   ///< changed since the sheet was opened
 };
 
 }   // namespace angiopose::app

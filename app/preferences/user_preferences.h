@@ -6,10 +6,10 @@
 
 namespace angiopose::app {
 
-/// How each user likes the program to be: everything here is remembered between sessions, nothing belongs to a case.
+/// Preferences of the user that persist between sessions; none belongs to a case.
 class UserPreferences {
 public:
-    /// What of the window they serve.
+    /// Parts of the main window that the preferences apply to.
     struct Ui {
         ui::WindowActions& actions;
         ui::AngiogramView& view;

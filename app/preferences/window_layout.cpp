@@ -10,7 +10,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Which screens there are, and how they stand to each other.
+/// Settings key of the current set of screens and their arrangement.
 QString screensKey()
 {
     QByteArray text;

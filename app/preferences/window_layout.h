@@ -6,8 +6,8 @@ class MainWindow;
 
 namespace angiopose::app {
 
-/// Place, widths and folded parts of the window as they were when it was last closed on a set of screens like this; on
-/// a new set as they were last.
+/// Restores position, column widths and collapsed panels of the window as they were when it was last closed on the same
+/// set of screens; on a new set, the most recent layout.
 void restoreWindowLayout(ui::MainWindow& window);
 void storeWindowLayout(const ui::MainWindow& window);
 

@@ -58,7 +58,7 @@ void bindCase(py::module_& module)
 
 void bindReading(py::module_& module)
 {
-    // Asked in this order: a second text is a path, no observer.
+    // pybind11 tries the overloads in this order: a second string is a path, not an observer.
     module.def(
         "readCase",
         [](const Path& vesselPath, const Path& imagePath, const VesselReadOptions& options, const py::object& observe) {

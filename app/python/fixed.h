@@ -15,20 +15,20 @@
 #include <string_view>
 #include <vector>
 
-// What objects give away as copies cannot be changed in Python: a change would be lost without a word.
+// Values that objects return as copies are read-only in Python, because a change to the copy would be lost silently.
 
 namespace angiopose::python {
 
 namespace py = pybind11;
 
-/// A path as Python gives it: str, bytes or os.PathLike.
+/// Path from Python: str, bytes or os.PathLike.
 using Path = std::filesystem::path;
 
-/// Arrays as C has them, of the asked type; others are converted.
+/// C-contiguous array of the requested type; other arrays are converted.
 template <class T>
 using Array = py::array_t<T, py::array::c_style | py::array::forcecast>;
 
-/// Values that `owner` holds, seen from Python without a copy; read only, as copies of C++ objects share them.
+/// View of values that `owner` holds, without a copy; read-only, because copies of C++ objects share the values.
 template <class T>
 py::array viewOf(const T* values, const std::vector<py::ssize_t>& shape, const py::handle& owner)
 {
@@ -43,7 +43,7 @@ py::array viewOf(const std::vector<T>& values, const py::handle& owner)
     return viewOf(values.data(), {static_cast<py::ssize_t>(values.size())}, owner);
 }
 
-/// Points as rows.
+/// View of points, one per row.
 template <int Columns>
 py::array viewOf(const std::vector<Eigen::Matrix<double, Columns, 1>>& points, const py::handle& owner)
 {
@@ -79,7 +79,8 @@ std::vector<Eigen::Matrix<double, Columns, 1>> pointsOf(const Array<double>& row
     return points;
 }
 
-/// Whole numbers of any type as T. Fractions and numbers that T does not hold are refused, as they would change.
+/// Converts integers of any type to T. Throws for fractions and for numbers that T cannot hold, because they would
+/// change.
 template <class T>
 Array<T> wholeNumbers(const py::object& given, const char* name)
 {
@@ -100,7 +101,7 @@ Array<T> wholeNumbers(const py::object& given, const char* name)
     return Array<T>::ensure(any);
 }
 
-/// One row per point.
+/// Checks for one row per point.
 inline void checkRows(std::size_t rows, std::size_t points, const char* name)
 {
     if (rows != points) {
@@ -109,7 +110,7 @@ inline void checkRows(std::size_t rows, std::size_t points, const char* name)
     }
 }
 
-/// … or none at all.
+/// Checks for one row per point, or no rows at all.
 inline void checkOptionalRows(std::size_t rows, std::size_t points, const char* name)
 {
     if (rows != 0) {
@@ -117,7 +118,7 @@ inline void checkOptionalRows(std::size_t rows, std::size_t points, const char* 
     }
 }
 
-/// One number per row.
+/// Converts a one-dimensional array.
 template <class T>
 std::vector<T> valuesOf(const Array<T>& array, const char* name)
 {
@@ -125,7 +126,7 @@ std::vector<T> valuesOf(const Array<T>& array, const char* name)
     return {array.data(), array.data() + array.size()};
 }
 
-/// … and none for None.
+/// Converts a one-dimensional array, or None to an empty vector.
 template <class T>
 std::vector<T> valuesOf(const std::optional<Array<T>>& array, const char* name)
 {
@@ -143,7 +144,7 @@ inline Image imageOf(const Array<float>& rows, const char* name)
     return {static_cast<int>(rows.shape(1)), static_cast<int>(rows.shape(0)), {rows.data(), rows.data() + rows.size()}};
 }
 
-/// A T that belongs to another object: like T, but its attributes cannot be set. Copies of it can be changed.
+/// A T that belongs to another object: like T, but its attributes are read-only. Copies of it are writable.
 template <class T>
 struct Fixed : T {
     explicit Fixed(T value) : T(std::move(value)) {}
@@ -164,7 +165,7 @@ auto bindFixed(py::module_& module, const char* name)
              [](const Fixed<T>&, const std::string& attribute, const py::object&) { refuseToSet(attribute); });
 }
 
-/// A matrix as a read-only array.
+/// Converts a matrix to a read-only array.
 template <class Matrix>
 py::array fixedArray(const Matrix& matrix)
 {
@@ -173,7 +174,7 @@ py::array fixedArray(const Matrix& matrix)
     return array;
 }
 
-/// … or None.
+/// Converts a matrix to a read-only array, or an empty optional to None.
 template <class Matrix>
 py::object fixedArray(const std::optional<Matrix>& matrix)
 {
@@ -198,21 +199,21 @@ struct MemberOf<Type Class::*> {
     using Value = Type;
 };
 
-/// For def_property: a field that is a list, given away as a tuple.
+/// Getter for def_property: returns a list field as a tuple.
 template <auto Field>
 auto asTuple()
 {
     return [](const typename MemberOf<decltype(Field)>::Owner& owner) { return fixedList(owner.*Field); };
 }
 
-/// … a field that is a matrix, or may be one.
+/// Getter for def_property: returns a matrix or optional matrix field as a read-only array.
 template <auto Field>
 auto asArray()
 {
     return [](const typename MemberOf<decltype(Field)>::Owner& owner) { return fixedArray(owner.*Field); };
 }
 
-/// For the setter beside them.
+/// Setter for def_property, used with the getters above.
 template <auto Field>
 auto assign()
 {

@@ -27,7 +27,7 @@ RegistrationInput inputFrom(const VesselTree& tree, const Centerline2d& target, 
             lockPivotInPatient};
 }
 
-/// A field that is given away as a copy, so that arrays of it stay when the field is set.
+/// Getter that returns a copy of the field, so that arrays obtained from it stay valid when the field is set.
 template <auto Field>
 auto copied()
 {
@@ -192,7 +192,7 @@ void bindResults(py::module_& module)
         .def_property_readonly("warnings", asTuple<&MultiViewResult::warnings>(), "why not");
 }
 
-/// Symmetric, so that rows and columns may change places.
+/// Covariances as an (n, 3, 3) view; the storage order does not matter because they are symmetric.
 py::array matricesOf(const std::vector<Eigen::Matrix3d>& matrices, const py::handle& owner)
 {
     const double* first = matrices.empty() ? nullptr : matrices.front().data();

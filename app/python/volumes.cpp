@@ -6,7 +6,7 @@
 namespace angiopose::python {
 namespace {
 
-/// Voxels as NumPy has them: k, j, i.
+/// Shape of the voxel array in NumPy order: k, j, i.
 std::vector<py::ssize_t> shapeOf(const VolumeGeometry& geometry)
 {
     return {geometry.size[2], geometry.size[1], geometry.size[0]};
@@ -73,7 +73,7 @@ std::vector<Eigen::Vector3d> placesOf(const Places& places, const char* name)
     return places ? pointsOf<3>(*places, name) : std::vector<Eigen::Vector3d>();
 }
 
-/// A list of places, given away as a read-only copy (n, 3).
+/// Getter that returns a list of points as a read-only copy of shape (n, 3).
 template <auto Field>
 auto asPlaces()
 {

@@ -8,8 +8,8 @@
 
 namespace angiopose::python {
 
-/// Calls `observe(progress)`, which may be None, from work that runs without Python's lock; Ctrl+C ends the work too.
-/// What it raises comes out of the work. `observe` must live as long as the observer.
+/// Observer that calls `observe(progress)`, which may be None, from work that runs without the GIL; Ctrl+C also ends
+/// the work. Exceptions of `observe` propagate out of the work. `observe` must outlive the observer.
 inline Observer observerOf(pybind11::handle observe)
 {
     if (!observe.is_none() && PyCallable_Check(observe.ptr()) == 0) {
@@ -35,7 +35,7 @@ inline Observer observerOf(pybind11::handle observe)
     };
 }
 
-/// The result of work that leaves Python to other threads meanwhile.
+/// Runs the work without the GIL and returns its result.
 template <class Work>
 auto withoutLock(const Work& work)
 {

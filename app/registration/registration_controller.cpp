@@ -81,7 +81,7 @@ void RegistrationController::continueAfterTracing()
         return;
     }
     phase_ = Phase::Solving;
-    using Views = core::RegistrationPlan::Views;   // a view whose image is lost is marked in the strip
+    using Views = core::RegistrationPlan::Views;   // the view strip marks views whose image is missing
     job_.start(document_.current(), {.views = allViews_ ? Views::Loaded : Views::Shown,
                                      .shownTarget = *target_.current(),
                                      .author = observerName().toStdString(),
@@ -91,7 +91,7 @@ void RegistrationController::continueAfterTracing()
 void RegistrationController::apply(const core::RegisteredCase& registered)
 {
     end();
-    std::vector<core::View> views = document_.current().views;   // with what was kept of them meanwhile
+    std::vector<core::View> views = document_.current().views;   // includes snapshots saved during the registration
     for (const std::size_t place : registered.places) {
         core::View& view = views[place];
         core::takeOver(view, registered.session.views[place]);
@@ -108,7 +108,7 @@ void RegistrationController::apply(const core::RegisteredCase& registered)
 void RegistrationController::giveUp(const core::Message& reason)
 {
     end();
-    if (!stopRequested_) {   // stopped before there was any pose: nothing to tell
+    if (!stopRequested_) {   // stopped before any pose was found: nothing to report
         emit failed(ui::messageText(reason));
     }
 }

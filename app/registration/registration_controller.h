@@ -8,19 +8,19 @@
 
 namespace angiopose::app {
 
-/// Runs the registration of the open case: traced vessels first, then the solver with a live pose; Stop keeps the
-/// best pose. The result is one step of undo.
+/// Registers the open case: traces the vessels first, then runs the solver with a live pose; Stop keeps the best pose.
+/// The result is one undo step.
 class RegistrationController : public QObject {
     Q_OBJECT
 public:
     RegistrationController(CaseDocument& document, TargetProvider& target, QObject* parent = nullptr);
 
-    /// What the case still lacks for a run; empty when it can start.
+    /// Reason why the case cannot be registered yet; empty if it can.
     QString whyNotReady() const;
     bool isRunning() const { return phase_ != Phase::Idle; }
     void start();
     void stop();   ///< returns at once
-    void setAllViews(bool together) { allViews_ = together; }   ///< where the case has several
+    void setAllViews(bool together) { allViews_ = together; }   ///< for cases with several views
 
 signals:
     void runningChanged(bool running);

@@ -6,7 +6,7 @@
 namespace angiopose::app {
 namespace {
 
-constexpr std::size_t rememberedBytes = 16U << 20U;   // of masks, the largest part: 64 frames of 512 × 512
+constexpr std::size_t rememberedBytes = 16U << 20U;   // of masks, which dominate: 64 frames of 512 × 512
 
 std::size_t bytesOf(const SharedTrace& trace)
 {
@@ -28,11 +28,11 @@ TargetProvider::TargetProvider(QObject* parent) : QObject(parent)
 {
     const auto goOn = [this] {
         const SharedCenterline before = current_;
-        if (wanted_) {   // else curves were given meanwhile, or the image is gone
+        if (wanted_) {   // otherwise curves were given meanwhile or the image is gone
             startWanted();
         }
         if (current_ == before) {
-            emit changed();   // whoever asks whether it is traced still
+            emit changed();   // `isTracing` may have changed
         }
     };
     connect(&job_, &TraceJob::finished, this, [this, goOn](const SharedTrace& traced) {

@@ -11,8 +11,8 @@
 
 namespace angiopose::app {
 
-/// The traced vessels of the case's frame: the given 2-D centreline, or tracing on a worker, remembered per frame and
-/// options. Only the newest wish is answered.
+/// Traced vessels of the case's frame: the given 2-D centerline, or a trace computed on a worker thread and cached per
+/// frame and options. Only the newest request is answered.
 class TargetProvider : public QObject {
     Q_OBJECT
 public:
@@ -20,8 +20,8 @@ public:
 
     void want(const core::Case& session);
     const SharedCenterline& current() const { return current_; }   ///< null until ready
-    const SharedTrace& trace() const { return trace_; }   ///< null while the target is a given one, or not ready
-    const std::optional<core::Message>& problem() const { return problem_; }   ///< why there is none
+    const SharedTrace& trace() const { return trace_; }   ///< null while the target is given or not ready
+    const std::optional<core::Message>& problem() const { return problem_; }   ///< reason why there is no target
     bool isTracing() const { return job_.isRunning(); }
 
 signals:
@@ -29,7 +29,7 @@ signals:
 
 private:
     struct Remembered {
-        std::weak_ptr<const core::Angiogram> run;   ///< kept alive by the case and its history only
+        std::weak_ptr<const core::Angiogram> run;   ///< owned by the case and its undo history only
         int frame = 0;
         core::TraceOptions options;
         SharedTrace trace;
@@ -44,7 +44,7 @@ private:
 
     TraceJob job_;
     std::optional<TraceRequest> wanted_;
-    std::optional<TraceRequest> asked_;   ///< what is being traced
+    std::optional<TraceRequest> asked_;   ///< request being traced
     std::deque<Remembered> traced_;   ///< newest last
     SharedCenterline current_;
     SharedTrace trace_;

@@ -12,35 +12,36 @@
 
 namespace angiopose::app {
 
-/// One view of the case and what the report says of it.
+/// One view of the case as the report presents it.
 struct ReportedView {
     core::Case session;   ///< with this view shown
     OverlayPictureOptions look;
     core::Centerline2d target;
-    core::RegistrationResult judgement;   ///< of the view's pose
-    std::optional<core::Message> problem;   ///< why the view cannot be judged; the three above are empty then
+    core::RegistrationResult judgement;   ///< of the view's current pose
+    std::optional<core::Message>
+        problem;   ///< reason why the view cannot be evaluated; the three members above are empty then
 };
 
-/// One case on a page or more, a part for every view: the overlay before and after, what it measures and how far it can
-/// be trusted, the geometry with its origins, the pose; then inputs with hashes, who made it and when. In the language
-/// and the typeface of the window.
+/// Report on one case, with a section for each view: overlay before and after, measurements, confidence, geometry with
+/// the origin of its values, and pose; then inputs with hashes, author and time. In the language and typeface of the
+/// window.
 struct CaseReport {
-    std::vector<ReportedView> views;   ///< the shown one first
+    std::vector<ReportedView> views;   ///< the shown view first
     QString author;
-    QStringList typeface;   ///< families, the preferred one first
+    QStringList typeface;   ///< font families, the preferred one first
     QString templatePath;   ///< see readReportTemplate
 };
 
-/// Judges every view: by the run that found its pose, else by its target (`shownTarget`, or what is traced in the other
-/// views). `look` is the shown view's; the others have no radiograph and find their own grey values. Fails where the
-/// shown view cannot be judged. Takes its time: for a worker.
+/// Evaluates every view: by the registration that found its pose, else against its target (`shownTarget`, or the trace
+/// of the other views). `look` applies to the shown view; the others have no DRR and choose their own window/level.
+/// Fails if the shown view cannot be evaluated. Slow; call it on a worker thread.
 core::Result<std::vector<ReportedView>> judgedViews(const core::Case& session, const core::Centerline2d& shownTarget,
                                                     const OverlayPictureOptions& look);
 
 enum class ReportKind { Pdf, Html };
 
-/// A page for people, HTML with its pictures inside. Fails where the template is of no use and where
-/// the shown view cannot be drawn.
+/// Report as PDF, or as HTML with embedded images. Fails if the template is invalid or the shown view cannot be
+/// rendered.
 core::Result<QByteArray> reportBytes(const CaseReport& report, ReportKind kind);
 
 }   // namespace angiopose::app

@@ -4,7 +4,7 @@
 
 namespace angiopose::app::report {
 
-/// The words of reports: one context for translators.
+/// Translation context of the report texts.
 struct PageWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::CaseReport)
 };

@@ -11,7 +11,7 @@ namespace {
 
 using report::PageWords;
 
-/// Residuals are coloured unless the vessels show something else, or nothing.
+/// Whether the vessels are colored by residuals, as opposed to another coloring or none.
 bool showsResiduals(const ReportedView& view)
 {
     return view.look.coloring == OverlayColoring::Residuals && view.target.pointCount() > 0 && !view.look.radiograph &&
@@ -30,7 +30,7 @@ double scaleEndMm(const core::Case& session)
     return residualScaleMaximumPx(camera.value(), depthMm) * core::millimetersPerPixel(camera.value(), depthMm);
 }
 
-/// A sample of the colour, which printers keep, and what it stands for.
+/// Color sample, which printers reproduce, followed by its meaning.
 QString sample(const ui::Color& color, const QString& meaning)
 {
     return QStringLiteral("&nbsp;&nbsp;<span style=\"color:%1\">&#9632;</span>&nbsp;%2")

@@ -4,13 +4,13 @@
 
 namespace angiopose::app {
 
-/// Whether the picture of a view has the start pose beside it: where there is one, and the view is at another.
+/// Whether the image of a view includes the initial pose next to it: the view has one and its pose differs.
 bool hasStartBeside(const ReportedView& view);
 
-/// HTML above the picture of a view: what its two halves are; nothing above a single one.
+/// HTML above the image of a view that names its two halves; empty for a single image.
 QString captionsOf(const ReportedView& view, int widthPx);
 
-/// HTML below it: what the colours of the vessels mean; nothing where they tell no distance.
+/// HTML below the image that explains the vessel colors; empty if they do not show distances.
 QString colorLineOf(const ReportedView& view);
 
 }   // namespace angiopose::app

@@ -7,13 +7,13 @@
 
 namespace angiopose::app::report {
 
-/// A heading of a part, with more style after its own.
+/// Section heading; `moreStyle` is appended to its style.
 QString heading(const QString& text, const char* moreStyle = "");
 
-/// Two columns: what it is, what it is here, with more style of the latter.
+/// Two-column table of names and values; `moreStyle` is appended to the style of the values.
 QString table(const ReportRows& rows, const char* moreStyle = "");
 
-/// A ground of its own, as the window's card has it, and the ink that is read on it.
+/// Background color, as in the result card of the window, and the text color on it.
 struct Ground {
     const char* color;
     const char* ink;
@@ -21,10 +21,10 @@ struct Ground {
 inline constexpr Ground certainGround{"#e3f2e6", "#14532d"};
 inline constexpr Ground doubtfulGround{"#fbefd9", "#7a4a00"};
 
-/// Sentences on a ground, after a word that is seen first; nothing where there are none.
+/// Sentences on a colored background after a prominent verdict; empty if there are none.
 QString card(const QStringList& sentences, const Ground& ground, const QString& verdict = {});
 
-/// Two columns of parts.
+/// Two sections side by side.
 QString beside(const QString& left, const QString& right);
 
 }   // namespace angiopose::app::report

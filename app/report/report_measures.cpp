@@ -11,7 +11,7 @@ namespace {
 
 using report::PageWords;
 
-/// A few per cent are how a lumen is read, not a narrowing of it.
+/// Smaller reductions are within the measurement error of a lumen and are not reported as a stenosis.
 constexpr double minNarrowingPercent = 10.0;
 
 }   // namespace

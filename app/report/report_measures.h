@@ -9,16 +9,17 @@
 
 namespace angiopose::app {
 
-/// What it is, and what it is here.
+/// Rows of name and value.
 using ReportRows = std::vector<std::pair<QString, QString>>;
 
-/// What was measured in the image of the shown view: value and basis of each.
+/// Measurements in the image of the shown view, each with value and basis.
 ReportRows measuredRows(const core::Case& session);
 
-/// Check points with their errors and what the pose claims, and rings; of the shown view and all together.
+/// Target points, with their errors and the pose's claimed uncertainty, and rings; for the shown view and all views
+/// together.
 ReportRows checkedRows(const core::Case& session);
 
-/// " · ⌀ 3.1 mm, narrowest 1.2 mm (−60 %)", by the tree's radii; nothing without.
+/// " · ⌀ 3.1 mm, narrowest 1.2 mm (−60 %)", from the tree's radii; empty without radii.
 QString widthWords(const core::VesselBranch& branch);
 
 }   // namespace angiopose::app

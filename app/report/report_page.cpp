@@ -21,8 +21,9 @@
 namespace angiopose::app {
 namespace {
 
-constexpr int shownWidth = 680;   // all that is between the margins
-constexpr int shownWidthOfOne = 340;   // as one of two; the page holds the rest, too
+constexpr int shownWidth = 680;   // full width between the margins
+constexpr int shownWidthOfOne =
+    340;   // width of a single image, as wide as one of two; this also lets the rest fit on the page
 constexpr int markWidth = 36;
 
 using namespace report;
@@ -51,7 +52,7 @@ QString programWords()
     return QStringLiteral("AngioPose ") + QStringLiteral(ANGIOPOSE_VERSION);
 }
 
-/// That the images are not of one patient stands where nobody overlooks it.
+/// Prominent warning that the images belong to different patients.
 QString mismatchLines(const core::Case& session)
 {
     QString lines;
@@ -76,10 +77,10 @@ QString patientWords(const ReportedView& view)
     return patient.join(QStringLiteral(" · "));
 }
 
-/// Which view among those of the case.
+/// Position of a view among the views of the report.
 enum class ReportPlace { Alone, First, Further };
 
-/// All that is about one view. A further one begins a page, lest its picture part from what stands above it.
+/// Section on one view. Every view after the first starts a new page, which keeps its image and heading together.
 QString viewPart(const ReportedView& view, const QString& picture, ReportPlace place)
 {
     const core::Case& session = view.session;
@@ -91,7 +92,7 @@ QString viewPart(const ReportedView& view, const QString& picture, ReportPlace p
                           : place == ReportPlace::First ? heading(title)
                                                         : heading(title, "; page-break-before:always");
     const QString seen = captionsOf(view, widthOf(view)) + picture + colorLineOf(view);
-    const QString verdict = verdictPart(view);   // the worst news first
+    const QString verdict = verdictPart(view);   // a negative verdict comes first
     return above + (view.judgement.trustworthy ? seen + verdict : verdict + seen) +
            beside(resultPart(view) + branchPart(view), geometryPart(session) + posePart(session)) +
            measuredPart(session) + checkedPart(session);

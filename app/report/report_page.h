@@ -10,13 +10,13 @@
 
 namespace angiopose::app {
 
-/// Where the page finds a picture.
+/// URL under which the page finds an image.
 using PictureUrl = std::function<QString(std::size_t picture)>;
 
-/// The overlays of a report's views in their order, the program's mark, then the pictures of its template.
+/// Overlays of the report's views in their order, then the program's logo, then the images of the template.
 using ReportPictures = std::vector<QImage>;
 
-/// The page of a report as HTML, by its template; `urlOf` names each of the pictures.
+/// Report page as HTML, filled from its template; `urlOf` returns the URL of each image.
 QString reportPage(const CaseReport& report, const ReportTemplate& page, const ReportPictures& pictures,
                    const PictureUrl& urlOf);
 

@@ -24,7 +24,7 @@ namespace {
 using Rows = ReportRows;
 
 constexpr std::size_t branchesListed = 12;
-constexpr const char* doubtfulTone = "; color:#9a5b00";   // amber, dark enough for paper
+constexpr const char* doubtfulTone = "; color:#9a5b00";   // amber, dark enough for print
 
 double mmPerPxOf(const core::Case& session)
 {
@@ -38,7 +38,7 @@ QString methodWordsOf(const core::RegistrationResult& judged)
     return ui::methodWords(judged.method) + QStringLiteral(" · ") + ui::termText(core::toText(judged.stopReason));
 }
 
-/// How the pose came about.
+/// Rows on the origin of the pose.
 Rows originRows(const ReportedView& view)
 {
     const auto& result = view.session.shown().result;
@@ -157,7 +157,7 @@ QString geometryPart(const core::Case& session)
             continue;
         }
         const ui::GeometryValueKind& kind = ui::kindOf(value);
-        const bool isAngle = kind.format.unit == QStringLiteral("°");   // written close to its number
+        const bool isAngle = kind.format.unit == QStringLiteral("°");   // no space before the unit
         rows.emplace_back(QCoreApplication::translate("angiopose::ui::GeometryPanel", kind.label),
                           ui::numberText(*shown.value, kind.format.decimals) +
                               (isAngle ? QString() : QStringLiteral(" ")) + kind.format.unit +
@@ -174,7 +174,8 @@ QString posePart(const core::Case& session)
         text += QStringLiteral("<tr>");
         for (int column = 0; column < 4; ++column) {
             text += QStringLiteral("<td align=\"right\">%1</td>")
-                        .arg(session.shown().cameraFromPatient.matrix()(row, column), 0, 'f', 6);   // to be copied
+                        .arg(session.shown().cameraFromPatient.matrix()(row, column), 0, 'f',
+                             6);   // full precision, for copying
         }
         text += QStringLiteral("</tr>");
     }

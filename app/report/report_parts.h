@@ -5,16 +5,16 @@
 #include <QDateTime>
 #include <QString>
 
-// What a report tells of one view, part by part, each under its heading; empty where there is nothing to tell.
+// Sections of a report on one view, each with its heading; empty if there is nothing to report.
 namespace angiopose::app::report {
 
-/// ISO 8601 with the time zone: read alike everywhere.
+/// ISO 8601 with time zone, independent of the locale.
 QString timeWords(const QDateTime& time);
 
-/// Whether the pose is to be trusted, what that means, and what the program says of it.
+/// Whether the pose is reliable, what that means, and the program's warnings.
 QString verdictPart(const ReportedView& view);
 
-/// How near the vessels lie, and how the pose came about.
+/// Residuals and origin of the pose.
 QString resultPart(const ReportedView& view);
 
 QString branchPart(const ReportedView& view);

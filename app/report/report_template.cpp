@@ -36,7 +36,8 @@ const QStringList& knownMarks()
     return marks;
 }
 
-const QString pictureMark = QStringLiteral("picture ");   // with a number; a user's mark is one word
+const QString pictureMark =
+    QStringLiteral("picture ");   // followed by a number; placeholders that users write have no blank
 
 QString written(const QString& mark)
 {
@@ -61,7 +62,7 @@ bool isTaken(QImageReader& reader)
     return (format == "png" || format == "jpeg") && size.width() <= maxPictureSide && size.height() <= maxPictureSide;
 }
 
-/// A picture inside the template itself.
+/// Decodes an image embedded in the template.
 QImage pictureWithin(const QString& url)
 {
     QByteArray bytes = QByteArray::fromBase64(url.mid(url.indexOf(QLatin1Char(',')) + 1).toLatin1());
@@ -70,7 +71,7 @@ QImage pictureWithin(const QString& url)
     return isTaken(reader) ? reader.read() : QImage();
 }
 
-/// A picture that lies in the template's folder or below; nothing else, and nothing from a network.
+/// Loads an image from the template's folder or below; never from elsewhere or from the network.
 QImage pictureBeside(const QFileInfo& page, const QString& name)
 {
     const QFileInfo file(page.dir(), name);
@@ -82,7 +83,7 @@ QImage pictureBeside(const QFileInfo& page, const QString& name)
     return isTaken(reader) ? reader.read() : QImage();
 }
 
-/// Puts marks where the template names pictures, and reads these.
+/// Replaces the template's image references by placeholders and loads the images.
 core::Status takePictures(ReportTemplate& page, const QString& path)
 {
     static const QRegularExpression source(QStringLiteral("\\bsrc\\s*=\\s*(?:\"([^\"]*)\"|'([^']*)'|([^\\s\"'>]+))"),
@@ -112,7 +113,7 @@ const QRegularExpression& markPattern()
     return pattern;
 }
 
-/// What every report must say is in it, and nothing that would stay empty.
+/// Checks that the template contains all required placeholders and no unknown ones, which would stay empty.
 core::Status checkMarks(const QString& html)
 {
     QStringList found;

@@ -11,21 +11,21 @@
 
 namespace angiopose::app {
 
-/// The page of a report as its user wants it: HTML with marks such as {{views}}, which are filled in.
+/// Report page as customized by the user: HTML with placeholders such as {{views}}.
 struct ReportTemplate {
-    QString html;   ///< without comments; its own pictures are marks, too
-    std::vector<QImage> pictures;   ///< of its own
+    QString html;   ///< without comments; its own images are placeholders, too
+    std::vector<QImage> pictures;   ///< images of the template
 };
 
-QByteArray builtInReportTemplate();   ///< the text that one's own begins as
+QByteArray builtInReportTemplate();   ///< starting point for custom templates
 
-/// A template and the pictures beside it; an empty path: the built-in one. Fails where it cannot be read, where it
-/// lacks what every report must say, where a mark is unknown and where a picture is not beside it. Reads files: for a
-/// worker.
+/// Reads a template and the images next to it; an empty path selects the built-in one. Fails if it cannot be read,
+/// lacks a required placeholder, contains an unknown one, or names an image that is not next to it. Reads files; call
+/// it on a worker thread.
 core::Result<ReportTemplate> readReportTemplate(const QString& path);
 
-/// The page. `parts` are HTML by the names of the marks; what they hold is not looked through for marks again. `urlOf`
-/// names the template's own pictures.
+/// Fills in the template. `parts` maps placeholder names to HTML; placeholders inside the parts are not replaced.
+/// `urlOf` returns the URLs of the template's own images.
 QString filledPage(const ReportTemplate& page, const QHash<QString, QString>& parts,
                    const std::function<QString(std::size_t picture)>& urlOf);
 

@@ -20,7 +20,7 @@
 namespace angiopose::app {
 namespace {
 
-/// What would tell how good a pose is, show another one, or take the trial's state out of the program.
+/// Commands that would reveal how good a pose is, show another pose, or export or save the state of the trial.
 constexpr std::array hiddenCommands{
     ui::Command::Register,         ui::Command::WorstBranch,  ui::Command::Replay,   ui::Command::Swing,
     ui::Command::NextSolution,     ui::Command::TakeSolution, ui::Command::KeepPose, ui::Command::SwitchPoses,
@@ -104,7 +104,7 @@ void BlindTrialController::start(const ui::BlindTrialSetup& setup)
         [] { return tr("Blind trial"); }));
     showRunning(true);
     if (QAction* nudge = ui_.actions[ui::Command::Nudge]; !nudge->isChecked()) {
-        nudge->trigger();   // the keys are to move the vessels
+        nudge->trigger();   // lets the keys move the vessels
     }
     clock_.start();
     emit started();
@@ -193,7 +193,7 @@ void BlindTrialController::judge(const io::ObserverTrial& trial)
 void BlindTrialController::keep(const core::RegistrationResult& judged)
 {
     if (document_.state().caseNumber != caseNumber_ || document_.isInTrial()) {
-        return;   // the log has it
+        return;   // the trial log already contains the result
     }
     core::PoseSnapshot snapshot;
     snapshot.name = tr("%1, blind").arg(setup_.observer).toStdString();

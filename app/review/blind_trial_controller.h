@@ -21,16 +21,16 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Observer studies: the vessels start at random, whatever could tell how good a pose is stays out of sight, and time
-/// and pose are logged. The case itself comes back unchanged, with the observer's pose among the snapshots.
+/// Observer studies: the vessels start at a random pose, everything that could reveal how good a pose is stays hidden,
+/// and time and pose are logged. Afterward the case is unchanged except for the observer's pose among the snapshots.
 class BlindTrialController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the main window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::TrialBar& bar;
-        std::vector<QWidget*> informative;   ///< how good a pose is: out of sight during a trial
+        std::vector<QWidget*> informative;   ///< widgets that show how good a pose is; hidden during a trial
         QWidget& dialogParent;
     };
     BlindTrialController(CaseDocument& document, TargetProvider& target, const Ui& ui, QObject* parent = nullptr);
@@ -42,7 +42,7 @@ public:
     bool isRunning() const { return document_.isInTrial(); }
 
 signals:
-    void aboutToStart();   ///< the last moment at which all is in sight, and in the document
+    void aboutToStart();   ///< emitted while everything is still visible and in the document
     void started();
     void ended();
     void logged(const QString& path);

@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 
 constexpr qsizetype keptSeries = 200;
 
-/// A series without telling whose it is: settings are no place for identities.
+/// Hashed key of a series, because settings must not identify patients.
 QString seriesKey(const core::View& view)
 {
     if (!view.angiogram) {
@@ -28,7 +28,7 @@ QString seriesKey(const core::View& view)
                          : QString::fromLatin1(QCryptographicHash::hash(text, QCryptographicHash::Sha1).toHex());
 }
 
-/// Of the fullest frame: the same whichever frame a case was left at.
+/// Display range of the peak-opacification frame, independent of the case's current frame.
 std::optional<core::DisplayRange> automaticRange(const core::View& view)
 {
     if (!view.angiogram || view.angiogram->frames.empty()) {
@@ -39,7 +39,7 @@ std::optional<core::DisplayRange> automaticRange(const core::View& view)
     return core::displayRange(run.frames[static_cast<std::size_t>(peak)]);
 }
 
-/// Whoever has an image can tell by its hash that it was open here.
+/// Not in private mode: with the image at hand, its hash would reveal that it was opened here.
 void storeBrightness(const QStringList& remembered)
 {
     if (!isPrivate()) {
@@ -71,8 +71,8 @@ void BrightnessMemory::followDocument()
 {
     if (document_.current().shown().angiogram != shown_) {
         shown_ = document_.current().shown().angiogram;
-        series_.clear();   // what the view does by itself on a new image is not the user's choice
-        QMetaObject::invokeMethod(this, &BrightnessMemory::recall, Qt::QueuedConnection);   // once the image is shown
+        series_.clear();   // automatic window/level of a new image is not the user's choice
+        QMetaObject::invokeMethod(this, &BrightnessMemory::recall, Qt::QueuedConnection);   // after the image is shown
     }
 }
 

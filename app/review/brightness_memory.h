@@ -16,15 +16,15 @@ class AngiogramView;
 
 namespace angiopose::app {
 
-/// Remembers window and level per series: the next time it is opened it looks as it was left. Other images start with
-/// automatic brightness, that of their fullest frame.
+/// Remembers window and level per series and restores them when it is opened again. Other images start with the
+/// automatic window/level of their peak-opacification frame.
 class BrightnessMemory : public QObject {
     Q_OBJECT
 public:
     BrightnessMemory(const CaseDocument& document, ui::AngiogramView& view, QObject* parent = nullptr);
     ~BrightnessMemory() override;
 
-    std::optional<core::DisplayRange> rangeOf(const core::View& view) const;   ///< see above; none without image
+    std::optional<core::DisplayRange> rangeOf(const core::View& view) const;   ///< see above; empty without an image
     void keep(const core::View& view, double window, double level);
 
 private:
@@ -35,8 +35,8 @@ private:
     const CaseDocument& document_;
     ui::AngiogramView& view_;
     std::shared_ptr<const core::Angiogram> shown_;
-    QString series_;   ///< empty: nothing to remember it by
-    QStringList remembered_;   ///< "series window level", the last used first
+    QString series_;   ///< empty: the image has no key
+    QStringList remembered_;   ///< "series window level", most recently used first
     QTimer storing_;
 };
 

@@ -18,12 +18,12 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// The scan as X-rays from the shown view's source would show it, on the detector in the 3-D view: made anew wherever
-/// the pose moves.
+/// Shows a DRR of the scan from the shown view's source on the detector in the 3-D view; recomputed whenever the pose
+/// changes.
 class DetectorRadiographController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the main window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::TreeView& treeView;
@@ -37,7 +37,7 @@ private:
 
     const CaseDocument& document_;
     Ui ui_;
-    std::shared_ptr<const core::Volume> scan_;   ///< that the job has
+    std::shared_ptr<const core::Volume> scan_;   ///< scan given to the job
     std::optional<core::ProjectionCamera> camera_;
     NewestJob<core::RigidTransform, core::ImageF> job_;
 };

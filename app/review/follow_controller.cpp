@@ -15,7 +15,7 @@
 namespace angiopose::app {
 namespace {
 
-/// " · breath every 3.7 s, 8.2 mm to and fro", or nothing.
+/// " · breath every 3.7 s, 8.2 mm to and fro", or empty.
 QString periodWords(const core::RunPeriods& periods)
 {
     const auto words = [](const QString& sentence, const core::PeriodicMotion& motion) {
@@ -49,7 +49,7 @@ FollowController::FollowController(const Parts& parts, QObject* parent) : QObjec
     });
     connect(&job_, &FollowJob::finished, this, &FollowController::take);
     connect(&job_, &FollowJob::failed, this, [this](const core::Message& reason) {
-        startedFrom_ = {};   // a run is large
+        startedFrom_ = {};   // frees the cine run, which is large
         on_.strip.showIdle(tr("Ready"));
         on_.notices.showProblem(tr("Could not track the vessels"), ui::messageText(reason));
     });
@@ -85,7 +85,7 @@ void FollowController::start()
 void FollowController::take(const std::vector<core::FollowedFrame>& frames)
 {
     on_.strip.showIdle(tr("Ready"));
-    const core::Case startedFrom = std::exchange(startedFrom_, {});   // a run is large
+    const core::Case startedFrom = std::exchange(startedFrom_, {});   // frees the cine run, which is large
     const core::FollowedRun run = core::followedFrom(startedFrom.shown().frame, frames);
     if (!isAsStarted(startedFrom, run)) {
         on_.notices.showNote(tr("The vessels were moved in the meantime. Track them again."));
@@ -104,7 +104,7 @@ void FollowController::take(const std::vector<core::FollowedFrame>& frames)
     on_.notices.showNote(followed + periodWords(core::periodsOf(startedFrom, frames)));
 }
 
-/// Whether the poses are of these vessels, in this run, and go on from this pose.
+/// Whether the poses belong to these vessels and this cine run and start from the current pose.
 bool FollowController::isAsStarted(const core::Case& started, const core::FollowedRun& run) const
 {
     const core::Case& current = on_.document.current();
@@ -132,7 +132,7 @@ void FollowController::followDocument()
     on_.actions[ui::Command::ExportFollowed]->setEnabled(!frames().empty());
 }
 
-/// While frames play, each is shown with its pose; the document's own frame has it already.
+/// Shows each frame with its own pose during playback; the document already holds the pose of its own frame.
 void FollowController::showFrame(int frame)
 {
     on_.panel.motion().showCurrent(frame);

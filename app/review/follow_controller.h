@@ -19,12 +19,12 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Follows the vessels through the frames of the run from the frame and pose that are shown, which is a step of undo,
-/// and shows each frame with its own pose for as long as the case keeps what following found.
+/// Tracks the vessels through the cine run from the shown frame and pose, as one undo step, and shows each frame with
+/// its own pose while the case keeps the tracking result.
 class FollowController : public QObject {
     Q_OBJECT
 public:
-    /// What it works on and tells.
+    /// Objects that the controller works with.
     struct Parts {
         CaseDocument& document;
         ReviewController& review;
@@ -57,7 +57,7 @@ private:
     Parts on_;
     FollowJob job_;
     core::Case startedFrom_;
-    std::shared_ptr<const std::vector<core::FollowedFrame>> shown_;   ///< in plot and views; null: none
+    std::shared_ptr<const std::vector<core::FollowedFrame>> shown_;   ///< poses shown in plot and views; null: none
 };
 
 }   // namespace angiopose::app

@@ -4,7 +4,8 @@
 
 namespace angiopose::app {
 
-/// What following found in the shown frame, while the pose is that one: neither of a run nor by hand. Else null.
+/// Tracking result of the shown frame, if the current pose is the tracked one, and not that of a registration or a
+/// manual edit; else null.
 const core::FollowedFrame* followedPoseShown(const core::View& view);
 
 }   // namespace angiopose::app

@@ -30,9 +30,11 @@ std::vector<double> residualsMm(const std::vector<int>& excludedBranchIds,
     return residuals;
 }
 
-constexpr auto restBetween = std::chrono::milliseconds(60);   ///< a drag is judged as it moves, but drawn first
+constexpr auto restBetween =
+    std::chrono::milliseconds(60);   ///< keeps dragging responsive: drawing comes before evaluation
 
-/// After a wire was followed its branches lie on the wire, which is no part of the vessels.
+/// Target of the evaluation: after a wire registration it includes the wire, because the branches along the wire match
+/// it rather than the traced vessels.
 core::Centerline2d judgedTarget(const core::View& view, const core::Centerline2d& vessels)
 {
     const auto devices = core::devicesOf(view);
@@ -60,7 +62,7 @@ JudgementController::JudgementController(const Parts& parts, QObject* parent)
 void JudgementController::judge(const core::RigidTransform& cameraFromPatient)
 {
     const SharedCenterline target = on_.target.current();
-    const bool isHidden = on_.document.isInTrial();   // the observer must not see any of it
+    const bool isHidden = on_.document.isInTrial();   // hidden from the observer
     if (!target || !on_.pose.currentOffset() || isHidden) {
         job_.cancel();
         judgement_.reset();

@@ -20,11 +20,11 @@ class ResultPanel;
 
 namespace angiopose::app {
 
-/// Judges the pose that is shown, off the window's thread, and shows the verdict: numbers, sentences, residual colours.
+/// Evaluates the shown pose off the GUI thread and shows the verdict: numbers, sentences, residual colors.
 class JudgementController : public QObject {
     Q_OBJECT
 public:
-    /// What the verdict is made from and who shows it.
+    /// Inputs of the verdict and the objects that show it.
     struct Parts {
         const CaseDocument& document;
         const TargetProvider& target;

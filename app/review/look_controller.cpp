@@ -128,7 +128,7 @@ QString LookController::radiographWords() const
 void LookController::nextStyle()
 {
     using enum ui::OverlayMode;
-    const bool isLast = style_ == Tube || !hasRadii();   // without radii there are no outlines and tubes
+    const bool isLast = style_ == Tube || !hasRadii();   // outlines and tubes require radii
     style_ = isRadiograph_ || isLast ? Centerline : style_ == Centerline ? Outline : Tube;
     isRadiograph_ = !isRadiograph_ && isLast;
     ui_.strip.showStatus(isRadiograph_          ? radiographWords()

@@ -19,12 +19,12 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// How the overlay lies on the angiogram: style, opacity, depth cue, swipe and lens, brightness, and the way to the
-/// branch that fits worst. Nothing here changes the case.
+/// Appearance of the overlay on the angiogram: style, opacity, depth cueing, swipe and lens, window/level; also
+/// navigates to the worst branch. Does not change the case.
 class LookController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the main window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::AngiogramPanel& panel;
@@ -33,23 +33,23 @@ public:
     };
     LookController(const CaseDocument& document, ViewSync& sync, const Ui& ui, QObject* parent = nullptr);
 
-    void holdHidden(bool held);   ///< the vessels, while the key is held
-    /// What W goes through, from the worst branch on.
+    void holdHidden(bool held);   ///< hides the vessels while the key is held
+    /// Sets the residuals by which W steps through the branches, the worst first.
     void knowResiduals(std::vector<core::BranchResidual> branches, double millimetersPerPixel);
 
-    /// As what the vessels are drawn, where nobody makes radiographs of them.
+    /// Drawing style of the vessels for callers that do not compute DRRs.
     ui::OverlayMode lines() const { return heldHidden_ ? ui::OverlayMode::Hidden : style_; }
     BrightnessMemory& brightness() { return brightness_; }
 
 signals:
-    void changed();   ///< how the overlay looks, or the image's inversion
-    void branchWanted(int branchId);   ///< to be selected
-    void radiographWanted(bool wanted);   ///< of the vessels, in place of their lines
+    void changed();   ///< appearance of the overlay or inversion of the image
+    void branchWanted(int branchId);   ///< requests selection of the branch
+    void radiographWanted(bool wanted);   ///< DRR of the vessels instead of their lines
 
 private:
     void connectOverlay();
     void connectBrightness();
-    ui::AngiogramView& image() const;   ///< that has the keys; else the shown one
+    ui::AngiogramView& image() const;   ///< view with the keyboard focus, else the shown one
     void redraw();
     void showStyle();
     void nextStyle();
@@ -68,7 +68,7 @@ private:
     Ui ui_;
     BrightnessMemory brightness_;
     ui::OverlayMode style_ = ui::OverlayMode::Centerline;
-    bool isRadiograph_ = false;   ///< in place of `style_`
+    bool isRadiograph_ = false;   ///< DRR instead of `style_`
     bool heldHidden_ = false;
     std::vector<core::BranchResidual> worstFirst_;
     double millimetersPerPixel_ = 0.0;

@@ -63,7 +63,7 @@ void MovieController::ask()
     usual.residualColors = settings::exportResiduals.read() ? ui::Choice::On : ui::Choice::Off;
     dialog->showChoice(usual);
     connect(dialog, &ui::MovieDialog::chosen, this, &MovieController::askFile,
-            Qt::QueuedConnection);   // one dialog goes, then one comes
+            Qt::QueuedConnection);   // queued: this dialog closes before the next one opens
     dialog->open();
 }
 
@@ -82,14 +82,14 @@ void MovieController::askFile(const ui::MovieChoice& choice)
 void MovieController::start(const ui::MovieChoice& choice, const QString& path)
 {
     if (!on_.document.current().vessels.tree || !on_.document.current().shown().angiogram) {
-        return;   // gone meanwhile
+        return;   // removed while the dialog was open
     }
     ui::ExportChoice look;
     look.widthPx = choice.widthPx;
     look.residualColors = choice.residualColors;
     look.identity = choice.identity;
     look.english = choice.english;
-    look.cutout = ui::Choice::On;   // as the window has it
+    look.cutout = ui::Choice::On;   // same as in the window
     OverlayPictureOptions options = on_.exporting.lookOf(look);
     const auto target = on_.target.current();
     on_.strip.showBusy(tr("Writing the movie…"));

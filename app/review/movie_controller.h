@@ -13,11 +13,11 @@
 
 namespace angiopose::app {
 
-/// Movies that leave the program: asks which, writes it on a worker with progress and Stop.
+/// Exports movies: asks for the content and writes it on a worker thread, with progress and Stop.
 class MovieController : public QObject {
     Q_OBJECT
 public:
-    /// What it takes from and tells.
+    /// Objects that the controller works with.
     struct Parts {
         CaseDocument& document;
         TargetProvider& target;

@@ -18,11 +18,11 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Moving the tree by hand: the pose panel, nudge mode with keys and drags, and the live preview in all views.
+/// Manual pose adjustment: pose panel, nudge mode with keys and drags, and live preview in all views.
 class PoseGestures : public QObject {
     Q_OBJECT
 public:
-    /// What is moved, and who shows it.
+    /// Objects that hold and show the pose.
     struct Parts {
         const CaseDocument& document;
         PoseController& pose;
@@ -37,7 +37,7 @@ public:
     };
     explicit PoseGestures(const Parts& parts, QObject* parent = nullptr);
 
-    void show();   ///< offsets and locks of the case
+    void show();   ///< updates offsets and locks from the case
 
 private:
     void connectPanel();

@@ -16,9 +16,10 @@
 namespace angiopose::app {
 namespace {
 
-constexpr int seriesBursts = 1 << 22;   ///< keeps burst numbers of series apart from those of poses and frames
+constexpr int seriesBursts =
+    1 << 22;   ///< offset that separates the undo-merge ids of method series from those of poses and frames
 
-/// A fair default: the own method, a classic, and the one the literature compares with.
+/// Default methods for a fair comparison: the program's own, a classic one, and the usual reference of the literature.
 const std::vector<std::string> usualMethods{"angiopose", "dt-icp", "iterative-pnp"};
 
 }   // namespace
@@ -72,7 +73,7 @@ void PoseTableController::connectTable()
     connect(table, &ui::PoseTable::restoreRequested, &snapshots_, &SnapshotController::restore);
     connect(table, &ui::PoseTable::removeRequested, &snapshots_, &SnapshotController::remove);
     connect(table, &ui::PoseTable::textEdited, &snapshots_, &SnapshotController::change,
-            Qt::QueuedConnection);   // its editor is still at work
+            Qt::QueuedConnection);   // queued: the editor of the cell is still active
     connect(table, &ui::PoseTable::runRequested, this, &PoseTableController::run);
     connect(table, &ui::PoseTable::stopRequested, this, &PoseTableController::stop);
     connect(table, &ui::PoseTable::exportRequested, this, &PoseTableController::exportTable);

@@ -22,11 +22,11 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// The comparison table: kept poses, runs and the pose as it is side by side; runs several methods to fill it.
+/// Comparison table: snapshots, registrations and the current pose side by side; runs several methods to fill it.
 class PoseTableController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the main window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::SnapshotPanel& panel;
@@ -38,13 +38,13 @@ public:
 
     void open();
     void close();
-    ui::PoseTable* table() const { return table_; }   ///< null while it is closed
+    ui::PoseTable* table() const { return table_; }   ///< null while closed
     bool isRunning() const { return job_.isRunning(); }
     void run(const std::vector<std::string>& methodIds);
     void stop() { job_.requestStop(); }
 
 private:
-    /// What the runs started from: their results fit nothing else. It does not keep a closed case.
+    /// Input of the registrations; their results are valid for nothing else. Does not keep a closed case alive.
     struct Origin {
         int caseNumber = 0;
         std::weak_ptr<const core::VesselTree> tree;
@@ -54,7 +54,7 @@ private:
     void connectTable();
     void connectJob();
     void refresh();
-    std::vector<core::PoseSnapshot> listed() const;   ///< the pose as it is first
+    std::vector<core::PoseSnapshot> listed() const;   ///< the current pose first
     void take(const core::RegistrationResult& result);
     void flush();
     void finish(bool wasStopped);
@@ -69,7 +69,7 @@ private:
     MethodSeriesJob job_;
     Origin origin_;
     std::vector<std::string> chosen_;
-    std::vector<core::PoseSnapshot> waiting_;   ///< solved while the case was locked
+    std::vector<core::PoseSnapshot> waiting_;   ///< results received while the case was locked
     QStringList failures_;
     int solvedCount_ = 0;
     int burst_ = 0;

@@ -28,12 +28,12 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// What can be done with poses beside moving them: solutions, snapshots, comparison, blind trials, advice on branches.
-/// Owns and wires these.
+/// Pose tools other than manual adjustment: solutions, snapshots, comparison, blind trials, branch suggestions. Owns
+/// and connects them.
 class PoseTools : public QObject {
     Q_OBJECT
 public:
-    /// What they work on and tell.
+    /// Objects that the tools work with.
     struct Parts {
         CaseDocument& document;
         TargetProvider& target;

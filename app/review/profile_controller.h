@@ -17,12 +17,12 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Measures along the selected branch. A place on its profile is marked in the image and in 3-D; a click takes the
-/// slices there.
+/// Measurements along the selected branch. A position on its profile is marked in the image and in 3-D; a click moves
+/// the slices there.
 class ProfileController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the main window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::ProfilePanel& panel;
@@ -42,13 +42,13 @@ private:
     void point(const std::optional<Eigen::Vector3d>& pointInPatient);
     void askTable();
     void askProfile();
-    const core::VesselBranch* selectedBranch() const;   ///< null unless it is one
+    const core::VesselBranch* selectedBranch() const;   ///< null unless exactly one branch is selected
 
     const CaseDocument& document_;
     const BranchController& branches_;
     ExportController& exporting_;
     Ui ui_;
-    std::shared_ptr<const core::VesselTree> tree_;   ///< that the panel shows a branch of
+    std::shared_ptr<const core::VesselTree> tree_;   ///< tree of the branch shown in the panel
     std::optional<int> shown_;
 };
 

@@ -14,11 +14,11 @@ class BottomStrip;
 
 namespace angiopose::app {
 
-/// The vessels as X-rays would show them, over the angiogram: a radiograph made anew wherever the pose moves.
+/// Shows a DRR of the vessels over the angiogram; recomputed whenever the pose changes.
 class RadiographController : public QObject {
     Q_OBJECT
 public:
-    /// What it shows and follows.
+    /// Objects that the controller works with.
     struct Parts {
         const CaseDocument& document;
         const TargetProvider& target;
@@ -32,13 +32,13 @@ public:
 private:
     void setWanted(bool wanted);
     void followDocument();
-    void clear();   ///< keeps nothing of a case that may be closed
+    void clear();   ///< releases all data of a case that may be closed
     void show(const core::ImageF& picture);
 
     Parts on_;
     RadiographJob job_;
     bool isWanted_ = false;
-    bool isReady_ = false;   ///< the job has the vessels that `tree_` … are
+    bool isReady_ = false;   ///< the job holds the inputs given by `tree_` …
     std::shared_ptr<const core::VesselTree> tree_;
     std::shared_ptr<const core::Volume> volume_;
     std::optional<core::ProjectionCamera> camera_;

@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 constexpr int phasesPerSwing = 60;
 constexpr double swingSigmas = 2.0;
 
-/// Root mean square distance of the tree's points from their centroid: how far a turn of 1 rad moves them.
+/// RMS distance of the tree's points from their centroid, mm; the displacement per rad of rotation.
 double spreadMm(const core::VesselTree& tree, const Eigen::Vector3d& centroid)
 {
     double sum = 0.0;
@@ -119,12 +119,13 @@ std::optional<ReplayController::Swing> ReplayController::swing() const
     if (!uncertainty_ || !current.vessels.tree || uncertainty_->weakestDirection.norm() < 0.5) {
         return std::nullopt;
     }
-    core::Vector6d perMm = core::Vector6d::Ones();   // from (rad, mm) to mm at the tree
+    core::Vector6d perMm = core::Vector6d::Ones();   // factors from (rad, mm) to mm at the tree
     perMm.head<3>().setConstant(spreadMm(*current.vessels.tree, core::centroidInPatient(*current.vessels.tree)));
     const core::Vector6d& direction = uncertainty_->weakestDirection;
     const core::Vector6d scaled = perMm.cwiseProduct(direction);
     Swing swing;
-    const bool isKnown = uncertainty_->imageCovariance.diagonal().maxCoeff() > 0.0;   // not of earlier versions
+    const bool isKnown =
+        uncertainty_->imageCovariance.diagonal().maxCoeff() > 0.0;   // zero in results of earlier versions
     const core::Matrix6d& byImage = isKnown ? uncertainty_->imageCovariance : uncertainty_->covariance;
     swing.sigmaMm = std::sqrt(std::max(0.0, scaled.dot(byImage * scaled)));
     swing.perSigma = swing.sigmaMm * direction.cwiseQuotient(perMm);
@@ -146,7 +147,7 @@ void ReplayController::setSwinging(bool on)
         strip_.showStatus(tr("The uncertainty of this pose is not known yet."));
         return;
     }
-    phase_ = settings::reduceMotion.read() ? phasesPerSwing / 4 : 0;   // without motion: one end of the swing
+    phase_ = settings::reduceMotion.read() ? phasesPerSwing / 4 : 0;   // reduced motion: one end of the swing
     showSwing();
     if (!settings::reduceMotion.read()) {
         swingTimer_.start();

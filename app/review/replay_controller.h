@@ -15,8 +15,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Poses in motion, shown but never written: how the last run converged, the swing along the direction that the image
-/// tells worst, and the other solutions of the last run. Any change of the case ends them.
+/// Animated poses, shown but never written: convergence of the last registration, the swing along the least constrained
+/// direction, and the other solutions of the last registration. Any change of the case ends the animation.
 class ReplayController : public QObject {
     Q_OBJECT
 public:
@@ -25,17 +25,17 @@ public:
 
     void knowUncertainty(const std::optional<core::PoseUncertainty>& uncertainty) { uncertainty_ = uncertainty; }
 
-    void showItself();   ///< the pose of the case instead of another solution
-    void showSolution(std::size_t index);   ///< 0: the pose itself
-    void takeSolution();   ///< the one shown becomes the pose of the case
+    void showItself();   ///< shows the pose of the case instead of another solution
+    void showSolution(std::size_t index);   ///< 0: the pose of the case
+    void takeSolution();   ///< makes the shown solution the pose of the case
 
 signals:
-    void solutionShown();   ///< whatever moves should end
+    void solutionShown();   ///< other animations should end
     void solutionChanged(std::size_t index);
 
 private:
     struct Swing {
-        core::Vector6d perSigma = core::Vector6d::Zero();   ///< step of one standard deviation: rad, mm
+        core::Vector6d perSigma = core::Vector6d::Zero();   ///< change of the pose per standard deviation: rad, mm
         double sigmaMm = 0.0;
         QString words;
     };
@@ -55,7 +55,7 @@ private:
     QTimer swingTimer_;
     std::size_t step_ = 0;
     int phase_ = 0;
-    std::size_t solution_ = 0;   ///< 0: the pose itself, k: the k-th other solution
+    std::size_t solution_ = 0;   ///< 0: the pose of the case, k: the k-th other solution
 };
 
 }   // namespace angiopose::app

@@ -16,12 +16,12 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// The scan behind the vessels in the 3-D view: which one, how it is seen, and pictures of it from wherever one looks,
-/// rough while the view turns and fine at rest.
+/// Volume rendering of the scan behind the vessels in the 3-D view: selects the scan and its appearance and requests
+/// renderings for the current viewpoint, rough while the view turns and fine at rest.
 class ScanController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the main window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::TreeView& treeView;
@@ -31,7 +31,7 @@ public:
     };
     ScanController(const CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
-    bool isShown() const { return isShown_; }   ///< a picture of it is in the view
+    bool isShown() const { return isShown_; }   ///< the view shows a rendering of the scan
 
 private:
     void connectCommands();
@@ -42,7 +42,7 @@ private:
     core::ScanRequest look() const;
     void askRough();
     void askFine();
-    /// False: nothing can be seen now.
+    /// Requests a rendering; false if nothing can be shown now.
     bool request(const core::ScanRequest& wanted, int maxPx, ScanDetail detail);
     void show(const CastPicture& picture);
     void showState();
@@ -51,9 +51,9 @@ private:
     const CaseDocument& document_;
     Ui ui_;
     ScanJob job_;
-    QTimer rest_;   ///< until the view has come to rest
-    core::VolumeToPrepare seen_;   ///< what the job has, or is given
-    core::ScanRequest asked_;   ///< how it was to be seen last
+    QTimer rest_;   ///< waits until the view is at rest
+    core::VolumeToPrepare seen_;   ///< volume that the job holds or is being given
+    core::ScanRequest asked_;   ///< appearance of the last request
     core::ScanPreset preset_;
     double strength_;
     bool isShown_ = false;

@@ -90,11 +90,11 @@ void SliceController::followDocument()
         if (current.vessels.tree && !current.vessels.tree->branches.empty()) {
             goToBranch(current.vessels.tree->branches.front().id);
         }
-        if (!current.shown().angiogram) {   // nothing else to look at yet
+        if (!current.shown().angiogram) {   // the slices are the only content so far
             ui_.actions[ui::Command::SlicesLarge]->setChecked(true);
         }
     }
-    if (isNewImage) {   // who opens an image wants to see it
+    if (isNewImage) {   // a newly opened image takes the large place
         ui_.actions[ui::Command::SlicesLarge]->setChecked(false);
     }
 }
@@ -108,7 +108,7 @@ void SliceController::followBranches()
     selected_ = selected;
 }
 
-/// To the middle of a branch, unless the cross-hair is on it already.
+/// Moves to the middle of a branch, unless the crosshair is already on it.
 void SliceController::goToBranch(int branchId)
 {
     const auto& tree = document_.current().vessels.tree;

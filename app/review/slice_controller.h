@@ -16,11 +16,11 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// The slices of the scan: which scan, tree and place they show, and where in the window.
+/// Slice views of the scan: which scan, tree and position they show, and where in the window.
 class SliceController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the main window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::SliceModel& slices;
@@ -31,7 +31,7 @@ public:
     SliceController(CaseDocument& document, BranchController& branches, const Ui& ui, QObject* parent = nullptr);
 
 signals:
-    void largeShown(bool large);   ///< in the image's place, or its window
+    void largeShown(bool large);   ///< in place of the image, or in a window of their own
 
 private:
     void connectView(ui::SliceView& view);
@@ -43,10 +43,10 @@ private:
     CaseDocument& document_;
     BranchController& branches_;
     Ui ui_;
-    std::set<int> selected_;   ///< last seen, to notice a new one
+    std::set<int> selected_;   ///< last known selection, to detect changes
     std::shared_ptr<const core::Volume> shownVolume_;
     std::shared_ptr<const core::Angiogram> shownAngiogram_;
-    core::InputFile shownLabels_;   ///< the label image the vessels come from
+    core::InputFile shownLabels_;   ///< label image that the vessels were traced from
 };
 
 }   // namespace angiopose::app

@@ -18,31 +18,31 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Poses as things: keep, look at, restore, rename, delete, and go between two with one key. Looking changes nothing;
-/// the rest are steps of undo.
+/// Snapshots of poses: save, show, restore, rename, delete, and toggle between two with one key. Showing changes
+/// nothing; the other actions are undo steps.
 class SnapshotController : public QObject {
     Q_OBJECT
 public:
     SnapshotController(CaseDocument& document, PosePreview& preview, ui::WindowActions& actions,
                        ui::SnapshotPanel& panel, ui::BottomStrip& strip, QObject* parent = nullptr);
 
-    /// The numbers that a pose kept now gets; null while they are not known.
+    /// Sets the metrics that a new snapshot gets; null while they are unknown.
     void knowJudgement(const SharedJudgement& judgement);
-    std::optional<core::SnapshotMetrics> metricsOfPose() const;   ///< nothing while they are not known
+    std::optional<core::SnapshotMetrics> metricsOfPose() const;   ///< empty while unknown
 
     void keep();
-    void show(int snapshotId);   ///< 0: the pose as it is
+    void show(int snapshotId);   ///< 0: the current pose
     void showItself();
     void restore(int snapshotId);
     void rename(int snapshotId, const QString& name);
-    void change(const core::PoseSnapshot& edited);   ///< name, author and note of the snapshot with its id
+    void change(const core::PoseSnapshot& edited);   ///< changes name, author and note of the snapshot with the same id
     void remove(const std::set<int>& snapshotIds);
     void mark(int snapshotId, bool isA);
     void switchSides();   ///< A, B, A, …
     const ui::SnapshotMarks& marks() const { return marks_; }
 
 signals:
-    void wasShown();   ///< whatever else moves should end
+    void wasShown();   ///< other animations should end
     void poseWasJudged();
 
 private:
@@ -60,7 +60,7 @@ private:
     SharedJudgement judgement_;
     ui::SnapshotMarks marks_;
     bool isOnB_ = false;
-    std::vector<std::string> listed_;   ///< what the panel shows, to fill it only when that changed
+    std::vector<std::string> listed_;   ///< contents of the panel, which is refilled only when they change
 };
 
 }   // namespace angiopose::app

@@ -21,7 +21,7 @@ bool isSame(const std::vector<core::RigidTransform>& a, const std::vector<core::
     });
 }
 
-/// The pose itself and the others; nothing where there are no others.
+/// The pose itself followed by the alternatives; empty if there are none.
 std::vector<core::RigidTransform> posesOf(const core::Case& current)
 {
     std::vector<core::RigidTransform> poses;
@@ -38,7 +38,7 @@ std::vector<core::RigidTransform> posesOf(const core::Case& current)
     return poses;
 }
 
-/// "3 › 7 › 9": the first and the last of many.
+/// "3 › 7 › 9"; of longer paths only the first and the last branch.
 QString courseWords(const core::WirePath& way)
 {
     constexpr std::size_t maxNamed = 3;
@@ -52,7 +52,7 @@ QString courseWords(const core::WirePath& way)
     return names.join(QStringLiteral(" › "));
 }
 
-/// Of a wire: which ways through the tree it may take.
+/// Possible paths of a wire through the tree, one line each.
 std::vector<ui::SolutionLine> wayLines(const std::vector<core::WirePath>& ways, std::size_t count)
 {
     std::vector<ui::SolutionLine> lines;
@@ -146,7 +146,7 @@ void SolutionController::followDocument()
 
 void SolutionController::draw(const std::vector<core::RigidTransform>& poses)
 {
-    pictures_.drop();   // nobody wants those of other poses any more
+    pictures_.drop();   // thumbnails of previous poses are no longer needed
     if (poses.empty()) {
         return;
     }

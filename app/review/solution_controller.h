@@ -16,14 +16,14 @@ class SolutionStrip;
 
 namespace angiopose::app {
 
-/// The solutions of the last run as a strip of small pictures: the pose itself first, then the others by their score,
-/// each with how far it lies from the pose. Pictures are drawn on a worker.
+/// Solutions of the last registration as a strip of thumbnails: the pose itself first, then the alternatives by score,
+/// each with its distance from the pose. Thumbnails are rendered on a worker thread.
 class SolutionController : public QObject {
     Q_OBJECT
 public:
     SolutionController(const CaseDocument& document, ui::SolutionStrip& strip, QObject* parent = nullptr);
 
-    void showCurrent(std::size_t index);   ///< the one that is on screen now
+    void showCurrent(std::size_t index);   ///< highlights the solution currently shown
 
 signals:
     void solutionWanted(std::size_t index);   ///< 0: the pose itself

@@ -55,7 +55,7 @@ void StepLayoutController::tellFollowing(bool follows)
     }
 }
 
-/// Vessels without a scan are not traced: nothing but the columns would be there to look at.
+/// Vessels without a scan get no tracing layout, because there are no slices to show.
 std::optional<Work> StepLayoutController::workOf(ui::Step step) const
 {
     switch (step) {
@@ -64,7 +64,7 @@ std::optional<Work> StepLayoutController::workOf(ui::Step step) const
         case ui::Step::Review:
             return Work::Reviewing;
         case ui::Step::Export:
-            return std::nullopt;   // a dialog over whatever is shown
+            return std::nullopt;   // export is a dialog and needs no layout
         default:
             return Work::Registering;
     }
@@ -79,7 +79,7 @@ void StepLayoutController::goTo(ui::Step step)
     }
 }
 
-/// Nothing moves under a hand that drags, or while a run is watched.
+/// The layout must not change during a drag or a registration.
 bool StepLayoutController::isQuiet() const
 {
     return !registration_.isRunning() && QGuiApplication::mouseButtons() == Qt::NoButton;
@@ -91,7 +91,7 @@ void StepLayoutController::follow()
         return;
     }
     if (!isQuiet()) {
-        if (!registration_.isRunning()) {   // a run tells when it ends
+        if (!registration_.isRunning()) {   // the end of a registration triggers this call again
             later_.start();
         }
         return;
@@ -137,12 +137,13 @@ ui::WorkLayout StepLayoutController::asItCame(Work work) const
     return {ui::columnsFor(work, window_.width()), traces, traces ? 0 : settings::cornerView.read()};
 }
 
-/// The keys stay where they are, as long as that is to be seen.
+/// Applies a layout; the keyboard focus stays on its widget while that is visible.
 void StepLayoutController::show(const ui::WorkLayout& layout)
 {
     const QPointer<QWidget> focus = QApplication::focusWidget();
     const ui::WindowActions& actions = window_.actions();
-    for (const Command alone : {Command::ImageOnly, Command::CornerOnly}) {   // a step is more than one view
+    for (const Command alone :
+         {Command::ImageOnly, Command::CornerOnly}) {   // the layout of a step shows more than one view
         if (window_.isOneAlone()) {
             actions[alone]->setChecked(false);
         }

@@ -10,16 +10,16 @@
 
 namespace angiopose::app {
 
-/// The window's layout goes with the step: slices and 3-D view while a scan is traced, image and result while a result
-/// is looked at. What the user changed by hand is there again in the next step of its kind, in this session and later.
+/// Adapts the window layout to the step: slices and 3-D view while a scan is traced, image and result during review.
+/// Layout changes by the user are restored in the next step of the same kind, also in later sessions.
 class StepLayoutController : public QObject {
     Q_OBJECT
 public:
     StepLayoutController(const RegistrationController& registration, ui::MainWindow& window, QObject* parent = nullptr);
 
-    void goTo(ui::Step step);   ///< the user went there
-    void begin();   ///< takes up where the last session left; the stored layout of the window is there already
-    void remember() const;   ///< the layout as it is, for the next time
+    void goTo(ui::Step step);   ///< after the user selected the step
+    void begin();   ///< continues with the last session's step layout; call it after the window layout is restored
+    void remember() const;   ///< stores the current layout
 
 private:
     void follow();
@@ -34,7 +34,7 @@ private:
     const RegistrationController& registration_;
     ui::MainWindow& window_;
     ui::Work work_ = ui::Work::Registering;
-    std::optional<ui::Work> wanted_;   ///< once nobody drags and nothing runs
+    std::optional<ui::Work> wanted_;   ///< applied once no drag and no registration is in progress
     QTimer later_;
 };
 

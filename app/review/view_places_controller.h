@@ -6,8 +6,8 @@
 
 namespace angiopose::app {
 
-/// Views that take the whole window, or leave it for a window of their own, on another screen where there is one;
-/// columns that fold.
+/// Views that fill the main window or move to a window of their own, on another screen if there is one; collapsible
+/// side panels.
 class ViewPlacesController : public QObject {
     Q_OBJECT
 public:

@@ -14,17 +14,17 @@
 
 namespace angiopose::app {
 
-/// Plays the shown run: how fast, which part, loop or back and forth. The case hears nothing of it until the user
-/// stops: then the frame on screen becomes its frame, as if it had been scrolled to, in one undo step. Esc and whatever
-/// else ends the motion go back to the case's frame.
+/// Plays the shown cine run: speed, frame range, loop or back and forth. Playback does not change the case until the
+/// user stops it: then the frame on screen becomes the case's frame, as one undo step. Esc, or anything else that ends
+/// playback, returns to the case's frame.
 class CineController : public QObject {
     Q_OBJECT
 public:
     CineController(CaseDocument& document, ViewSync& sync, ReviewController& review, ui::WindowActions& actions,
                    ui::BottomStrip& strip, QObject* parent = nullptr);
 
-    const core::FrameRange& loop() const { return loop_; }   ///< frames that play
-    double speed() const { return speed_; }   ///< times as fast as the run was taken
+    const core::FrameRange& loop() const { return loop_; }   ///< frame range of the playback
+    double speed() const { return speed_; }   ///< relative to the acquisition
     core::CineOrder order() const { return order_; }
 
 private:
@@ -45,11 +45,11 @@ private:
     ReviewController& review_;
     ui::WindowActions& actions_;
     ui::BottomStrip& strip_;
-    std::shared_ptr<const core::Angiogram> run_;   ///< as stored
+    std::shared_ptr<const core::Angiogram> run_;   ///< stored frames, before subtraction
     core::FrameRange loop_;
     double speed_;
     core::CineOrder order_;
-    std::optional<core::CineClock> clock_;   ///< while it plays
+    std::optional<core::CineClock> clock_;   ///< set during playback
     std::optional<int> stoppedAt_;
     QElapsedTimer time_;
     QTimer timer_;

@@ -15,15 +15,15 @@ class BottomStrip;
 
 namespace angiopose::app {
 
-/// What the program tells the user in passing: notes in the strip below, problems in a box.
+/// Messages to the user: notes in the strip at the bottom, problems in a message box.
 class Notices : public QObject {
     Q_OBJECT
 public:
-    /// While `isBusy` says so the strip shows the progress of a task; notes stand beside it.
+    /// While `isBusy` returns true, the strip shows the progress of a task, with notes next to it.
     Notices(ui::BottomStrip& strip, QWidget& dialogParent, std::function<bool()> isBusy, QObject* parent = nullptr);
 
-    void showNote(const QString& note);   ///< in the strip, for a while
-    void showWarnings(const QString& warnings);   ///< in the strip, until something else is to be told
+    void showNote(const QString& note);   ///< in the strip, for a limited time
+    void showWarnings(const QString& warnings);   ///< in the strip, until the next message
     void showProblem(const QString& heading, const QString& reason, const QStringList& paths = {});
 
 private:

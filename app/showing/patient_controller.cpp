@@ -9,7 +9,7 @@
 namespace angiopose::app {
 namespace {
 
-/// The words of this file.
+/// Translation context of this file.
 struct PatientWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::PatientController)
 };

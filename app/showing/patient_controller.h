@@ -8,7 +8,7 @@
 
 namespace angiopose::app {
 
-/// Says over the case whom its inputs are of, all of them: several where they differ, nothing but that while the
+/// Shows the patient identity of the case's inputs above the case: several if they differ, and only that fact while the
 /// identity is hidden.
 class PatientController : public QObject {
     Q_OBJECT

@@ -10,34 +10,35 @@
 
 namespace angiopose::app {
 
-/// Whose pose is shown in place of the document's.
+/// Source of a pose that is shown instead of the document's.
 enum class PreviewOf { Drag, Run, Start, Replay, Swing, Solution, Snapshot, Frame };
 
-/// Whether residual colours hold for a pose that is shown for a while: a drag is judged as it moves, a look at another
-/// pose is not, and colours of one pose on another would lie.
+/// Whether residual colors are valid for a temporarily shown pose: a dragged pose is evaluated as it moves, other poses
+/// are not, and residual colors of a different pose would mislead.
 enum class ResidualColors { Kept, Hidden };
 
-/// Which pose is shown: the document's, or one that somebody shows for a while; and which vessels at it. There is one
-/// at a time: the newest is seen, whom it takes the place of is told, and each can end its own only.
+/// Currently shown pose, either the document's or a temporary preview, and the shape of the vessels. There is one
+/// preview at a time: a new one replaces the previous one, whose owner is notified, and each owner can end only its
+/// own.
 class PosePreview : public QObject {
     Q_OBJECT
 public:
     explicit PosePreview(const CaseDocument& document, QObject* parent = nullptr);
 
     void show(PreviewOf whose, const core::RigidTransform& cameraFromPatient, ResidualColors colors);
-    void end(PreviewOf whose);   ///< the document's is shown again, unless another's has taken the place
+    void end(PreviewOf whose);   ///< shows the document's pose again, unless another preview has taken over
 
-    std::optional<PreviewOf> shown() const { return shown_; }   ///< nothing: the document's pose
-    const core::RigidTransform& pose() const;   ///< camera from patient, as it is shown
-    /// Camera from patient in any view of the case as it is shown: where the views move together, the others go along
-    /// with a preview; each has its own start pose, and following a run moves none but the shown one.
+    std::optional<PreviewOf> shown() const { return shown_; }   ///< empty: the document's pose
+    const core::RigidTransform& pose() const;   ///< camera from patient, as shown
+    /// Camera from patient in any view of the case, as shown: if the views are linked, a preview moves them all;
+    /// initial poses are per view, and tracking moves only the shown view.
     core::RigidTransform poseIn(std::size_t view) const;
-    void setMovesAllViews(bool all);   ///< where the case has several
+    void setMovesAllViews(bool all);   ///< for cases with several views
     bool movesAllViews() const { return movesAllViews_; }
     ResidualColors colors() const { return colors_; }
 
-    /// How the vessels lie on the images where bent ones are known of the pose that is shown, and whether their colours
-    /// tell how far these moved.
+    /// Selects the vessel shape on the images, if a deformation is known for the shown pose; `setMotionColored` colors
+    /// the vessels by displacement.
     void setShape(VesselShape shape);
     VesselShape shape() const { return shape_; }
     void setMotionColored(bool colored);
@@ -45,7 +46,7 @@ public:
 
 signals:
     void changed();
-    void gaveWay(app::PreviewOf whose);   ///< to another's
+    void gaveWay(app::PreviewOf whose);   ///< preview replaced by another one
 
 private:
     const CaseDocument& document_;

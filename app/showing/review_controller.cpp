@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int frameBursts = 1 << 20;   ///< keeps burst numbers of frames apart from those of poses
+constexpr int frameBursts = 1 << 20;   ///< offset that separates the undo-merge ids of frames from those of poses
 constexpr qint64 reviewBurstPauseMs = 1500;
 
 }   // namespace
@@ -67,7 +67,7 @@ void ReviewController::connectMotion()
         connect(actions[motion], &QAction::triggered, this, [&actions, motion, motions](bool on) {
             for (const ui::Command other : motions) {
                 if (on && other != motion) {
-                    actions[other]->setChecked(false);   // one motion at a time
+                    actions[other]->setChecked(false);   // only one animation at a time
                 }
             }
         });
@@ -135,7 +135,7 @@ void ReviewController::setFlickering(bool on)
     }
     flick();
     if (!settings::reduceMotion.read()) {
-        flickerTimer_.start();   // otherwise each press of F switches once
+        flickerTimer_.start();   // with reduced motion, each press of F switches once
     }
 }
 

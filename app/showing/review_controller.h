@@ -15,11 +15,11 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// How the user looks at the case: flicker, frames, theme. Nothing here changes the case but the frame.
+/// Display controls for review: flicker, frames, theme. Only the frame changes the case.
 class ReviewController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the main window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::AngiogramView& view;
@@ -30,9 +30,9 @@ public:
     ReviewController(CaseDocument& document, ViewSync& sync, PosePreview& preview, const Ui& ui,
                      QObject* parent = nullptr);
 
-    void stepFrame(int step);   ///< as AngiogramView::frameStepRequested
+    void stepFrame(int step);   ///< see AngiogramView::frameStepRequested
     void showFrame(int frame);
-    void stopMotion();   ///< ends whatever moves by itself
+    void stopMotion();   ///< ends all animations
 
 private:
     void connectMotion();

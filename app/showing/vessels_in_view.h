@@ -4,11 +4,11 @@
 
 namespace angiopose::app {
 
-/// How far from the source the tree's centroid lies in a view, mm; far enough to be projected.
+/// Depth of the tree's centroid from the source in a view, mm; at least the smallest projectable depth.
 double depthOfTreeMm(const core::View& view, const core::Vessels& vessels);
 
-/// Whether the tree's coordinates are the patient's. A case brings its own start pose with whatever axes its tree has:
-/// believed only while it agrees with the angles of the C-arm, which are the patient's.
+/// Whether the tree's coordinates are patient coordinates. A case may bring an initial pose for a tree with arbitrary
+/// axes; it counts only while it agrees with the C-arm angles, which refer to the patient.
 bool isOrientationKnown(const core::View& view, const core::Vessels& vessels);
 
 }   // namespace angiopose::app

@@ -24,7 +24,7 @@ namespace {
 
 double sourceToDetectorMm(const core::Case& current)
 {
-    // Only the drawing of the detector hangs on this: a usual C-arm where nobody says.
+    // Only the drawing of the detector uses this; falls back to a typical C-arm.
     return current.shown().geometry.cArm.sourceToDetectorMm.value.value_or(1000.0);
 }
 
@@ -50,7 +50,7 @@ QString previewWords(PreviewOf whose)
     return ViewSync::tr("another pose");
 }
 
-/// Bar heights: the fullest frame fills its cell.
+/// Bar heights relative to the peak-opacification frame.
 std::vector<double> relativeToPeak(std::vector<double> shares)
 {
     const double peak = shares.empty() ? 0.0 : *std::ranges::max_element(shares);
@@ -111,7 +111,7 @@ void ViewSync::showTree()
     ui_.branches.showTree(tree);
 }
 
-/// Bent vessels come and go with the pose they were found from.
+/// Shows or hides the deformed vessels, which belong to the pose they were found from.
 void ViewSync::showShape()
 {
     const core::Case& current = document_.current();
@@ -143,9 +143,9 @@ void ViewSync::showAngiogram()
         clearFrame();
     }
     if (measuredRun_ == core::storedRunOf(document_.current().shown())) {
-        isGrayNew_ = shownAngiogram_ != nullptr;   // the same run, subtracted or native
+        isGrayNew_ = shownAngiogram_ != nullptr;   // same cine run, toggled between subtracted and native
     } else {
-        measureOpacification();   // of what is stored: it does not change with the subtraction
+        measureOpacification();   // uses the stored frames, which subtraction does not change
     }
 }
 
@@ -163,7 +163,7 @@ void ViewSync::showCamera()
     ui_.treeView.requestRender();
 }
 
-/// Nothing of an image that the case does not have any more.
+/// Clears the frame of an image that the case no longer has.
 void ViewSync::clearFrame()
 {
     ui_.view.setFrame({});
@@ -213,7 +213,7 @@ void ViewSync::followPreview()
     showChip();
 }
 
-/// A pose that is looked at without being the document's: nothing said of that one holds for it.
+/// Whether a preview is shown to which the evaluation of the document's pose does not apply.
 bool ViewSync::isOtherPose() const
 {
     return preview_.shown() && preview_.colors() == ResidualColors::Hidden;
@@ -280,7 +280,7 @@ void ViewSync::showResidualColors()
 {
     ui::AngiogramView& view = ui_.view;
     const core::Case& current = document_.current();
-    const bool isOfOtherFrame = preview_.shown() == PreviewOf::Frame;   // whose vessels are not traced
+    const bool isOfOtherFrame = preview_.shown() == PreviewOf::Frame;   // vessels of that frame are not traced
     const bool isKnown = isOtherPose() ? target_ && !isOfOtherFrame && !document_.isInTrial() : judgement_ != nullptr;
     otherMedianMm_ = 0.0;
     if (!isKnown || !shownCamera_ || !current.vessels.tree) {
@@ -305,8 +305,8 @@ void ViewSync::colorByMotion(double mmPerPx)
     ui_.view.setResidualScale(endMm / mmPerPx, endMm);
 }
 
-/// Of the vessels as they are drawn, at the pose that is shown: the judgement is about the rigid ones at the
-/// document's.
+/// Colors the vessels as drawn at the shown pose; the stored evaluation covers only the rigid vessels at the document's
+/// pose.
 void ViewSync::colorByResiduals(double scalePx, double mmPerPx)
 {
     const bool isOther = isOtherPose();

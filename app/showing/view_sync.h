@@ -25,11 +25,11 @@ class TreeView;
 
 namespace angiopose::app {
 
-/// Keeps the window's views showing the document, with the pose that the preview says: redraws only what changed.
+/// Keeps the views of the window in sync with the document and the preview pose; redraws only what changed.
 class ViewSync : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the main window that this class updates.
     struct Ui {
         ui::AngiogramView& view;
         ui::TreeView& treeView;
@@ -43,19 +43,24 @@ public:
     void refresh();
     void showMarks(const ui::BranchMarks& marks);
     void showTarget(const SharedCenterline& target);
-    void showJudgement(const SharedJudgement& judgement);   ///< null: no residual colours
-    /// Of the document's pose; while another one is looked at the chip is about that. No words: no chip.
+    void showJudgement(const SharedJudgement& judgement);   ///< null: no residual colors
+    /// Sets the verdict on the document's pose; while another pose is shown, the chip describes that one. Empty text
+    /// hides the chip.
     void showVerdict(ui::VerdictTone tone, const QString& words);
-    void showFrame(int frame);   ///< of the open run, e.g. while playing; the document is not asked
+    void showFrame(int frame);   ///< shows any frame of the open cine run, for example during playback, whatever the
+                                 ///< document's frame
     int shownFrame() const { return shownFrame_; }
-    const std::vector<int>& suggestedMasks() const { return suggestedMasks_; }   ///< of the run; known when measured
+    const std::vector<int>& suggestedMasks() const
+    {
+        return suggestedMasks_;
+    }   ///< of the cine run; valid once it is measured
     const ui::FrameCurve& frameCurve() const { return frameCurve_; }
     void setIdentityHidden(bool hidden);
 
 signals:
-    void runMeasured();   ///< `frameCurve`, `suggestedMasks`
+    void runMeasured();   ///< `frameCurve` and `suggestedMasks` are available
     void frameShown(int frame);
-    void poseShown(const core::RigidTransform& cameraFromPatient);   ///< of the document, or a preview
+    void poseShown(const core::RigidTransform& cameraFromPatient);   ///< pose of the document or of a preview
 
 private:
     struct Measured {
@@ -90,10 +95,10 @@ private:
     std::shared_ptr<const core::Angiogram> shownAngiogram_;
     std::optional<core::ProjectionCamera> shownCamera_;
     int shownFrame_ = -1;
-    bool isGrayNew_ = false;   ///< the next frame has other grey values than the last
+    bool isGrayNew_ = false;   ///< the gray-value range of the next frame differs
     SharedJudgement judgement_;
     bool wasOtherPose_ = false;
-    double otherMedianMm_ = 0.0;   ///< of the pose that is looked at; 0: not known
+    double otherMedianMm_ = 0.0;   ///< median of the previewed pose; 0: unknown
     ui::VerdictChip* chip_;
     ui::VerdictTone tone_ = ui::VerdictTone::Doubtful;
     QString verdict_;

@@ -29,7 +29,7 @@ struct ToolkitOption {
     int values = 0;
 };
 
-/// Those that QGuiApplication and QApplication take out of the command line, with one dash or two.
+/// Options that QGuiApplication and QApplication remove from the command line, with one or two dashes.
 constexpr std::array toolkitOptions{
     ToolkitOption{"platform", 1},    ToolkitOption{"platformpluginpath", 1},
     ToolkitOption{"plugin", 1},      ToolkitOption{"platformtheme", 1},
@@ -42,7 +42,7 @@ constexpr std::array toolkitOptions{
     ToolkitOption{"sync", 0},
 };
 
-/// How many words from here on are the toolkit's.
+/// Number of arguments, from this one on, that belong to Qt.
 int toolkitWords(std::string_view word)
 {
     const std::string_view name = word.substr(std::min(word.find_first_not_of('-'), word.size()));
@@ -58,7 +58,7 @@ int toolkitWords(std::string_view word)
     return 0;
 }
 
-/// Qt ends the program with a signal where no display can be reached.
+/// Whether no display is available, in which case Qt would abort the program.
 bool lacksDisplay()
 {
 #ifdef Q_OS_LINUX
@@ -101,7 +101,7 @@ int say(std::FILE* stream, const QString& text, int exitCode)
     return exitCode;
 }
 
-/// In the chosen language, for which Qt wants an application, though none with windows.
+/// Answers on the terminal in the chosen language; translation requires a QCoreApplication.
 int answer(int argc, char** argv, const QStringList& words)
 {
     const QCoreApplication application(argc, argv);
@@ -199,7 +199,7 @@ std::optional<ReportWords> reportIn(const QCommandLineParser& parser)
 
 StartWords readStartWords(int argc, char** argv)
 {
-    QCoreApplication::setOrganizationName(QStringLiteral("AngioPose"));   // below which the language is kept
+    QCoreApplication::setOrganizationName(QStringLiteral("AngioPose"));   // needed to find the stored language
     QCoreApplication::setApplicationName(QStringLiteral("AngioPose"));
     QCoreApplication::setApplicationVersion(QStringLiteral(ANGIOPOSE_VERSION));
     const QStringList words = ownWords(argc, argv);
@@ -213,7 +213,7 @@ StartWords readStartWords(int argc, char** argv)
     if (const auto report = reportIn(parser)) {
         return {{}, std::nullopt, report};
     }
-    const bool hasToolkitWords = words.size() < argc;   // perhaps of another platform
+    const bool hasToolkitWords = words.size() < argc;   // they may select another platform
     if (lacksDisplay() && !hasToolkitWords) {
         return {{}, answer(argc, argv, words)};
     }

@@ -9,36 +9,37 @@
 
 namespace angiopose::app {
 
-/// What the command line wants of a report.
+/// Options of the command line for a report.
 struct ReportWords {
     QString casePath;
     QString outputPath;   ///< ends in .pdf, .html or .htm
     bool isRegistered = false;   ///< the views of the case are registered first
-    QString templatePath;   ///< empty: the built-in one
-    std::optional<QString> author;   ///< not set: who is logged in
+    QString templatePath;   ///< empty: the built-in template
+    std::optional<QString> author;   ///< not set: the login name
     Identity identity = Identity::Hidden;
-    QString language;   ///< a code of `ui::languages`; empty: the window's
+    QString language;   ///< a code of `ui::languages`; empty: the language of the window
 };
 
-/// Adds `--report FILE` and what goes beside it.
+/// Adds `--report FILE` and its related options.
 void describeReport(QCommandLineParser& parser);
 
-/// What is wrong with the words about a report, in the language of the program; nothing where they can be followed, or
-/// no report is asked for.
+/// Describes what is wrong with the report options, in the language of the program; empty if they are valid or no
+/// report is requested.
 std::optional<QString> faultOfReport(const QCommandLineParser& parser);
 
-/// Nothing where no report is asked for.
+/// Report options; empty if no report is requested.
 std::optional<ReportWords> reportIn(const QCommandLineParser& parser);
 
-/// What the command line wants the window to begin with.
+/// Startup options from the command line.
 struct StartWords {
     QStringList files;
-    std::optional<int> exitCode = std::nullopt;   ///< answered already: the program ends with it
-    std::optional<ReportWords> report = std::nullopt;   ///< written instead of a window's being opened
+    std::optional<int> exitCode =
+        std::nullopt;   ///< set: the command line is already handled and the program exits with this code
+    std::optional<ReportWords> report = std::nullopt;   ///< set: write this report instead of opening a window
 };
 
-/// Reads the command line before there is a window, a display or an application: `--help`, `--version` and what is
-/// wrong are answered on the terminal. Options of Qt itself (`-platform`, `-style`, …) are left for it.
+/// Parses the command line before a window, a display or an application exists: `--help`, `--version` and errors are
+/// answered on the terminal. Options of Qt itself (`-platform`, `-style`, …) are left to Qt.
 StartWords readStartWords(int argc, char** argv);
 
 }   // namespace angiopose::app

@@ -42,7 +42,7 @@ extern "C" void onStopSignal(int signal)
     std::signal(signal, SIG_DFL);
 }
 
-/// Ctrl+C, and being told to end, become a wish that running work answers; the second time the program ends at once.
+/// Turns SIGINT (Ctrl+C) and SIGTERM into a stop request; a second signal ends the program at once.
 void catchStops()
 {
     std::signal(SIGINT, onStopSignal);
@@ -54,7 +54,7 @@ bool isStopRequested()
     return stopRequested;
 }
 
-/// A line on stderr of how far the work is, where a person watches; Stop once that is wished.
+/// Prints the progress in one line on stderr if that is a terminal; returns Stop after a stop request.
 core::Verdict watchWork(std::string_view stage, double fraction)
 {
     static const bool isWatched = io::isTerminal(stderr);
@@ -67,7 +67,7 @@ core::Verdict watchWork(std::string_view stage, double fraction)
     return isStopRequested() ? core::Verdict::Stop : core::Verdict::Continue;
 }
 
-/// Takes that line away.
+/// Erases the progress line.
 void endWatch()
 {
     if (lastPercent >= 0) {
@@ -76,7 +76,7 @@ void endWatch()
     }
 }
 
-// FORMATS §5.
+// Exit codes, see FORMATS §5.
 constexpr int exitWritten = 0;
 constexpr int exitNoInput = 3;
 constexpr int exitDistrusted = 4;
@@ -123,7 +123,7 @@ std::string authorOf(const ReportWords& words)
     return words.author.value_or(observerName()).toStdString();
 }
 
-/// The case with the pose that it is to be reported with, and the vessels of its image.
+/// Case with the pose to report, and the vessels of its image.
 struct Reportable {
     core::Case session;
     core::Centerline2d target;
@@ -178,7 +178,7 @@ core::Status write(const std::vector<ReportedView>& views, const ReportWords& wo
                                {bytes.value().constData(), static_cast<std::size_t>(bytes.value().size())});
 }
 
-/// Qt remarks on desktops that there are not; what users can act on comes as a message.
+/// Suppresses Qt's remarks about a missing desktop; problems that users can act on are reported as messages.
 void keepQtQuiet()
 {
     qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& text) {
@@ -232,15 +232,15 @@ int writeReport(int argc, char** argv, const ReportWords& words)
 {
     catchStops();
     keepQtQuiet();
-    qputenv("QT_QPA_PLATFORM", "offscreen");   // also where there is a display: nothing is shown
+    qputenv("QT_QPA_PLATFORM", "offscreen");   // even with a display, because no window is shown
     QApplication application(argc, argv);
-    std::setlocale(LC_NUMERIC, "C");   // Qt took it from the system: libraries would read 0.8 as 0
+    std::setlocale(LC_NUMERIC, "C");   // Qt sets the system's numeric locale, with which libraries may parse 0.8 as 0
     if (words.language.isEmpty()) {
         applyChosenLanguage();
     } else {
         ui::applyLanguage(words.language);
     }
-    applyChosenTheme(application);   // the typeface is the window's
+    applyChosenTheme(application);   // sets the typeface of the window
     applyChosenColors();
     return writeReportOf(words);
 }

@@ -28,7 +28,7 @@ std::string joined(const std::vector<std::string>& parts, const std::string& sep
     return text;
 }
 
-/// DICOM parts of a name ("family^given") as people write them.
+/// Converts a DICOM person name ("family^given") to readable text.
 std::string readableName(std::string name)
 {
     std::replace(name.begin(), name.end(), '^', ' ');
@@ -85,7 +85,7 @@ void addDistances(core::Messages& lines, const core::CArm& cArm)
     }
 }
 
-/// "0.391 mm/px detector (header)", with the scale at the vessel where the depth is known.
+/// "0.391 mm/px detector (header)", and the scale at the vessel if the depth is known.
 void addPixelScale(core::Messages& lines, const core::Case& session)
 {
     std::optional<core::Message> atDetector, atVessels;

@@ -12,24 +12,24 @@ namespace angiopose::app {
 
 enum class Identity { Shown, Hidden };
 
-/// "header", "derived", "user", "assumed" or "missing".
+/// Origin of a value: "header", "derived", "user", "assumed" or "missing".
 core::Message originWord(core::Origin origin);
 std::string originText(core::Origin origin);
 
-/// What stands in the corners of a picture, a line each.
+/// Texts in the corners of an image, one entry per line.
 struct CornerLines {
     core::Messages topLeft, topRight, bottomLeft, bottomRight;
-    std::optional<core::Message> scaleHeading = {};   ///< with the unit; not set: residuals
+    std::optional<core::Message> scaleHeading = {};   ///< heading with the unit; not set: residuals
 };
 
-/// Each line as `toText` says it.
+/// Converts each line to text with `toText`.
 ui::CornerTexts textsOf(const CornerLines& lines, const std::function<std::string(const core::Message&)>& toText);
 
-/// As English text, for files.
+/// Corner texts in English, for files.
 ui::CornerTexts englishTexts(const CornerLines& lines);
 
-/// Corner texts where readers of other viewers look for them: patient and study on top, geometry with its basis at the
-/// bottom right. The bottom left is the caller's: frame, window and zoom belong to the view.
+/// Corner texts at the customary positions of DICOM viewers: patient and study at the top, geometry with its origin at
+/// the bottom right. The caller fills the bottom left, because frame, window and zoom belong to the view.
 CornerLines cornerLines(const core::Case& session, Identity identity);
 
 }   // namespace angiopose::app

@@ -11,7 +11,7 @@
 namespace angiopose::app {
 namespace {
 
-/// The first round number that holds the largest motion.
+/// Smallest scale end, a round number, that covers the largest displacement.
 double motionScaleMm(double largestMm)
 {
     constexpr std::array ends{1.0, 2.0, 5.0, 10.0, 20.0, 50.0};
@@ -34,7 +34,7 @@ MotionMap motionMap(const core::VesselTree& rigid, const core::VesselTree& defor
     return map;
 }
 
-/// Of the run in which a bend was found, where the one that is shown is another.
+/// Frame in which the deformation was found, if it is not the shown one.
 std::optional<int> otherFrameOf(const core::View& view, const core::RigidTransform& pose,
                                 const core::DeformableResult& deformed)
 {

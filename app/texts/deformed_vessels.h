@@ -10,38 +10,38 @@
 
 namespace angiopose::app {
 
-/// Which vessels lie on an image: as the rigid pose has them, or as bending found them, where it did.
+/// Shape of the vessels on an image: as placed by the rigid pose, or deformed if a deformation was found.
 enum class VesselShape { Rigid, Deformed };
 
-/// What bending found for a view and can be drawn where its vessels are shown at `pose`: that is the pose from which it
-/// was found, it is of this tree, and there is something to see. Else null.
+/// Deformation of a view that can be drawn with the vessels at `pose`: it was found from that pose and for this tree,
+/// and is visible. Else null.
 std::shared_ptr<const core::DeformableResult> drawableDeformation(const core::View& view, const core::Vessels& vessels,
                                                                   const core::RigidTransform& pose);
 
-/// How far each point of the bent tree lies from the rigid one as both are drawn, and where the colours of it end.
+/// Distance of each point of the deformed tree from the rigid one, as both are drawn, and the end of the color scale.
 struct MotionMap {
     std::map<int, std::vector<double>>
-        distanceMm;   ///< by branch; across the ray where one view told it, else in space
+        distanceMm;   ///< by branch id; perpendicular to the ray if found from one view, else in 3-D
     double largestMm = 0.0;
     double scaleMaximumMm = 0.0;
 };
 
-/// The vessels of a view as they are drawn at a pose.
+/// Vessels of a view as drawn at a pose.
 struct DrawnVessels {
     std::shared_ptr<const core::DeformableResult> known;   ///< see drawableDeformation
-    VesselShape shape = VesselShape::Rigid;   ///< bent only where that is known
-    std::optional<int> otherFrame;   ///< of the run in which it was found, where another one is shown
+    VesselShape shape = VesselShape::Rigid;   ///< `Deformed` only if a deformation is known
+    std::optional<int> otherFrame;   ///< frame in which the deformation was found, if another one is shown
     core::VesselTree tree;   ///< all branches, in patient axes at that pose
     MotionMap motion;   ///< of `known`
 };
 DrawnVessels drawnVessels(const core::View& view, const core::Vessels& vessels, const core::RigidTransform& pose,
                           VesselShape wanted);
 
-/// What a picture says of its vessels where bent ones are known: bent by how much, or rigid, and that one view does not
-/// tell the depth. Nothing where none are known.
+/// Image captions on the vessel shape if a deformation is known: deformed and by how much, or rigid, and that one view
+/// does not determine the depth. Empty if none is known.
 core::Messages shapeLines(const DrawnVessels& drawn);
 
-/// What stands above the scale of a motion map.
+/// Heading of the color scale of a displacement map.
 core::Message motionHeading();
 
 }   // namespace angiopose::app

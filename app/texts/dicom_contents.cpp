@@ -29,7 +29,7 @@ bool passesImage(const Line& line, const core::ProjectionCamera& camera)
     });
 }
 
-/// The vessels that are shown, auxiliary ones in a layer of their own.
+/// Visible vessels, with auxiliary branches in a layer of their own.
 std::vector<io::StateLayer> vesselLayers(const DicomGround& ground, const core::ProjectionCamera& camera)
 {
     const core::Case& session = ground.session;
@@ -53,7 +53,7 @@ std::vector<io::StateLayer> vesselLayers(const DicomGround& ground, const core::
     return {plain, auxiliary};
 }
 
-/// What was measured in the frame, with its value beside it.
+/// Measurements of the frame, each labeled with its value.
 io::StateLayer measuredLayer(const core::Case& session)
 {
     io::StateLayer layer{"MEASURED", "Measurements in the image", {255, 200, 87}, {}, {}};
@@ -74,7 +74,7 @@ io::StateLayer measuredLayer(const core::Case& session)
     return layer;
 }
 
-/// Grey values of the file: mirrored where reading turned the image round.
+/// Display range in gray values of the file; mirrored if reading inverted the image.
 core::DisplayRange storedRange(core::DisplayRange range, const core::Angiogram& run, const io::SourceImage& source)
 {
     if (!source.isShownInverted) {
@@ -105,7 +105,7 @@ core::DisplayRange shownRange(const DicomGround& ground, int frame, core::Messag
     return storedRange(range, run, ground.angiogram);
 }
 
-/// Names are written with `^` between their parts, titles with blanks.
+/// Splits names and titles into words; names are separated by `^`, titles by blanks.
 std::vector<std::string> wordsOf(const std::string& text)
 {
     std::vector<std::string> words;
@@ -130,7 +130,7 @@ bool namesPatient(const std::string& title, const io::SourceImage& source)
     return std::ranges::any_of(words, [&](const std::string& word) { return title.find(word) != std::string::npos; });
 }
 
-/// Letters in the image are not read: where there are any, they may be a name.
+/// Whether burned-in identity is possible. Text in the image is detected but not read, so any text may be a name.
 io::BurnedInIdentity identityIn(const DicomGround& ground)
 {
     const core::View& view = ground.session.shown();
@@ -142,7 +142,7 @@ io::BurnedInIdentity identityIn(const DicomGround& ground)
     return mayBeThere ? io::BurnedInIdentity::MayBeThere : io::BurnedInIdentity::None;
 }
 
-/// One size and one scale of grey values for all frames; curves and residuals are those of one frame.
+/// Uses one size and one display range for all frames, and no residuals or DRR, which belong to a single frame.
 OverlayPictureOptions lookOfRun(const DicomGround& ground)
 {
     OverlayPictureOptions look = ground.wanted.look;

@@ -4,13 +4,15 @@
 
 namespace angiopose::app {
 
-/// The overlay as vectors on the image as it is stored: vessels, measurements of the frame, and the notice.
+/// Presentation state with the overlay as vectors on the stored image: vessels, measurements of the frame, and the
+/// notice.
 core::Result<std::string> stateObject(const DicomGround& ground, core::Messages& notes);
 
-/// The overlay of the shown frame as a secondary capture.
+/// Secondary capture of the overlay on the shown frame.
 core::Result<std::string> pictureObject(const DicomGround& ground);
 
-/// The overlay through the run, each frame at the pose that following found, in grey values that stay the same.
+/// Secondary capture of the overlay on all frames of the cine run, each at its tracked pose, with a constant display
+/// range.
 core::Result<std::string> runObject(const DicomGround& ground);
 
 }   // namespace angiopose::app

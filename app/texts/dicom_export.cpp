@@ -35,7 +35,7 @@ const KindInfo& infoOf(DicomKind kind)
     return kindTable[static_cast<std::size_t>(kind)];
 }
 
-/// A file that is ready to be written.
+/// File content that is ready to be written.
 struct MadeFile {
     fs::path path;
     std::string content;
@@ -77,7 +77,7 @@ core::Result<DicomGround> groundOf(const core::Case& session, const core::Center
                        {}};
 }
 
-/// A run of one frame is the picture itself.
+/// Whether the case allows this kind; a single frame has no cine object, because the image object already shows it.
 bool isOffered(DicomKind kind, const DicomGround& ground)
 {
     return kind != DicomKind::Run || ground.session.shown().angiogram->frameCount() > 1;
@@ -111,7 +111,7 @@ core::Result<std::vector<MadeFile>> madeObjects(DicomGround& ground, const fs::p
     return made;
 }
 
-/// The camera, which no object of the standard holds, beside the registration.
+/// Adds the camera as a file next to the registration object, because no DICOM object can hold it.
 void addCameraFile(std::vector<MadeFile>& made, const core::View& view, const fs::path& folder)
 {
     const auto isRegistration = [](const MadeFile& file) {

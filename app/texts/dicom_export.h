@@ -12,31 +12,31 @@
 
 namespace angiopose::app {
 
-/// What leaves a case as a DICOM object (FORMATS §3.6).
+/// Kinds of DICOM objects that a case can be exported to (FORMATS §3.6).
 enum class DicomKind { Picture, Run, Report, State, Registration, Segmentation, Measurements };
 
 std::string_view idOf(DicomKind kind);   ///< "sc", "run", "pdf", "ps", "reg", "seg", "sr"
-std::string dicomKindIds();   ///< all of them, with commas
+std::string dicomKindIds();   ///< all ids, separated by commas
 std::optional<DicomKind> dicomKindFrom(std::string_view id);
 
 struct DicomExport {
-    std::vector<DicomKind> kinds;   ///< empty: all that the case allows
+    std::vector<DicomKind> kinds;   ///< empty: all kinds that the case allows
     OverlayPictureOptions look;
-    std::function<core::Result<std::string>()> report = nullptr;   ///< makes the PDF; not set: there is none
+    std::function<core::Result<std::string>()> report = nullptr;   ///< creates the PDF; not set: no report
     std::string author;
 };
 
 struct DicomFiles {
     std::vector<std::string> paths;   ///< of all files written
-    core::Messages notes;   ///< what was left out and why, and what an object cannot hold
+    core::Messages notes;   ///< what was omitted and why, and what an object cannot hold
 };
 
-/// Told the part that is done; its Stop ends it.
+/// Receives the completed fraction; returning Stop ends the export.
 using DicomObserver = std::function<core::Verdict(double fraction)>;
 
-/// Writes the shown view's objects into a folder, which is made where it is not there: new instances in series of their
-/// own, in the study of the image they come from. All are made before the first is written, so that nothing is half
-/// there. Fails where an object that was asked for cannot be made.
+/// Writes the objects of the shown view to a folder, which is created if missing: new instances in new series, in the
+/// study of their source image. All objects are created before the first is written, so no export is left incomplete.
+/// Fails if a requested object cannot be created.
 core::Result<DicomFiles> writeDicomObjects(const core::Case& session, const core::Centerline2d& target,
                                            const DicomExport& wanted, const std::string& folder,
                                            const DicomObserver& observe = {});

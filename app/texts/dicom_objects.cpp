@@ -14,7 +14,7 @@
 namespace angiopose::app {
 namespace {
 
-/// One file for the vessels and the scan they are traced from, or two.
+/// Frame of reference of the scan. Vessels and scan may be the same file or two.
 std::string scanFrame(const DicomGround& ground)
 {
     return io::scanFrameOfReference(ground.scan.source, ground.session.vessels.file.sha256);
@@ -26,7 +26,7 @@ core::Result<std::string> reportObject(const DicomGround& ground)
         return core::Error(says::dicomNoReport());
     }
     const auto pdf = ground.wanted.report();
-    // Titles and file names in it may tell whose it is, whatever was hidden.
+    // Titles and file names in the report may identify the patient even if the identity is hidden.
     return pdf ? io::encapsulatedPdf(pdf.value(), ground.session.title, io::BurnedInIdentity::MayBeThere,
                                      ground.angiogram, ground.origin)
                : core::Result<std::string>(pdf.error());
@@ -46,7 +46,7 @@ core::Result<std::string> registrationObject(const DicomGround& ground, core::Me
     return io::spatialRegistration(registration, ground.angiogram, ground.origin);
 }
 
-/// The tree as tubes of its radii in the grid of the scan.
+/// Mask of the tree in the voxel grid of the scan, drawn as tubes with the tree's radii.
 core::VoxelMask drawnTree(const core::VesselTree& tree, const core::VolumeGeometry& grid)
 {
     core::VoxelMask mask(grid);

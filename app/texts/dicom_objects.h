@@ -6,7 +6,7 @@
 
 namespace angiopose::app {
 
-/// What all objects of one export rest on.
+/// Common input of all objects of one export.
 struct DicomGround {
     const core::Case& session;
     const core::Centerline2d& target;
@@ -14,13 +14,14 @@ struct DicomGround {
     io::SourceImage angiogram;
     io::ScanReference scan;
     io::ObjectOrigin origin;
-    DicomObserver shouldContinue;   ///< asked while an object is made: the part of it
+    DicomObserver shouldContinue;   ///< called with the completed fraction while an object is created
 };
 
-/// The bytes of an object; `ground` must have vessels and an image. What it cannot hold is added to `notes`.
+/// Bytes of one object; `ground` must contain vessels and an image. Adds notes on content that the object cannot hold
+/// to `notes`.
 core::Result<std::string> dicomObject(DicomKind kind, const DicomGround& ground, core::Messages& notes);
 
-/// Where the scan of the vessels comes from; empty where it is no DICOM, or not there any more.
+/// DICOM references of the scan that the vessels come from; empty if it is not DICOM or is no longer available.
 io::ScanReference scanReferenceOf(const core::Vessels& vessels);
 
 }   // namespace angiopose::app

@@ -4,8 +4,8 @@
 
 namespace angiopose::app {
 
-/// What the distances of a fit are about where that is not all of the tree, with the value over all of it; the branches
-/// left out, each with its median, and the auxiliary ones. Empty where the distances are over the whole tree.
+/// Describes the part of the tree to which the distances of a fit refer, with the value over the whole tree, the
+/// excluded branches with their medians, and the auxiliary branches. Empty if the distances cover the whole tree.
 core::Messages fitWords(const core::FitBasis& basis, const core::Vessels& vessels);
 
 }   // namespace angiopose::app

@@ -22,7 +22,7 @@ std::optional<std::vector<Eigen::Vector2d>> outlineOf(const core::VesselMark& ri
     return outline;
 }
 
-/// Where each is seen in the frame, a line to where it is drawn.
+/// Adds the sighting of a mark in the frame, with a line to its drawn position.
 void addSightings(std::vector<ui::ImageMark>& marks, const PlacedView& placed, int markId,
                   const std::optional<Eigen::Vector2d>& drawnAt)
 {

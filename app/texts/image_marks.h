@@ -14,27 +14,27 @@
 
 namespace angiopose::app {
 
-/// A view of a case as it is shown, for what lies on it.
+/// A view of a case as shown, for placing marks on it.
 struct PlacedView {
     const core::Case& session;
     std::size_t view = 0;
     int frame = 0;
-    VesselShape shape = VesselShape::Deformed;   ///< places go along with bent vessels
-    core::PoseOfView poseOf = {};   ///< as shown; not set: the case's own
-    std::set<int> chosenMarks = {};   ///< places among the marks of the vessels
+    VesselShape shape = VesselShape::Deformed;   ///< marks follow the deformed vessels
+    core::PoseOfView poseOf = {};   ///< as shown; not set: the case's own pose
+    std::set<int> chosenMarks = {};   ///< ids of the selected vessel marks
     std::set<int> chosenAnnotations = {};
 };
 
-/// Check points and rings of the vessels where the pose and the shape of the vessels put them, with how far they are
-/// off and the places where they are seen, then arrows and words of the frame. `toText` says a message.
+/// Target points and rings, projected with the pose and shape of the vessels, with their errors and sightings, then the
+/// arrows and texts of the frame. `toText` converts a message to text.
 std::vector<ui::ImageMark> placedMarks(const PlacedView& placed,
                                        const std::function<std::string(const core::Message&)>& toText);
 
-/// The marks as the vessels that are drawn at a pose have them.
+/// Vessel marks at the positions of the vessels as drawn at a pose.
 std::vector<core::VesselMark> drawnMarks(const core::View& view, const core::Vessels& vessels,
                                          const core::RigidTransform& pose, VesselShape shape);
 
-/// What is drawn on a frame of a view: its measurements with their values. `toText` says a message.
+/// Measurements of a frame of a view with their values. `toText` converts a message to text.
 std::vector<ui::ImageMark> marksOf(const core::MeasuredView& seen, int frame,
                                    const std::function<std::string(const core::Message&)>& toText);
 

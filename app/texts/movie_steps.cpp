@@ -14,16 +14,16 @@ namespace angiopose::app {
 namespace {
 
 constexpr int sidePx = 512;
-constexpr double filledPart = 0.86;   // of the picture, by the sphere that holds the vessels
-constexpr double distanceInRadii = 6.0;   // from where they are seen: as deep as in an angiogram
+constexpr double filledPart = 0.86;   // share of the frame that the bounding sphere of the vessels fills
+constexpr double distanceInRadii = 6.0;   // viewing distance in radii of that sphere; perspective as in an angiogram
 
-/// Eye in front of the patient: left of the patient on the right, head up, depth to the back (LPS).
+/// Camera orientation in front of the patient: patient's left on the right, head up, depth to the back (LPS).
 Eigen::Matrix3d fromFront()
 {
     return (Eigen::Matrix3d() << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0).finished();
 }
 
-/// Of the box around the vessels, so that they fill the picture.
+/// Center of the bounding box of the vessels, which makes them fill the frame.
 Eigen::Vector3d middleOf(const core::VesselTree& tree)
 {
     Eigen::AlignedBox3d box;
@@ -54,7 +54,7 @@ core::ProjectionCamera cameraAround(double radius)
     return {pxPerSlope, pxPerSlope, middle, middle, sidePx, sidePx};
 }
 
-/// Vessels alone after they turned about the patient's long axis through their middle.
+/// Vessels alone, rotated about the patient's long axis through their center.
 core::Case turnedBy(core::Case alone, double degrees)
 {
     const core::VesselTree& tree = *alone.vessels.tree;
@@ -66,8 +66,8 @@ core::Case turnedBy(core::Case alone, double degrees)
     return alone;
 }
 
-/// The vessels by themselves before a dark ground, as somebody sees them who stands in front of the patient: a view of
-/// its own in place of the shown one, which says nothing of image and pose. `shape` where bent ones are known.
+/// Vessels alone on a dark background, seen from in front of the patient: a separate view replaces the shown one and
+/// carries nothing about its image and pose. `shape` applies if a deformation is known.
 core::Case vesselsAlone(const core::Case& session, VesselShape shape)
 {
     core::Case alone = session;
@@ -87,9 +87,9 @@ core::Case vesselsAlone(const core::Case& session, VesselShape shape)
     return turnedBy(std::move(alone), 0.0);
 }
 
-constexpr double usualPerSecond = 15.0;   // where the run does not say
+constexpr double usualPerSecond = 15.0;   // if the file does not state the frame rate
 constexpr double turnSeconds = 6.0;
-constexpr double restMs = 1500.0;   // on the last pose of a convergence
+constexpr double restMs = 1500.0;   // hold time of the final pose of a convergence
 constexpr double msPerSecond = 1000.0;
 
 bool isDistrusted(const core::View& view)
@@ -97,7 +97,7 @@ bool isDistrusted(const core::View& view)
     return view.result && !view.result->trustworthy;
 }
 
-/// At another pose nothing holds that was found or measured at the case's.
+/// Sets another pose and removes all results and measurements that refer to the previous one.
 void moveTo(core::Case& session, const core::RigidTransform& pose)
 {
     core::View& view = session.shown();

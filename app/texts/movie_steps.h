@@ -4,17 +4,17 @@
 
 namespace angiopose::app {
 
-/// One picture of a movie.
+/// One frame of a movie.
 struct MovieStep {
     core::Case session;   ///< with its frame and pose; images are shared
-    std::optional<core::Message> words;   ///< what this picture is
+    std::optional<core::Message> words;   ///< caption of the frame
     double ms = 0.0;
 };
 
-/// Why there is no such movie of the case; nothing where there is.
+/// Reason why the case has no such movie; empty if it has.
 std::optional<core::Message> findProblem(const core::Case& session, const MoviePlan& plan);
 
-/// How the pictures of a case follow each other: made once, asked for picture by picture. The plan makes sense.
+/// Sequence of a movie's frames: constructed once, then queried frame by frame. The plan must be valid.
 class MovieSteps {
 public:
     MovieSteps(const core::Case& session, const MoviePlan& plan, VesselShape shape);
@@ -28,7 +28,7 @@ private:
 
     core::Case case_;
     MoviePlan plan_;
-    std::optional<core::Message> turned_;   ///< of a turn: what of it is not rigid
+    std::optional<core::Message> turned_;   ///< of a rotation: note on the non-rigid part
 };
 
 }   // namespace angiopose::app

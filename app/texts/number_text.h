@@ -4,7 +4,7 @@
 
 namespace angiopose::app {
 
-/// "12.34": fixed decimals, '.' in every locale. "n/a" when not finite.
+/// "12.34": fixed number of decimals, '.' in every locale. "n/a" if not finite.
 std::string fixedText(double value, int decimals);
 
 /// "LAO 30.0" or "RAO 12.5"; "CRA …" or "CAU …".

@@ -36,7 +36,7 @@ ui::ViewRect wholeImage(const core::ImageF& frame)
     return {-0.5, frame.width - 0.5, -0.5, frame.height - 0.5};
 }
 
-/// `heading` tells two pictures beside each other apart.
+/// Corner texts of an exported image; `heading` distinguishes two images side by side.
 ui::CornerTexts exportTexts(const core::Case& session, const core::Centerline2d& target,
                             const OverlayPictureOptions& options, const DrawnVessels& drawn,
                             const std::optional<core::Message>& heading)
@@ -58,7 +58,7 @@ ui::CornerTexts exportTexts(const core::Case& session, const core::Centerline2d&
             const core::Messages words = fitWords(*basis, session.vessels);
             lines.bottomLeft.insert(lines.bottomLeft.end(), words.begin(), words.end());
         }
-    } else if (const auto& elsewhere = session.shown().result) {   // its figures are not of this frame
+    } else if (const auto& elsewhere = session.shown().result) {   // the metrics belong to another frame
         const core::Message pose = says::moviePoseOfFrame(elsewhere->provenance.frame.value_or(0) + 1);
         if (heading != pose) {
             lines.bottomLeft.push_back(pose);
@@ -76,7 +76,7 @@ ui::CornerTexts exportTexts(const core::Case& session, const core::Centerline2d&
             options.coloring == OverlayColoring::Motion ? std::optional(motionHeading()) : std::nullopt;
     }
     ui::CornerTexts texts = options.texts(lines);
-    texts.topLeft.insert(texts.topLeft.begin(), session.title);   // the user's words
+    texts.topLeft.insert(texts.topLeft.begin(), session.title);   // text typed by the user, not translated
     return texts;
 }
 
@@ -120,7 +120,7 @@ double residualScaleMaximumPx(const core::ProjectionCamera& camera, double depth
 
 namespace {
 
-/// Where a scale of colours ends; 0: there is none.
+/// End of a color scale; 0: no scale.
 struct ScaleEnd {
     double px = 0.0;
     double mm = 0.0;
@@ -146,7 +146,7 @@ ScaleEnd colorVessels(ui::OverlayScene& scene, const core::Case& session, const 
     return {endPx, residualScaleMaximumMm};
 }
 
-/// The scene as the options want it.
+/// Applies the options to the scene.
 ScaleEnd styleScene(ui::OverlayScene& scene, const core::Case& session, const core::Centerline2d& target,
                     const OverlayPictureOptions& options, const DrawnVessels& drawn)
 {
@@ -159,7 +159,7 @@ ScaleEnd styleScene(ui::OverlayScene& scene, const core::Case& session, const co
     return scene.mode() == ui::OverlayMode::Hidden ? ScaleEnd{} : colorVessels(scene, session, target, options, drawn);
 }
 
-/// What was measured on the frame, and the places of the vessels, in the words of the picture.
+/// Measurements of the frame and vessel marks, labeled in the language of the image.
 std::vector<ui::ImageMark> marksIn(const core::Case& session, const OverlayPictureOptions& options)
 {
     const auto toText = [&options](const core::Message& message) {
@@ -175,7 +175,7 @@ std::vector<ui::ImageMark> marksIn(const core::Case& session, const OverlayPictu
     return marks;
 }
 
-/// Where the vessels lie on the image: labels keep clear of them.
+/// Points of the projected vessels, which labels avoid.
 std::vector<Eigen::Vector2d> drawnPoints(const ui::OverlayScene& scene)
 {
     std::vector<Eigen::Vector2d> points;
@@ -187,7 +187,7 @@ std::vector<Eigen::Vector2d> drawnPoints(const ui::OverlayScene& scene)
     return points;
 }
 
-/// Pixels or vectors, as asked for.
+/// Renders to pixels or vectors, depending on the type.
 template <class Picture>
 core::Result<Picture> drawScene(ui::OverlayScene& scene, const auto&... how)
 {
@@ -249,7 +249,7 @@ ui::VectorPicture beside(const ui::VectorPicture& left, const ui::VectorPicture&
     return ui::besideEachOther(left, right, gapBeside(left.width));
 }
 
-/// Two pictures of one size with a dark line between them.
+/// Joins two images of the same size with a dark line between them.
 core::ColorImage beside(const core::ColorImage& left, const core::ColorImage& right)
 {
     const int gap = gapBeside(left.width);
@@ -281,7 +281,7 @@ core::Result<Picture> drawAs(const core::Case& session, const core::Centerline2d
     core::Case before = session;
     before.shown().cameraFromPatient = start.value();
     before.shown().result.reset();
-    before.shown().measurements.clear();   // they would have other values there
+    before.shown().measurements.clear();   // their values would differ at this pose
     before.shown().sightings.clear();
     const auto left = drawOne<Picture>(before, target, options, says::beforeAtStart());
     const auto right = drawOne<Picture>(session, target, options, says::afterAtPose());
@@ -326,7 +326,8 @@ core::Result<core::ColorImage> drawThumbnail(const core::Case& session, int widt
     }
     const core::ImageF& frame = angiogram->frames[static_cast<std::size_t>(session.shown().frame)];
     const int height = std::max(1, widthPx * frame.height / frame.width);
-    scene.setLineWidthPx(std::max(1.0, widthPx / (target ? 200.0 : 80.0)));   // colours tell more than width
+    scene.setLineWidthPx(
+        std::max(1.0, widthPx / (target ? 200.0 : 80.0)));   // thinner lines suffice when colors show the residuals
     return ui::renderOffscreen(scene, widthPx, height, wholeImage(frame));
 }
 

@@ -5,23 +5,23 @@
 
 namespace angiopose::app {
 
-/// What an exported picture shows: vessels over the image, the image alone as it is seen, or its grey values in 16 bit.
+/// Content of an exported image: vessels over the image, the image alone as displayed, or its 16-bit gray values.
 enum class PictureContent { Overlay, Frame, Frame16 };
 
 struct PictureFile {
     PictureContent content = PictureContent::Overlay;
-    double dotsPerInch = 0.0;   ///< 0: none is told
+    double dotsPerInch = 0.0;   ///< 0: not stored in the file
 };
 
-/// The picture as vectors.
+/// The exported image as vectors.
 core::Result<ui::VectorPicture> pictureVectors(const core::Case& session, const core::Centerline2d& target,
                                                const OverlayPictureOptions& options, const PictureFile& file);
 
-/// What files of it say about themselves.
+/// Metadata of an SVG file.
 SvgFacts factsOf(const core::Case& session, const PictureFile& file);
 
-/// Writes PNG or SVG by the end of the path, with where the picture comes from. 16 bit are PNG alone, the shown frame
-/// at its own size without texts.
+/// Writes PNG or SVG, by the extension, with the provenance of the image. 16-bit export is PNG only: the shown frame at
+/// its native size, without texts.
 core::Status writePictureFile(const core::Case& session, const core::Centerline2d& target,
                               const OverlayPictureOptions& options, const PictureFile& file, const std::string& path);
 

@@ -5,8 +5,8 @@
 
 namespace angiopose::app {
 
-/// What a terminal shows and does not obey: every control character but line ends and tabs becomes "?". Names in files
-/// and answers of archives may hold such commands.
+/// Makes text safe for a terminal: every control character except line ends and tabs becomes "?". Names in files and
+/// responses of archives may contain control sequences.
 std::string printableText(std::string_view text);
 
 }   // namespace angiopose::app

@@ -12,8 +12,8 @@ namespace {
 using ui::StrokeLine;
 using ui::StrokeShape;
 
-constexpr int sameTone = 6;   // steps of 255 within which a line keeps its colour
-constexpr double fillOverlap = 0.5;   // px by which opaque fills cover the next: no seams
+constexpr int sameTone = 6;   // maximum difference of the 8-bit channels within a segment of one color
+constexpr double fillOverlap = 0.5;   // px by which opaque fills overlap the next one, to avoid seams
 
 std::string escapedForSvg(const std::string& text)
 {
@@ -104,7 +104,7 @@ void SvgWriter::addPath(const StrokeShape& shape, std::size_t from, std::size_t 
             attribute("stroke-width", px(shape.pen.widthPx)) + opacityOf("stroke-opacity", shape.pen.opacity) + "/>\n";
 }
 
-/// Whole where it has one colour, else in pieces of one.
+/// Writes the line as one path per color.
 void SvgWriter::addLine(const StrokeShape& shape)
 {
     const StrokeLine& line = shape.line;

@@ -7,14 +7,15 @@
 
 namespace angiopose::app {
 
-/// What an SVG file says about itself.
+/// Metadata of an SVG file.
 struct SvgFacts {
     std::string title;
-    std::map<std::string, std::string> texts;   ///< provenance, as the text chunks of a PNG
-    double dotsPerInch = 0.0;   ///< 0: px of the screen
+    std::map<std::string, std::string> texts;   ///< provenance, as in the text chunks of a PNG
+    double dotsPerInch = 0.0;   ///< 0: screen px
 };
 
-/// The picture as SVG 1.1, of parts that SVG Tiny 1.2 has, too: lines as paths, texts as text, pixels as embedded PNG.
+/// Converts the image to SVG 1.1, limited to features of SVG Tiny 1.2: lines as paths, texts as text, pixels as
+/// embedded PNG.
 std::string svgOf(const ui::VectorPicture& picture, const SvgFacts& facts);
 
 }   // namespace angiopose::app

@@ -4,13 +4,13 @@
 
 namespace angiopose::app {
 
-/// Who found a pose: the run whose result stands beside it, of the shown frame; a run before, or one in another frame;
-/// or no run.
+/// Source of a pose: the registration whose result belongs to the shown frame, an earlier registration or one in
+/// another frame, or no registration.
 enum class FoundBy { ItsRun, AnEarlierRun, NoRun };
 
-/// What a run knows more of the pose of `view` than `judged`, a look at that pose in the shown frame, can say: other
-/// solutions, why it stopped, how long it took, what is empty. Of an earlier run only its distrust counts: nothing that
-/// was distrusted turns green.
+/// Adds the knowledge of the registration that found the pose of `view` to `judged`, an evaluation of that pose in the
+/// shown frame: alternatives, stop reason, duration, unopacified branches. Of an earlier registration only low
+/// confidence carries over, so an unreliable pose never becomes reliable.
 FoundBy takeWordOfRun(core::RegistrationResult& judged, const core::View& view);
 
 }   // namespace angiopose::app

@@ -19,8 +19,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Which C-arm angles show the selected branch, for the pose of the shown view: worked out anew whenever branch, pose
-/// or geometry change.
+/// Determines the C-arm angles that show the selected branch, for the pose of the shown view; recomputed whenever
+/// branch, pose or geometry changes.
 class AngleController : public QObject {
     Q_OBJECT
 public:
@@ -29,10 +29,10 @@ public:
 
     bool isRunning() const { return job_.isRunning(); }
     void open();
-    ui::AngleDialog* dialog() const { return dialog_; }   ///< null while it is closed
+    ui::AngleDialog* dialog() const { return dialog_; }   ///< null while closed
 
 private:
-    /// A branch, the way it is looked at, and where the vessels are then.
+    /// Request for an angle map: branch, visible part, and position of the vessels.
     struct Question {
         int branchId = 0;
         core::PartSight sight;

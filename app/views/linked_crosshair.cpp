@@ -13,7 +13,7 @@
 namespace angiopose::app {
 namespace {
 
-constexpr double crosshairReachPx = 8.0;   // widget px: so near to the pointer a vessel lies under it
+constexpr double crosshairReachPx = 8.0;   // widget px; maximum distance of a vessel from the pointer
 
 core::Sight sightIn(const ui::AngiogramView& image)
 {
@@ -74,7 +74,7 @@ bool LinkedCrosshair::isLinking() const
 void LinkedCrosshair::point(ui::AngiogramView& image, const std::optional<Eigen::Vector2d>& imagePx)
 {
     if (!imagePx && pointedIn_ != &image) {
-        return;   // the pointer went from here to another before
+        return;   // the pointer has already entered another view
     }
     pointedIn_ = &image;
     pointerPx_ = imagePx && isInside(image.scene().frame(), *imagePx) ? imagePx : std::nullopt;

@@ -20,12 +20,13 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// One cross-hair for views that stand side by side. What lies under the pointer in one is a line in the others
-/// (ALGORITHMS §5.7); the place on the vessels under it is a point in all, and in 3-D. A click takes the slices there.
+/// Linked crosshair of side-by-side views. The position under the pointer in one view becomes a line in the others
+/// (ALGORITHMS §5.7); the vessel point under it becomes a point in all views and in 3-D. A click moves the slices
+/// there.
 class LinkedCrosshair : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the main window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::ViewStrip& strip;
@@ -49,8 +50,9 @@ private:
 
     Ui ui_;
     QPointer<ui::AngiogramView> pointedIn_;
-    std::optional<Eigen::Vector2d> pointerPx_;   ///< in the image `pointedIn_`; nothing while it is elsewhere
-    QTimer again_;   ///< after poses have changed under the pointer
+    std::optional<Eigen::Vector2d>
+        pointerPx_;   ///< position in the image `pointedIn_`; empty while the pointer is elsewhere
+    QTimer again_;   ///< delays the update after poses change under the pointer
 };
 
 }   // namespace angiopose::app

@@ -9,7 +9,7 @@
 
 namespace angiopose::app {
 
-/// All of a view that its picture, its target and its numbers hang on.
+/// All properties of a view that determine its thumbnail, target and metrics.
 struct ViewSight {
     std::shared_ptr<const core::Angiogram> angiogram;
     int frame = 0;
@@ -22,20 +22,20 @@ struct ViewSight {
 };
 ViewSight sightOf(const core::View& view);
 
-/// One view of the case, small: its picture with the tree, and how its pose agrees with its own image.
+/// Summary of one view: thumbnail with the tree, and agreement of its pose with its own image.
 struct ViewLook {
     ViewSight of;
     std::optional<core::ColorImage> picture;
     std::optional<core::DistanceMetrics> metrics;
-    std::optional<core::Message> problem;   ///< why there is no picture or no metrics
-    std::shared_ptr<const core::Centerline2d> target;   ///< as it was traced for the metrics
+    std::optional<core::Message> problem;   ///< reason why thumbnail or metrics are missing
+    std::shared_ptr<const core::Centerline2d> target;   ///< trace used for the metrics
 };
 
-/// What was traced already in the frame of a view, whatever pose and camera it had then; null: nothing.
+/// Earlier trace of the frame of a view, whatever its pose and camera were then; null: none.
 std::shared_ptr<const core::Centerline2d> knownTarget(const std::vector<ViewLook>& known, const ViewSight& sight);
 
-/// Looks at the views of the case, in order; the target of the shown one is `shownTarget` (null: none yet). What is
-/// traced already is taken from `known`. For a worker: takes a tenth of a second per view and more.
+/// Summarizes the views of the case, in order; `shownTarget` is the target of the shown view (null: none yet). Reuses
+/// the traces in `known`. Takes 0.1 s per view or more; call it on a worker thread.
 std::vector<ViewLook> lookAtViews(const core::Case& session,
                                   const std::shared_ptr<const core::Centerline2d>& shownTarget,
                                   const std::vector<ViewLook>& known, int widthPx);

@@ -15,7 +15,8 @@
 namespace angiopose::app {
 namespace {
 
-constexpr auto restOfOthers = std::chrono::milliseconds(150);   ///< the processor is for drawing and the shown view
+constexpr auto restOfOthers =
+    std::chrono::milliseconds(150);   ///< leaves processor time for drawing and the shown view
 
 }   // namespace
 
@@ -36,7 +37,7 @@ void OtherView::show(std::size_t place)
     showTree();
     showImage();
     const auto camera = core::cameraOf(view());
-    const bool isSeen = camera && angiogram_;   // no vessels where there is no image
+    const bool isSeen = camera && angiogram_;   // vessels are drawn only over an image
     const core::ProjectionCamera known = isSeen ? camera.value() : core::ProjectionCamera();
     ui::AngiogramView& image = on_.pane.image();
     if (!(known == image.camera())) {
@@ -54,13 +55,13 @@ void OtherView::showTree()
     }
     tree_ = vessels.tree;
     hidden_ = vessels.hiddenBranchIds;
-    hideResiduals();   // colours of what was would lie
+    hideResiduals();   // colors of the previous tree would mislead
     ui::AngiogramView& image = on_.pane.image();
     drawTree();
     image.setPivot(tree_ ? core::centroidInPatient(*tree_) : Eigen::Vector3d(Eigen::Vector3d::Zero()));
 }
 
-/// Bent vessels come and go with the pose they were found from.
+/// Shows or hides the deformed vessels, which belong to the pose they were found from.
 void OtherView::showShape()
 {
     const auto known = drawableDeformation(view(), current().vessels, pose_);

@@ -22,33 +22,33 @@ class ViewPane;
 
 namespace angiopose::app {
 
-/// Keeps a pane showing one view of the case beside the shown one: its frame, the vessels at its pose or as they go
-/// along with a preview, coloured by how they agree with this view's own image. Redraws only what changed.
+/// Keeps a pane in sync with a view of the case next to the shown one: its frame, and the vessels at its pose or linked
+/// to a preview, colored by their agreement with this view's own image. Redraws only what changed.
 class OtherView : public QObject {
     Q_OBJECT
 public:
-    /// What it shows, and where.
+    /// Objects that the pane shows and uses.
     struct Parts {
         const CaseDocument& document;
         const PosePreview& preview;
         const ViewController& views;
         LookController& look;
-        ui::AngiogramView& shown;   ///< whose look it takes
+        ui::AngiogramView& shown;   ///< view whose display settings the pane adopts
         ui::ViewPane& pane;
     };
     explicit OtherView(const Parts& parts, QObject* parent = nullptr);
 
-    void show(std::size_t place);   ///< of the case's views, as they are now
-    void showPose();   ///< of the document, or with a preview
-    void showColors();   ///< judges the pose where that was not done yet
+    void show(std::size_t place);   ///< index of the view in the case
+    void showPose();   ///< pose of the document, or linked to a preview
+    void showColors();   ///< evaluates the pose if that is still to be done
     void takeLook();
-    void clear();   ///< holds nothing of the case any more
+    void clear();   ///< releases all data of the case
     std::size_t place() const { return place_; }
 
 private:
-    /// All that the residual colours hang on.
+    /// Everything that determines the residual colors.
     struct Judged {
-        ViewSight sight;   ///< at the pose as it was shown
+        ViewSight sight;   ///< at the shown pose
         std::shared_ptr<const core::VesselTree> tree;
         std::vector<int> excluded;
         std::shared_ptr<const core::Centerline2d> target;
@@ -73,7 +73,7 @@ private:
     std::shared_ptr<const core::Angiogram> angiogram_;
     int frame_ = -1;
     core::RigidTransform pose_;
-    bool isBrightnessOwn_ = false;   ///< set by the user, not by an image that is new here
+    bool isBrightnessOwn_ = false;   ///< set by the user, not automatic for a new image
     std::optional<Judged> judged_;
     JudgeJob job_;
 };

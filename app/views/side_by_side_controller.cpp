@@ -20,10 +20,11 @@
 namespace angiopose::app {
 namespace {
 
-constexpr int framesOfOthers = 1 << 21;   ///< keeps burst numbers apart from those of poses and the shown view's frames
+constexpr int framesOfOthers =
+    1 << 21;   ///< offset that separates the undo-merge ids from those of poses and of the shown view's frames
 constexpr qint64 frameBurstPauseMs = 1500;
 
-/// What of its image a view shows.
+/// Zoom and pan of a view.
 class Zoom {
 public:
     explicit Zoom(const ui::AngiogramView& view) : isFitted_(view.isFitted()), part_(view.visiblePart()) {}
@@ -76,13 +77,14 @@ void SideBySideController::connectCase()
     });
 }
 
-/// Whatever changes how the shown view looks changes the others with it.
+/// Applies changes of the shown view's display settings to the other views.
 void SideBySideController::connectLook()
 {
     using enum ui::Command;
     connect(&on_.look, &LookController::changed, this, &SideBySideController::takeLooks);
     connect(&on_.branches, &BranchController::marksChanged, this, &SideBySideController::takeLooks);
-    for (const ui::Command mouse : {MouseRadiology, MouseSlicer, MouseScroll}) {   // queued: once it was chosen
+    for (const ui::Command mouse :
+         {MouseRadiology, MouseSlicer, MouseScroll}) {   // queued: after the choice has taken effect
         connect(ui_.actions[mouse], &QAction::triggered, this, &SideBySideController::takeLooks, Qt::QueuedConnection);
     }
     for (const ui::Command colors : {ColorsBlueAmber, ColorsBlueRed, ColorsBrightness}) {
@@ -112,7 +114,7 @@ void SideBySideController::connectPane(ui::ViewPane* pane)
     connect(&image, &ui::AngiogramView::backgroundClicked, this, [this] { on_.branches.select({}); });
 }
 
-/// It changes places with the shown one, and each takes its zoom along.
+/// Swaps the chosen view with the shown one; each keeps its zoom.
 void SideBySideController::choose(std::size_t place, ui::AngiogramView& image)
 {
     ui::AngiogramView& shown = ui_.images.shown();
@@ -140,7 +142,8 @@ std::vector<std::size_t> SideBySideController::others() const
 {
     const core::Case& current = on_.document.current();
     std::vector<std::size_t> places;
-    if (!on_.document.isInTrial() && current.shown().angiogram) {   // in a trial they would tell the answer
+    if (!on_.document.isInTrial() &&
+        current.shown().angiogram) {   // hidden in a trial, because they would reveal the answer
         for (std::size_t place = 0; place < current.views.size(); ++place) {
             if (place != current.shownView) {
                 places.push_back(place);
@@ -160,7 +163,7 @@ QString SideBySideController::whyEmpty() const
                      .arg(ui::keyOf(ui::Command::AddView));
 }
 
-/// What each pane shows: a view stays where it is while it is there, so that one that is chosen changes places with the
+/// Index of the view in each pane. A view keeps its pane as long as it exists, so a chosen view swaps places with the
 /// shown one.
 std::vector<std::size_t> SideBySideController::placesOfPanes() const
 {
@@ -232,7 +235,7 @@ std::vector<OtherView*> SideBySideController::shown() const
 {
     std::vector<OtherView*> shown;
     for (std::size_t i = 0; i < ui_.images.paneCount(); ++i) {
-        if (others_[i]->place() < on_.document.current().views.size()) {   // else its view just went
+        if (others_[i]->place() < on_.document.current().views.size()) {   // otherwise its view was just removed
             shown.push_back(others_[i].get());
         }
     }
@@ -246,7 +249,8 @@ void SideBySideController::takeLooks()
     }
 }
 
-/// The frame of a view belongs to the case, shown or not: poses, target and result hang on it.
+/// Sets the frame of a view. It belongs to the case even if the view is not the shown one, because poses, target and
+/// result depend on it.
 void SideBySideController::changeFrame(const OtherView& other, int frame)
 {
     const core::Case& current = on_.document.current();
@@ -262,7 +266,7 @@ void SideBySideController::changeFrame(const OtherView& other, int frame)
     burstPlace_ = place;
     std::vector<core::View> views = current.views;
     views[place] = core::withFrame(std::move(views[place]), frame);
-    views[place].caseFile = {};   // its file says something else now
+    views[place].caseFile = {};   // its case file no longer matches
     on_.document.push(std::make_unique<ChangeViews>(
         on_.document, ChangeViews::Values{std::move(views)}, [] { return tr("Choose another frame"); },
         framesOfOthers + frameBurst_));

@@ -23,12 +23,12 @@ namespace angiopose::app {
 
 class BranchController;
 
-/// The views of the case beside each other: the shown one with all tools, the others each in a pane that follows it.
-/// Whether they stand so is remembered and no part of the case; the frames of the others are.
+/// Side-by-side display of the case's views: the shown one with all tools, each of the others in a pane that follows
+/// it. The arrangement is a preference and not part of the case; the frames of the other views are.
 class SideBySideController : public QObject {
     Q_OBJECT
 public:
-    /// What it works on.
+    /// Objects that the controller works with.
     struct Parts {
         CaseDocument& document;
         PosePreview& preview;
@@ -36,7 +36,7 @@ public:
         LookController& look;
         ViewController& views;
     };
-    /// What of the window it serves.
+    /// Parts of the main window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::ViewStrip& strip;
@@ -45,7 +45,7 @@ public:
     SideBySideController(const Parts& parts, const Ui& ui, QObject* parent = nullptr);
 
 signals:
-    void reported(const QString& what);   ///< why nothing stands beside the image, …
+    void reported(const QString& what);   ///< for example, why no other view can be shown next to the image
 
 private:
     void connectCase();
@@ -64,8 +64,8 @@ private:
 
     Parts on_;
     Ui ui_;
-    std::vector<std::unique_ptr<OtherView>> others_;   ///< one for each pane there ever was
-    bool goAlong_ = true;   ///< as the titles say
+    std::vector<std::unique_ptr<OtherView>> others_;   ///< one for each pane ever created
+    bool goAlong_ = true;   ///< linked poses, as shown in the titles
     int frameBurst_ = 0;
     std::size_t burstPlace_ = 0;
     qint64 lastFrameMs_ = 0;

@@ -84,7 +84,7 @@ void ViewController::followDocument()
         if (areSeveral) {
             pause_.start();
         } else {
-            looks_.clear();   // they hold the views of the case that was
+            looks_.clear();   // they hold views of the previous case
         }
     }
 }
@@ -93,9 +93,10 @@ const ViewLook* ViewController::lookOf(std::size_t place) const
 {
     const core::Case& current = document_.current();
     const core::View& view = current.views[place];
-    const auto found = std::ranges::find_if(looks_, [&](const ViewLook& look) {   // of the shown one, the last known
-        return place == current.shownView ? look.of.angiogram == view.angiogram : look.of == sightOf(view);
-    });
+    const auto found =
+        std::ranges::find_if(looks_, [&](const ViewLook& look) {   // for the shown view: the last known summary
+            return place == current.shownView ? look.of.angiogram == view.angiogram : look.of == sightOf(view);
+        });
     return found == looks_.end() || !view.angiogram ? nullptr : &*found;
 }
 
@@ -141,7 +142,7 @@ void ViewController::look()
 void ViewController::showPictures(std::vector<ViewLook> looks)
 {
     if (seen_.views.empty()) {
-        return;   // of a case that was closed meanwhile
+        return;   // the case was closed meanwhile
     }
     looks_ = std::move(looks);
     showLines();
@@ -173,7 +174,7 @@ void ViewController::show(int line)
         document_.push(showView(document_, core::showingView(current, place),
                                 [name = numberedTitle(current.views, place)] { return tr("Show view %1").arg(name); }));
     }
-    showLines();   // the mark goes back where it was refused
+    showLines();   // resets the mark if the view was refused
 }
 
 void ViewController::showNext()

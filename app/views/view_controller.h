@@ -22,12 +22,12 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Several angiograms of the same vessels: the strip of views with how each agrees, which of them is shown, taking one
-/// out. Showing another view is a step of undo.
+/// Several angiograms of the same vessels: strip of views with the agreement of each, selection of the shown one, and
+/// removal. Showing another view is an undo step.
 class ViewController : public QObject {
     Q_OBJECT
 public:
-    /// What of the window it serves.
+    /// Parts of the main window that the controller uses.
     struct Ui {
         ui::WindowActions& actions;
         ui::ViewStrip& panel;
@@ -36,21 +36,21 @@ public:
     };
     ViewController(CaseDocument& document, const TargetProvider& target, const Ui& ui, QObject* parent = nullptr);
 
-    bool isLooking() const { return looking_.isRunning(); }   ///< making pictures and numbers of the views
-    /// The traced vessels of view `place`; null until somebody has looked. See `looked`.
+    bool isLooking() const { return looking_.isRunning(); }   ///< computing thumbnails and metrics of the views
+    /// Traced vessels of view `place`; null until they are computed, see `looked`.
     std::shared_ptr<const core::Centerline2d> targetOf(std::size_t place) const;
     void show(int line);
     void showNext();
-    void openMenu(int line, const QPoint& at);   ///< what can be done with that view
+    void openMenu(int line, const QPoint& at);   ///< commands for that view
     void askName(int line);
-    void remove(int line);   ///< in place of the shown view the next one is shown
+    void remove(int line);   ///< removes a view; the next one replaces the shown view
 
 signals:
     void refused(const QString& reason);
-    void looked();   ///< at the views: `targetOf`
+    void looked();   ///< thumbnails and metrics are ready; see `targetOf`
 
 private:
-    /// Something of a case that the pictures and numbers hang on.
+    /// Parts of a case that determine the thumbnails and metrics.
     struct Seen {
         std::shared_ptr<const core::VesselTree> tree;
         std::vector<int> excluded;
@@ -70,10 +70,10 @@ private:
     CaseDocument& document_;
     const TargetProvider& target_;
     Ui ui_;
-    std::size_t lineCount_ = 0;   ///< the lines are the case's views, in their order; none while there is only one
+    std::size_t lineCount_ = 0;   ///< one line per view of the case, in their order; 0 if there is only one view
     Seen seen_;
     std::vector<ViewLook> looks_;
-    QTimer pause_;   ///< pictures are drawn when things have come to rest
+    QTimer pause_;   ///< delays the thumbnails until changes have stopped
     Job<std::vector<ViewLook>> looking_;
 };
 

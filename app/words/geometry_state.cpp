@@ -10,7 +10,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Everything that is missing, one line each; what a given camera or start pose replaces is not missed.
+/// Missing geometry values, one per line; values that a given camera or initial pose replaces are not listed.
 QString missingIn(const core::Case& current)
 {
     const auto camera = core::cameraOf(current.shown());

@@ -5,7 +5,7 @@
 
 namespace angiopose::app {
 
-/// What the geometry panel says about a case.
+/// State of the geometry panel for a case.
 ui::GeometryState geometryState(const core::Case& current);
 
 }   // namespace angiopose::app

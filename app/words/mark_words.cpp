@@ -12,7 +12,7 @@
 namespace angiopose::app {
 namespace {
 
-/// The words of this file.
+/// Translation context of this file.
 struct MarkWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::MarkWords)
 };
@@ -41,7 +41,7 @@ bool isFarther(double mm, const std::optional<double>& claimedMm)
     return claimedMm && mm > manySigmas * *claimedMm;
 }
 
-/// More off than twice what the pose claims, in the shown view or in space.
+/// Whether the error exceeds twice the uncertainty claimed by the pose, in the shown view or in 3-D.
 bool isMoreThanClaimed(const core::CheckedPoint& checked, std::size_t shownView)
 {
     const auto shown = std::ranges::find(checked.views, shownView, &core::CheckedView::view);

@@ -7,15 +7,15 @@
 
 namespace angiopose::app {
 
-/// Check point or ring as the window lists it, beside the view that is shown.
+/// Row of a target point or ring for the list next to the shown view.
 ui::MarkRow markRow(const core::VesselMark& mark, const std::vector<core::CheckedPoint>& checked,
                     std::size_t shownView);
 ui::MarkRow annotationRow(const core::ImageAnnotation& annotation);
 
-/// All that is known of a check point, a sentence each.
+/// Everything known about a target point, one sentence per fact.
 QString checkedSentences(const core::CheckedPoint& checked, std::size_t viewCount);
 
-/// "Check point 3", "Ostium 1": one that none of the marks has.
+/// "Target point 3", "Ostium 1": the first name that no mark has.
 QString freeMarkName(core::VesselMarkKind kind, const std::vector<core::VesselMark>& marks);
 
 }   // namespace angiopose::app

@@ -13,7 +13,7 @@
 namespace angiopose::app {
 namespace {
 
-/// The words of this file.
+/// Translation context of this file.
 struct MeasureWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::MeasureWords)
 };

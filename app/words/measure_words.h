@@ -8,20 +8,20 @@
 
 namespace angiopose::app {
 
-/// A measurement as the window lists it.
+/// Row of an image measurement for the list in the window.
 ui::MeasureRow measureRow(const core::ImageMeasurement& measurement, const core::MeasuredView& seen);
 
-/// Likewise one of a slice; `scan` may be null. And its value alone.
+/// Row of a slice measurement, and its value alone; `scan` may be null.
 ui::MeasureRow sliceRow(const core::SliceMeasurement& measurement, const core::VolumeGeometry* scan);
 QString sliceLabel(const core::SliceMeasurement& measurement);
 
-/// What a plane of a view rests on, or why nothing can be measured in it.
+/// Basis of the scale in a plane of a view, or the reason why nothing can be measured in it.
 QString planeBasis(core::MeasurementPlane plane, const core::MeasuredView& seen);
 
-/// Its value alone, as it is drawn beside it.
+/// Value of a measurement, as drawn next to it.
 QString measureLabel(const core::ImageMeasurement& measurement, const core::MeasuredView& seen);
 
-/// The marks of a frame in the language of the window.
+/// Marks of a frame in the language of the window.
 std::vector<ui::ImageMark> windowMarks(const core::MeasuredView& seen, int frame);
 std::vector<ui::ImageMark> windowPlacedMarks(const PlacedView& placed);
 

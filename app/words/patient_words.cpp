@@ -5,7 +5,7 @@
 namespace angiopose::app {
 namespace {
 
-/// The words of this file.
+/// Translation context of this file.
 struct PatientLineWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::PatientController)
 };

@@ -7,15 +7,15 @@
 
 namespace angiopose::app {
 
-QString readableName(const std::string& name);   ///< of DICOM: "Doe^Jane"
+QString readableName(const std::string& name);   ///< from a DICOM name such as "Doe^Jane"
 
-/// "scan, view 1, view 2"; of a case with one view "scan, angiogram"
+/// "scan, view 1, view 2"; for a case with one view "scan, angiogram"
 QString inputsOf(const core::CasePatient& patient, std::size_t viewCount);
 
 /// "ID 0815 · born 1950-01-02 · F"
 QString detailsOf(const core::CasePatient& patient);
 
-/// Each as "Doe Jane · ID 0815 · born 1950-01-02 · F (scan)".
+/// One line per patient: "Doe Jane · ID 0815 · born 1950-01-02 · F (scan)".
 QStringList patientLines(const core::Case& session);
 
 }   // namespace angiopose::app

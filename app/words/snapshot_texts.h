@@ -6,10 +6,10 @@
 
 namespace angiopose::app {
 
-/// Who sits here: the login name.
+/// Login name of the user.
 QString observerName();
 
-/// What a run leaves behind, named after its method and the time.
+/// Snapshot of a completed registration, named after its method and the time.
 core::PoseSnapshot snapshotOfRun(const core::RegistrationResult& result, int frame);
 
 }   // namespace angiopose::app

@@ -9,13 +9,13 @@
 
 namespace angiopose::app {
 
-/// Of the image of a view, or of the case file that it stands in, without its folder.
+/// File name, without folder, of the image of a view or of the case file that contains it.
 QString fileNameOf(const core::View& view);
 
-/// "LAO 30° · CRA 10°"; the file where the angles are not known.
+/// "LAO 30° · CRA 10°"; the file name if the angles are unknown.
 QString anglesOf(const core::View& view);
 
-/// "2 · LAO 30° · CRA 10°", or the name that the user gave: by its number warnings name it.
+/// "2 · LAO 30° · CRA 10°", or the user's name for the view after its number, which warnings refer to.
 QString numberedTitle(const std::vector<core::View>& views, std::size_t place);
 
 /// Corner lines in the language of the window, see englishTexts.

@@ -19,14 +19,15 @@ StopQuestion stopQuestion(const ArchiveObserver& observe)
     return [&observe] { return observe && observe({}) == core::Verdict::Stop; };
 }
 
-/// An export holds other files, too; a damaged DICOM file is known by its name.
+/// Whether a file of a folder is to be sent: exports contain other files too, and a damaged DICOM file is recognized by
+/// its extension.
 bool isMeantToGo(const std::filesystem::path& path)
 {
     return !path.filename().string().starts_with('.') &&
            (extensionOf(path.string()) == ".dcm" || isDicomFile(path.string()));
 }
 
-/// Files of folders too, those that are DICOM, in the order of their names.
+/// Expands the paths to files; of a folder only the DICOM files, sorted by name.
 std::vector<std::string> filesOf(const std::vector<std::string>& paths)
 {
     namespace fs = std::filesystem;
@@ -49,7 +50,7 @@ std::vector<std::string> filesOf(const std::vector<std::string>& paths)
     return files;
 }
 
-/// Fetches series after series.
+/// Fetches the requested series one after another.
 class Retrieval {
 public:
     Retrieval(SeriesSource& source, const ArchiveNode& node, Arrivals& arrivals, TransferReport& report)
@@ -82,7 +83,7 @@ public:
     }
 
 private:
-    /// What is to come, before anything does: so that progress is told of the whole.
+    /// Lists all objects before the first one is fetched, which gives the total for the progress.
     core::Status plan(const std::string& studyUid, const std::vector<std::string>& series)
     {
         std::size_t all = 0;
@@ -139,7 +140,7 @@ private:
     const ArchiveNode& node_;
     Arrivals& arrivals_;
     TransferReport& report_;
-    std::vector<std::vector<ArchiveObject>> objects_;   ///< by series
+    std::vector<std::vector<ArchiveObject>> objects_;   ///< one list per series
 };
 
 std::optional<std::string> wrongUid(const RetrieveRequest& request)

@@ -10,13 +10,14 @@
 
 namespace angiopose::io {
 
-/// Which language an archive is spoken to in.
+/// The protocol used for an archive.
 enum class ArchiveWay { Usual, Dimse, Web };
 
-/// The usual one of a node: DIMSE where it has a host, else DICOMweb.
+/// Resolves `Usual` to the node's default protocol: DIMSE if it has a host, otherwise DICOMweb.
 ArchiveWay wayTo(const ArchiveNode& node, ArchiveWay requested);
 
-/// Whether the archive answers and lets us ask. Every failure of these names the archive, the problem and the remedy.
+/// Verifies that the archive responds and accepts our requests. All functions of this file name the archive, the
+/// problem and the remedy in their errors.
 core::Status echoArchive(const ArchiveNode& node, ArchiveWay way, const ArchiveObserver& observe = {});
 
 core::Result<ArchiveMatches> findInArchive(const ArchiveNode& node, ArchiveWay way, const ArchiveQuery& query,
@@ -24,15 +25,15 @@ core::Result<ArchiveMatches> findInArchive(const ArchiveNode& node, ArchiveWay w
 
 struct RetrieveRequest {
     std::string studyUid;
-    std::vector<std::string> seriesUids;   ///< empty: all of the study
+    std::vector<std::string> seriesUids;   ///< empty: all series of the study
 };
 
-/// Into a store, of which `limit` says how much it may hold. Series that are there whole are not asked for again.
+/// Retrieves series into a store within its `limit`. Skips series that are already complete there.
 TransferReport retrieveFromArchive(const ArchiveNode& node, ArchiveWay way, const RetrieveRequest& request,
                                    const ObjectStore& store, const StoreLimit& limit,
                                    const ArchiveObserver& observe = {});
 
-/// Files, and all files of folders. What is no DICOM file that can be sent is told as a problem.
+/// Sends files and the DICOM files of folders. Reports each file that is not sendable DICOM as a problem.
 TransferReport sendToArchive(const ArchiveNode& node, ArchiveWay way, const std::vector<std::string>& paths,
                              const ArchiveObserver& observe = {});
 

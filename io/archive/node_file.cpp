@@ -45,7 +45,7 @@ ArchiveNode nodeOf(const Json& json)
     return node;
 }
 
-/// What is as if it were not there is not written.
+/// Leaves out members with default values.
 Json jsonOf(const ArchiveNode& node)
 {
     const ArchiveNode usual;

@@ -9,7 +9,7 @@
 
 namespace angiopose::io {
 
-/// What the user entered of archives; shared by window and command line.
+/// The user's archive settings, shared by the window and the command line.
 struct ArchiveSettings {
     std::vector<ArchiveNode> nodes;
     std::string cacheFolder;   ///< empty: `defaultCacheFolder`
@@ -18,16 +18,17 @@ struct ArchiveSettings {
     std::string cache() const { return cacheFolder.empty() ? defaultCacheFolder() : cacheFolder; }
 };
 
-/// Of the user: $XDG_CONFIG_HOME/AngioPose/archives.json, or that below ~/.config.
+/// The user's settings file: $XDG_CONFIG_HOME/AngioPose/archives.json, or the same path below ~/.config.
 std::string defaultNodeFile();
 
-/// FORMATS §7.1. A file that is not there holds no archives. Fails, naming the file, on one that is something else.
+/// Reads the settings file (FORMATS §7.1). A missing file means no archives. Fails, naming the file, if its content is
+/// not valid.
 core::Result<ArchiveSettings> readArchiveSettings(const std::string& path);
 
-/// Makes its folder where there is none.
+/// Writes the settings file and creates its folder if needed.
 core::Status writeArchiveSettings(const ArchiveSettings& settings, const std::string& path);
 
-/// Fails, naming those that are known.
+/// Finds an archive by name; fails with the list of known names.
 core::Result<ArchiveNode> findNode(const ArchiveSettings& settings, const std::string& name, const std::string& path);
 
 }   // namespace angiopose::io

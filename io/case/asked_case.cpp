@@ -15,14 +15,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path placeOfInputs = "/angiopose-inputs";   // nowhere: folders may name patients
+const fs::path placeOfInputs =
+    "/angiopose-inputs";   // a folder that does not exist: real folder names may identify patients
 
 fs::path nameAlone(const fs::path& path)
 {
     return path.has_filename() ? path.filename() : path.parent_path().filename();
 }
 
-/// Two files of one name stay two: "2/IM1.dcm".
+/// Replaces the folders of all inputs; files of the same name remain distinct, for example "2/IM1.dcm".
 void forgetFolders(core::Case& session)
 {
     std::vector<core::InputFile*> files{&session.vessels.file, &session.vessels.scanFile};
@@ -44,7 +45,7 @@ void forgetFolders(core::Case& session)
 
 void keepOnlyWhatIsAsked(core::View& view)
 {
-    view.caseFile = {};   // it stands here
+    view.caseFile = {};   // the view is stored in this case itself
     view.result.reset();
     view.followed = {};
     view.snapshots.clear();
@@ -74,7 +75,7 @@ std::string askedCaseText(const core::Case& asked)
     try {
         forgetFolders(bare);
         return caseDocumentText(bare, placeOfInputs);
-    } catch (const std::exception&) {   // names need not be UTF-8
+    } catch (const std::exception&) {   // file names may not be UTF-8
         return {};
     }
 }
@@ -109,7 +110,7 @@ core::Case viewsOfItsRun(core::Case session)
 std::string askedCaseTextOfRun(core::Case ofOneRun)
 {
     ofOneRun.options = ofOneRun.shown().result->provenance.options;
-    ofOneRun.options.method = ofOneRun.shown().result->method;   // a case keeps it apart from the options
+    ofOneRun.options.method = ofOneRun.shown().result->method;   // a case stores the method separately from the options
     for (core::View& view : ofOneRun.views) {
         const core::RegistrationResult& result = *view.result;
         if (!result.provenance.start || hasEstimatedGeometry(result)) {

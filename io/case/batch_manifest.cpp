@@ -15,7 +15,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t rowDigits = 4;   ///< folders then sort as rows do
+constexpr std::size_t rowDigits = 4;   ///< makes folders sort like rows
 constexpr std::string_view settingPrefix = "set.";
 
 std::string cellOf(const CsvTable& table, std::size_t row, std::string_view column)
@@ -55,7 +55,7 @@ core::Status readPaths(BatchEntry& entry, const CsvTable& table, std::size_t row
     return core::Done{};
 }
 
-/// "1 2 3; 4 5 6" as the value of vessel.tracing.seedsInPatientMm; nothing where it is no such list.
+/// Converts "1 2 3; 4 5 6" to the value of vessel.tracing.seedsInPatientMm; nothing if the text is not such a list.
 std::optional<std::string> seedsValue(std::string_view cell)
 {
     std::string value;
@@ -127,7 +127,7 @@ core::Result<BatchEntry> parseEntry(const CsvTable& table, std::size_t row)
         if (!entry.frame) {
             return fileError(table.path, says::batchFrameNoNumber(line, frame));
         }
-        entry.frame = std::max(*entry.frame, 0) - 1;   // people count frames from 1
+        entry.frame = std::max(*entry.frame, 0) - 1;   // users count frames from 1
     }
     if (const auto read = readSettings(entry, table, row); !read) {
         return read.error();
@@ -135,7 +135,7 @@ core::Result<BatchEntry> parseEntry(const CsvTable& table, std::size_t row)
     return entry;
 }
 
-/// Columns that no row fills are looked at, too.
+/// Checks the column names, including columns without any values.
 core::Status checkColumns(const CsvTable& table)
 {
     const bool hasCase = table.column("case").has_value();

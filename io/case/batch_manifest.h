@@ -9,25 +9,25 @@
 
 namespace angiopose::io {
 
-/// One registration of a batch: of a case, or of the vessels in one file and the angiogram in another.
+/// One registration of a batch: a case, or a vessel file and an angiogram file.
 struct BatchEntry {
-    int row = 0;   ///< in the manifest, from 1
-    std::string caseCell;   ///< as the manifest has it; empty: the two others
+    int row = 0;   ///< row of the manifest, from 1
+    std::string caseCell;   ///< as written in the manifest; empty: the entry names vessels and angiogram
     std::string vesselsCell;
     std::string angiogramCell;
-    std::string casePath;   ///< absolute, or as the manifest's folder resolves it
+    std::string casePath;   ///< absolute or relative to the manifest's folder, resolved
     std::string vesselsPath;
     std::string angiogramPath;
-    std::string name;   ///< its folder in the output; unique
-    std::string method;   ///< empty: the case's own
-    std::optional<int> frame;   ///< empty: the case's own
-    CaseSettings settings;   ///< of this row alone
+    std::string name;   ///< folder name in the output, unique
+    std::string method;   ///< empty: the case's method
+    std::optional<int> frame;   ///< empty: the case's frame
+    CaseSettings settings;   ///< for this row only
 };
 
-/// Reads a table with a header row: `case`, or `vessels` and `angiogram` (paths, relative to the table), and where
-/// wanted `seeds` (x y z; x y z), `name`, `method`, `frame` and `set.NAME` (see CaseSettings; an empty cell leaves the
-/// case its own); other columns are left alone. Without a name an entry is called "0001-CASE" by its row. Fails naming
-/// the line and what is wrong in it.
+/// Reads a table with a header row: `case`, or `vessels` and `angiogram` (paths, relative to the table), and optionally
+/// `seeds` (x y z; x y z), `name`, `method`, `frame` and `set.NAME` (see CaseSettings; an empty cell keeps the case's
+/// value); ignores other columns. An entry without a name is called "0001-CASE" by its row. Errors name the line and
+/// the invalid value.
 core::Result<std::vector<BatchEntry>> readManifest(const std::string& path);
 
 }   // namespace angiopose::io

@@ -13,7 +13,7 @@
 namespace angiopose::io {
 namespace {
 
-/// What this version does not know goes with the view it belongs to.
+/// Keeps keys unknown to this version with the view they belong to.
 void readUnknown(const Json& root, core::Case& values)
 {
     const std::string unknown = unknownKeys(root.dump(), knownCaseKeys(values.vessels.input.kind).dump());

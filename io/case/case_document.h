@@ -10,18 +10,18 @@
 
 namespace angiopose::io {
 
-/// A case file's content before its inputs are loaded.
+/// The content of a case file before its inputs are loaded.
 struct CaseDocument {
-    core::Case values;   ///< paths as written; the C-arms hold only what the file gives
-    std::vector<ViewNotes> notes;   ///< of `values.views`, in order; nothing noted of those with a file of their own
-    std::size_t shownPlace = 0;   ///< where `values.views.front()`, which is shown, belongs among the views
-    core::Messages problems;   ///< what makes no sense, each with key and remedy
+    core::Case values;   ///< paths as written; the C-arms hold only the values of the file
+    std::vector<ViewNotes> notes;   ///< for each of `values.views`; empty for views with a case file of their own
+    std::size_t shownPlace = 0;   ///< index among the views of the shown view, `values.views.front()`
+    core::Messages problems;   ///< invalid values, each with key and remedy
 };
 
-/// Content of a JSON text that follows the schema; unknown keys go to `values`.
+/// Parses a JSON text that conforms to the schema; unknown keys go to `values`.
 CaseDocument parseCaseDocument(std::string_view json);
 
-/// The case as JSON, paths relative to `folder`, unknown keys included.
+/// The case as JSON with paths relative to `folder`, including unknown keys.
 std::string caseDocumentText(const core::Case& session, const std::filesystem::path& folder);
 
 }   // namespace angiopose::io

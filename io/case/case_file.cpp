@@ -31,7 +31,7 @@ using core::Case;
 
 constexpr std::size_t maxCaseBytes = 16 << 20;
 
-/// The text of a case file that is JSON.
+/// Reads the text of a case file; fails if it is not JSON.
 core::Result<std::string> readCaseText(const std::string& path)
 {
     const auto input = openInput(path);
@@ -52,7 +52,7 @@ core::Result<std::string> readCaseText(const std::string& path)
     return std::string(content);
 }
 
-/// Content of a case that lies at `path`, its paths absolute, and everything wrong with it.
+/// Parses the text of a case at `path`; makes its paths absolute and lists all problems.
 CaseDocument examineText(const std::string& text, const std::string& path)
 {
     CaseDocument document;
@@ -64,14 +64,14 @@ CaseDocument examineText(const std::string& text, const std::string& path)
     return document;
 }
 
-/// Likewise of a file. Fails where it is no JSON.
+/// Parses a case file and lists all problems; fails if it is not JSON.
 core::Result<CaseDocument> examine(const std::string& path)
 {
     const auto text = readCaseText(path);
     return text ? core::Result<CaseDocument>(examineText(text.value(), path)) : text.error();
 }
 
-/// Likewise, and fails where it is no case, or one that makes no sense.
+/// Parses a case file; also fails if it is not a case or has problems.
 core::Result<CaseDocument> readDocument(const std::string& path, const std::optional<std::string>& text = std::nullopt)
 {
     auto document = text ? core::Result<CaseDocument>(examineText(*text, path)) : examine(path);
@@ -81,7 +81,7 @@ core::Result<CaseDocument> readDocument(const std::string& path, const std::opti
     return document;
 }
 
-/// A view that stands in a case file of its own.
+/// Reads a view that is stored in a case file of its own.
 core::Status readViewOfCase(core::View& view, ViewNotes& notes)
 {
     auto read = readDocument(view.caseFile.path);
@@ -91,12 +91,12 @@ core::Status readViewOfCase(core::View& view, ViewNotes& notes)
     CaseDocument document = std::move(read).value();
     document.values.shown().caseFile = view.caseFile;
     view = std::move(document.values.shown());
-    view.sightings.clear();   // of check points that the other case has
+    view.sightings.clear();   // they refer to target points of the other case
     notes = std::move(document.notes.front());
     return core::Done{};
 }
 
-/// A view that cannot be had is a warning: the case opens without.
+/// Loads the other views; one that cannot be loaded is left out with a warning.
 void loadOtherViews(Case& loaded, std::vector<ViewNotes> notes, const std::string& path, core::Messages& warnings,
                     PeakFrame peak)
 {
@@ -110,14 +110,14 @@ void loadOtherViews(Case& loaded, std::vector<ViewNotes> notes, const std::strin
             found.push_back(says::caseViewLeftOut(read.error().message));
         }
     }
-    for (core::Message& warning : found) {   // what holds for all images of a study is said once
+    for (core::Message& warning : found) {   // report a warning shared by all images of a study only once
         if (std::ranges::find(warnings, warning) == warnings.end()) {
             warnings.push_back(std::move(warning));
         }
     }
 }
 
-/// The input that `path` is, if any.
+/// Returns which input of the case `path` is, if any.
 std::string inputAt(const Case& session, const std::string& path)
 {
     std::vector<const core::InputFile*> files{&session.vessels.file, &session.vessels.scanFile};
@@ -134,7 +134,7 @@ std::string inputAt(const Case& session, const std::string& path)
     return {};
 }
 
-/// The shown view, read as the first, goes where it belongs among the others.
+/// Moves the shown view, which is read first, to its position among the views.
 void putInPlace(Case& session, std::size_t place)
 {
     const auto first = session.views.begin();
@@ -173,14 +173,14 @@ core::Result<Case> loadCaseWith(const CaseRequest& request, const std::string& p
         }
         Case values = std::move(loaded).value();
         loadOtherViews(values, notes, path, warnings, request.peak);
-        request.settings.applyTo(values);   // also to views with case files of their own
+        request.settings.applyTo(values);   // applies also to views with case files of their own
         dropStaleResults(noted, notes, values, warnings);
         readDeformationOfRuns(values, warnings);
         putInPlace(values, shownPlace);
         const core::Messages mismatch = core::findMismatch(values);
         warnings.insert(warnings.end(), mismatch.begin(), mismatch.end());
         return values;
-    } catch (const std::exception&) {   // a value the schema let through
+    } catch (const std::exception&) {   // a value that the schema does not catch
         return fileError(path, says::caseWrongKind());
     }
 }
@@ -218,7 +218,7 @@ std::vector<std::string> filesNamedIn(const std::string& casePath)
                 paths.push_back(file->path);
             }
         }
-    } catch (const std::exception&) {   // it names nothing that can be read
+    } catch (const std::exception&) {   // names no readable inputs
     }
     return paths;
 }
@@ -231,7 +231,7 @@ std::vector<core::InputFile> filesNamedBy(const std::string& text, const std::st
         for (const core::InputFile* file : inputsOf(document)) {
             files.push_back(*file);
         }
-    } catch (const std::exception&) {   // it names nothing that can be read
+    } catch (const std::exception&) {   // names no readable inputs
     }
     return files;
 }
@@ -304,7 +304,8 @@ std::optional<core::Message> findUnsavable(const Case& session)
     if (!session.vessels.tree && session.vessels.scan) {
         return says::caseScanAlone();
     }
-    const bool hasMask = session.vessels.isLumenEdited && session.vessels.lumen;   // which is written beside it
+    const bool hasMask =
+        session.vessels.isLumenEdited && session.vessels.lumen;   // the mask is written beside the case file
     if ((session.vessels.file.path.empty() && !hasMask) || session.shown().imageFile.path.empty()) {
         return says::caseIncomplete();
     }
@@ -330,7 +331,7 @@ core::Status saveCase(const Case& session, const std::string& path)
     try {
         const fs::path folder = fs::weakly_canonical(fs::absolute(path).parent_path());
         return writeAtomically(path, caseDocumentText(hashed, folder));
-    } catch (const std::exception&) {   // JSON is UTF-8, file names need not be
+    } catch (const std::exception&) {   // JSON is UTF-8, but file names may not be
         return fileError(path, says::caseNotUtf8());
     }
 }

@@ -11,28 +11,27 @@
 
 namespace angiopose::io {
 
-/// The JSON Schema of `*.angiopose` files, as published under resources/.
+/// The JSON Schema of `*.angiopose` files, as published in resources/.
 const std::string& caseSchema();
 
-/// Reads a case file and the inputs it names (FORMATS §2). Relative paths are relative to the case file.
-/// An input whose content no longer matches its stored hash loads with a warning. Vessels given as a volume, a
-/// segmentation or a surface are traced: `observe` shows the progress and can stop it. Inputs in `moved` are read from
-/// there instead.
+/// Reads a case file and the inputs it names (FORMATS §2). Relative paths are relative to the case file. Warns if the
+/// content of an input no longer matches its stored hash. Traces vessels given as a volume, a segmentation or a
+/// surface; `observe` receives the progress and can cancel. Reads inputs in `moved` from their new location.
 core::Result<core::Case> loadCase(const std::string& path, core::Messages& warnings, const ReadObserver& observe = {},
                                   const MovedInputs& moved = {});
 
-/// Schema and meaning only, without loading the inputs: every problem found, empty when the case is fine.
+/// Validates schema and values without loading the inputs. Returns all problems; empty if the case is valid.
 core::Result<core::Messages> validateCase(const std::string& path);
 
-/// What in a case's geometry is missing or makes no sense together with the header of its image, which is read.
-/// Nothing of it keeps the case from loading. Fails where the case or the image cannot be read.
+/// Checks a case's geometry together with the header of its image, which is read. Returns missing or implausible
+/// values, none of which prevents loading. Fails if the case or the image cannot be read.
 core::Result<core::Messages> doubtsOfCase(const std::string& path);
 
-/// What the case lacks to be written as a file that opens again.
+/// Returns what the case lacks for saving a file that can be reopened.
 std::optional<core::Message> findUnsavable(const core::Case& session);
 
-/// Writes atomically (temporary file, flush, rename); paths relative to the case file, hashes of the inputs,
-/// keys unknown to this version kept.
+/// Writes atomically (temporary file, flush, rename), with paths relative to the case file, hashes of the inputs and
+/// the keys unknown to this version.
 core::Status saveCase(const core::Case& session, const std::string& path);
 
 }   // namespace angiopose::io

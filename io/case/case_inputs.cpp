@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using core::Case;
 using core::Vessels;
 
-/// The scan that vessels of another origin lie in: good to have, but the case opens without it.
+/// Reads the scan that belongs to vessels of another origin. Optional: a failure is only a warning.
 void readScan(Vessels& vessels, core::Messages& warnings)
 {
     if (vessels.scanFile.path.empty()) {
@@ -39,7 +39,7 @@ void readScan(Vessels& vessels, core::Messages& warnings)
     }
 }
 
-/// The mask that was made by hand, beside a tree that was edited, too: without it the next save would lose it.
+/// Reads the manually edited mask, even if the tree was edited too; otherwise the next save would lose it.
 void readEditedLumen(Vessels& vessels, core::Messages& warnings, const ReadObserver& observe)
 {
     auto read = readLabels(vessels.file.path, observe);
@@ -53,8 +53,8 @@ void readEditedLumen(Vessels& vessels, core::Messages& warnings, const ReadObser
     vessels.lumen = std::move(lumen);
 }
 
-/// What an edited tree came from: its scan is read for the slices. The tree is the case's own, so that it opens
-/// without.
+/// Reads the source of an edited tree; its scan is needed for the slices. The tree itself is stored in the case, so
+/// failures are only warnings.
 void readOrigin(Vessels& vessels, core::Messages& warnings, const ReadObserver& observe)
 {
     const std::string& path = vessels.file.path;

@@ -10,15 +10,15 @@
 
 namespace angiopose::io {
 
-/// Every file that the case refers to: vessels, scan, image, target, other views and theirs.
+/// All files that the case refers to: vessels, scan, image, target, and the other views with their files.
 std::vector<core::InputFile*> inputsOf(CaseDocument& document);
 
-/// Paths of a case file are relative to its folder.
+/// Resolves the paths of a case file relative to its folder.
 void makePathsAbsolute(CaseDocument& document, const std::string& casePath);
 
-/// The case with its inputs (absolute paths) read and checked against what it says: frame, camera size, branches,
-/// hashes, start pose. Other views are not read. Of
-/// a run whose frame it says the fullest one need not be sought.
+/// Reads the inputs of a case (absolute paths) and checks them against its content: frame, camera size, branches,
+/// hashes, initial pose. Does not read other views. Need not search for the peak-opacification frame if the case gives
+/// the frame.
 core::Result<core::Case> loadInputs(CaseDocument document, const std::string& casePath, core::Messages& warnings,
                                     const ReadObserver& observe, PeakFrame peak = PeakFrame::Sought);
 

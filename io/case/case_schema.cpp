@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t maxProblems = 20;
 
-/// "<root>[geometry][camera]" → "geometry.camera".
+/// Converts "<root>[geometry][camera]" to "geometry.camera".
 std::string keyPath(const std::string& context)
 {
     std::string path;
@@ -39,7 +39,7 @@ const valijson::Schema& parsedSchema()
     return *schema;
 }
 
-/// The validator's sentence in the user's terms; nothing when it only repeats what an inner level said.
+/// Rewrites the validator's message for users; nothing if it only repeats the message of an inner level.
 std::optional<core::Message> problemText(const std::string& key, const std::string& description)
 {
     if (description.starts_with("Missing required property")) {

@@ -6,7 +6,7 @@
 
 namespace angiopose::io {
 
-/// Where a JSON text breaks the published schema, empty where it does not.
+/// Lists the violations of the published schema in a JSON text; empty if there are none.
 core::Messages findSchemaProblems(std::string_view json);
 
 }   // namespace angiopose::io

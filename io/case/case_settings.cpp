@@ -34,7 +34,7 @@ std::string lastPartOf(const std::string& name)
     return name.substr(name.rfind('.') + 1);
 }
 
-/// The name as files have it; nothing where there is none like that.
+/// Returns the name as spelled in case files; nothing if there is no such name.
 std::optional<std::string> nameLike(const std::string& word)
 {
     for (const std::string& name : caseSettingNames()) {
@@ -45,7 +45,8 @@ std::optional<std::string> nameLike(const std::string& word)
     return std::nullopt;
 }
 
-/// By their whole names, and by the last parts alone: who leaves out "vessel.tracing." is told.
+/// Finds similar setting names, comparing full names and last components, which also finds names entered without
+/// "vessel.tracing.".
 std::vector<std::string> namesNear(const std::string& word)
 {
     std::map<std::string, std::vector<std::string>> namesByWord;
@@ -71,7 +72,8 @@ std::vector<std::string> namesNear(const std::string& word)
     return near.empty() ? caseSettingNames() : near;
 }
 
-/// A text as the value that a schema asks for; as it is where it is no such value, which the schema then refuses.
+/// Converts a text to the type that a schema requires; an unsuitable text remains a string, which the schema then
+/// rejects.
 Json valueAsWanted(const std::string& text, const Json& schema)
 {
     const std::string type = schema.contains("type") && schema["type"].is_string() ? schema["type"] : Json("string");
@@ -85,7 +87,7 @@ Json valueAsWanted(const std::string& text, const Json& schema)
     return parsed.is_discarded() ? Json(text) : parsed;
 }
 
-/// The smallest case that says this, for the one schema to look at.
+/// Validates a value by building the smallest case that contains it and checking that against the schema.
 core::Messages problemsOf(const std::string& name, const Json& value)
 {
     Json root{{"format", "angiopose-case"}, {"version", 1}};

@@ -9,21 +9,21 @@
 
 namespace angiopose::io {
 
-/// What is set in a case over what its file says, by the names that case files have for it: an option by its key
-/// ("preset"), how frames are traced ("angiogram.trace.sensitivity"), how vessels are ("vessel.tracing.threshold").
+/// Settings that override the values of a case file, by their names in case files: options by key ("preset"), frame
+/// tracing ("angiogram.trace.sensitivity") and vessel tracing ("vessel.tracing.threshold").
 class CaseSettings {
 public:
-    /// Adds "name=value", a later one over an earlier one of the name; capitals do not matter in names. Fails naming
-    /// the nearest names, or what the value may be.
+    /// Adds "name=value"; a later assignment replaces an earlier one of the same name. Names are case-insensitive.
+    /// Errors list the nearest names or the permitted values.
     core::Status add(const std::string& assignment);
     core::Status add(const std::vector<std::string>& assignments);
 
     bool isEmpty() const { return settings_.empty(); }
 
-    /// As added, the names as files have them, in alphabetical order.
+    /// The assignments with names as spelled in case files, in alphabetical order.
     std::vector<std::string> assignments() const;
 
-    /// Frames of all views are traced alike.
+    /// Applies the settings to a case; frame tracing settings apply to all views.
     void applyTo(core::Case& session) const;
 
 private:
@@ -32,10 +32,10 @@ private:
         std::string value;
         std::function<void(core::Case&)> apply;
     };
-    std::vector<Setting> settings_;   ///< by name
+    std::vector<Setting> settings_;   ///< sorted by name
 };
 
-/// All names.
+/// All setting names.
 std::vector<std::string> caseSettingNames();
 
 }   // namespace angiopose::io

@@ -5,20 +5,20 @@
 
 namespace angiopose::io {
 
-/// By what an input is known again: a file, or a folder by the files in it.
+/// Facts that identify an input again: a file, or a folder by its files.
 struct InputFacts {
     std::string path;
     bool isThere = false;
-    std::uint64_t size = 0;   ///< bytes, of all files
-    std::int64_t modified = 0;   ///< of the newest, in the file system's own count
-    std::string sha256;   ///< of a file's content; empty: not known
+    std::uint64_t size = 0;   ///< total size of all files, bytes
+    std::int64_t modified = 0;   ///< modification time of the newest file, in file-system ticks
+    std::string sha256;   ///< content hash of a file; empty: unknown
 
     bool operator==(const InputFacts&) const = default;
 };
 
 InputFacts factsOfInput(const std::string& path, const std::string& sha256 = {});
 
-/// Whether the input is still that. Where its time alone is another, its content decides, if that is known.
+/// Whether the input is unchanged. If only its time differs, the content hash decides, if known.
 bool isUnchanged(const InputFacts& known);
 
 }   // namespace angiopose::io

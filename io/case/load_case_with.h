@@ -6,24 +6,25 @@
 
 namespace angiopose::io {
 
-/// How a case is loaded that is not to be looked at.
+/// Options for loading a case without displaying it.
 struct CaseRequest {
-    CaseSettings settings;   ///< over what the file says, tracing among them
-    PeakFrame peak = PeakFrame::Sought;   ///< of runs whose frame the case says
-    std::optional<std::string> text = std::nullopt;   ///< instead of what the file holds, which need be no case then
+    CaseSettings settings;   ///< overrides of the file's values, including tracing settings
+    PeakFrame peak = PeakFrame::Sought;   ///< for cine runs whose frame the case gives
+    std::optional<std::string> text =
+        std::nullopt;   ///< replaces the content of the file, which then need not be a case
 };
 
-/// loadCase as wished.
+/// Loads a case like loadCase, with the options of `request`.
 core::Result<core::Case> loadCaseWith(const CaseRequest& request, const std::string& path, core::Messages& warnings,
                                       const ReadObserver& observe = {}, const MovedInputs& moved = {});
 
-/// The files that a case file names, absolute, whether they are there or not; nothing of what is no case.
+/// Absolute paths of all files named in a case file, whether they exist or not; empty if it is not a case.
 std::vector<std::string> filesNamedIn(const std::string& casePath);
 
-/// Likewise of the text of a case that would lie at `casePath`, with the content that it knows of them.
+/// The files named in the text of a case that would be stored at `casePath`, with their stored content hashes.
 std::vector<core::InputFile> filesNamedBy(const std::string& text, const std::string& casePath);
 
-/// The files that a loaded case came from, with what they hashed to.
+/// The files that a loaded case was read from, with their content hashes.
 std::vector<core::InputFile> filesOf(const core::Case& session);
 
 }   // namespace angiopose::io

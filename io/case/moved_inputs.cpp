@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int maxEntries = 5000;   // of one folder with all below it
+constexpr int maxEntries = 5000;   // per folder, including its subfolders
 constexpr int deepest = 5;
 constexpr std::uintmax_t maxHashedBytes = std::uintmax_t{2} << 30U;
 
@@ -28,7 +28,7 @@ std::vector<fs::path> entriesOf(const fs::path& folder)
         }
         entries.push_back(each->path());
     }
-    std::ranges::sort(entries, [](const fs::path& a, const fs::path& b) {   // near ones first, and alike everywhere
+    std::ranges::sort(entries, [](const fs::path& a, const fs::path& b) {   // nearest first, in a reproducible order
         const auto depthA = std::distance(a.begin(), a.end());
         const auto depthB = std::distance(b.begin(), b.end());
         return depthA != depthB ? depthA < depthB : a < b;
@@ -36,7 +36,7 @@ std::vector<fs::path> entriesOf(const fs::path& folder)
     return entries;
 }
 
-/// The search through one list of entries; hashing counts towards a common limit.
+/// Searches one list of entries; hashing counts toward a common limit.
 class Search {
 public:
     explicit Search(const ReadObserver& observe) : observe_(observe) {}
@@ -87,7 +87,7 @@ bool isFeasibleFor(const MissingInput& missing, const std::string& path)
 {
     std::error_code failed;
     if (fs::is_directory(path, failed)) {
-        return fs::path(missing.path).extension().empty();   // whether the series is in it shows when it is read
+        return fs::path(missing.path).extension().empty();   // reading shows whether the folder contains the series
     }
     if (!fs::is_regular_file(path, failed)) {
         return false;

@@ -9,28 +9,28 @@
 
 namespace angiopose::io {
 
-/// An input that is not where its case says.
+/// An input that does not exist at the path in its case.
 struct MissingInput {
-    std::string path;   ///< absolute, as the case has it
-    std::string sha256;   ///< of the content it had; empty: not known
-    bool isOptional = false;   ///< the case opens without it: a scan beside the vessels, another view
+    std::string path;   ///< absolute path from the case
+    std::string sha256;   ///< hash of the original content; empty: unknown
+    bool isOptional = false;   ///< the case opens without it: a scan in addition to the vessels, another view
 
     bool operator==(const MissingInput&) const = default;
 };
 
-/// Where inputs lie now, by the path that the case has for them.
+/// New locations of inputs by their paths in the case.
 using MovedInputs = std::map<std::string, std::string>;
 
-/// The inputs of a case file that are not there. Fails as loadCase when the file is no case.
+/// The inputs of a case file that do not exist. Fails like loadCase if the file is not a case.
 core::Result<std::vector<MissingInput>> missingInputs(const std::string& casePath);
 
-/// Looks for inputs in folders and their sub-folders, first under their name, then under any name with the same
-/// extension. Where the content's hash is known only the same content counts; without a hash the name decides. A folder
-/// (a DICOM series) is found by its name. Gives up a folder after some thousand entries. Stops when asked.
+/// Searches folders and their subfolders for inputs, first by name, then under any name with the same extension. A
+/// known hash must match; without a hash the name decides. Finds a folder (a DICOM series) by its name. Gives up a
+/// folder after some thousand entries. Can be canceled.
 MovedInputs findMovedInputs(const std::vector<MissingInput>& missing, const std::vector<std::string>& folders,
                             const ReadObserver& observe = {});
 
-/// Whether a file or folder can stand for a missing input: the same content, or where that is not known, anything.
+/// Whether a file or folder can replace a missing input: same content, or anything if the content is unknown.
 bool isFeasibleFor(const MissingInput& missing, const std::string& path);
 
 }   // namespace angiopose::io

@@ -7,7 +7,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Counts what it takes out.
+/// Removes texts and counts them.
 class Eraser {
 public:
     void operator()(std::string& text, const std::string& instead = {})
@@ -22,7 +22,7 @@ private:
     std::size_t count_ = 0;
 };
 
-/// "1" of the first.
+/// Returns the number from 1 as text: "1" for the first.
 std::string place(std::size_t index)
 {
     return std::to_string(index + 1);
@@ -65,7 +65,7 @@ void clearView(core::View& view, Eraser& erase)
     }
 }
 
-/// "angiogram.dcm"; of a folder there is no more than the word.
+/// Replaces the file name, for example by "angiogram.dcm"; a folder gets only the word.
 void forgetName(core::InputFile& file, const std::string& word)
 {
     if (!file.path.empty()) {

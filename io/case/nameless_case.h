@@ -6,12 +6,13 @@
 
 namespace angiopose::io {
 
-/// Takes out of a case what people typed and what this version does not know: title, notes, authors, times, names of
-/// views, snapshots, marks, landmarks and measurements, words on images; a number takes the place of what must have a
-/// text. How many there were. Branches keep their names, which are anatomy.
+/// Removes user-entered texts and unknown keys from a case: title, notes, authors, times, text annotations, and names
+/// of views, snapshots, marks, landmarks and measurements. Required texts become numbers; branch names stay because
+/// they are anatomy. Returns the number of removed texts.
 std::size_t clearTexts(core::Case& session);
 
-/// Without texts and names of input files, whose content still tells which they are. Images keep what they say.
+/// Removes texts and input file names from a case; the content hashes still identify the inputs. The images are not
+/// changed.
 core::Case namelessCase(core::Case session);
 
 }   // namespace angiopose::io

@@ -16,10 +16,11 @@ using Json = nlohmann::ordered_json;
 constexpr const char* sealKey = "savedWith";
 constexpr const char* resultKey = "result";
 constexpr const char* followedKey = "followed";
-constexpr std::array sealedKeys{resultKey, followedKey};   // with digests of their own: a file may keep an older one
+constexpr std::array sealedKeys{
+    resultKey, followedKey};   // sealed with digests of their own, because a file may keep an older result
 constexpr std::size_t digestLength = 16;
 
-/// What `json` has under `keys`, one in the other; null where there is nothing.
+/// Returns the member of `json` at the path `keys`; null if it is absent.
 Json memberAt(const Json& json, std::initializer_list<const char*> keys)
 {
     const Json* found = &json;
@@ -43,7 +44,8 @@ Json withoutMembers(Json json, std::initializer_list<const char*> keys)
     return json;
 }
 
-/// One way to say it: keys in order, every number a double. Where a file lies is not what it is.
+/// Canonical form of a JSON value: keys sorted, every number a double, file paths left out because a location is not
+/// content.
 nlohmann::json canonicalJson(const Json& json)
 {
     if (json.is_number()) {

@@ -7,17 +7,17 @@
 
 namespace angiopose::io {
 
-/// SHA-256 of a case file as it lies there; empty where there is none that can be read.
+/// SHA-256 of the case file currently on disk; empty if it cannot be read.
 std::string contentOfCaseFile(const std::string& path);
 
-/// Writes a case (`saveCase`) over the file that was opened or saved before: `knownSha256` is what `contentOfCaseFile`
-/// told then, empty: nothing is known and nothing compared. Fails with `case.changed-elsewhere`, nothing written, where
-/// another program has changed it since; programs that save into one folder take turns. Returns what is known from now
-/// on.
+/// Writes a case (`saveCase`) over the file that was opened or saved before. `knownSha256` is the earlier result of
+/// `contentOfCaseFile`; if empty, nothing is compared. Fails with `case.changed-elsewhere` and writes nothing if
+/// another program has changed the file; programs that save into the same folder wait for each other. Returns the new
+/// hash.
 core::Result<std::string> saveCaseOver(const core::Case& session, const std::string& path,
                                        const std::string& knownSha256);
 
-/// Whether an error is that another program has changed the case.
+/// Whether an error means that another program changed the case.
 bool isChangedElsewhere(const core::Error& error);
 
 }   // namespace angiopose::io

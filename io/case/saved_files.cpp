@@ -15,7 +15,7 @@ namespace angiopose::io {
 
 namespace {
 
-/// So that the file is found when it moves.
+/// Stores the hash, by which the file can be found after it was moved.
 void noteHash(core::InputFile& file, core::Result<std::string> hash)
 {
     if (hash) {
@@ -49,7 +49,7 @@ core::Status completeView(core::View& view, const std::string& path, std::option
     return core::Done{};
 }
 
-/// There is nothing in it, or only what could not be found.
+/// Whether a view has neither a case file nor an image.
 bool isBlank(const core::View& view)
 {
     return view.caseFile.path.empty() && view.imageFile.path.empty();

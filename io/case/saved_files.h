@@ -7,9 +7,9 @@
 
 namespace angiopose::io {
 
-/// Completes what a case is about to say of its files, and of those of its other views: edited curves and
-/// the bends of followed runs get files beside the case at `path`, hashes that are not known yet are noted. Views that
-/// say nothing are left out; the shown one comes first.
+/// Completes the file references of a case and its other views before saving to `path`: writes files beside the case
+/// for edited curves and tracked deformations and computes missing hashes. Drops blank views; the shown view comes
+/// first.
 core::Status completeFiles(core::Case& hashed, const std::string& path);
 
 }   // namespace angiopose::io

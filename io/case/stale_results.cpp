@@ -11,7 +11,7 @@
 namespace angiopose::io {
 namespace {
 
-/// A file that nobody vouches for is another one.
+/// A file without a stored hash counts as changed.
 bool isAsNoted(const core::InputFile& noted, const core::InputFile& read)
 {
     return noted.path.empty() || (!noted.sha256.empty() && noted.sha256 == read.sha256);
@@ -23,21 +23,21 @@ bool areAsNoted(const core::Vessels& noted, const core::Vessels& read)
            noted.excludedBranchIds == read.excludedBranchIds;
 }
 
-/// A view of another case file was found with the vessels of that one.
+/// A view stored in another case file was registered with the vessels of that case, so it counts as changed.
 bool isAsNoted(const core::View& noted, const core::View& read)
 {
     return noted.caseFile.path.empty() && isAsNoted(noted.imageFile, read.imageFile) &&
            isAsNoted(noted.target.file, read.target.file);
 }
 
-/// Bent vessels of another tree would be drawn where none are.
+/// A deformation of another tree would be drawn in the wrong place.
 bool isOfTree(const core::View& view, const core::Vessels& vessels)
 {
     const core::DeformableResult* const deformed = view.result ? view.result->deformed.get() : nullptr;
     return !deformed || !vessels.tree || core::isOf(*vessels.tree, *deformed);
 }
 
-/// Why what was found in a view does not count any more, if it does not.
+/// Explains why a view's result is no longer valid; nothing if it is.
 std::optional<core::Message> whyStale(bool haveInputsChanged, const core::Messages& changedBeside)
 {
     if (haveInputsChanged) {
@@ -49,7 +49,8 @@ std::optional<core::Message> whyStale(bool haveInputsChanged, const core::Messag
     return {};
 }
 
-/// Frames of the view's run, each once, and where the case has the vessels in its own frame.
+/// Whether the tracked frames are distinct frames of the view's cine run, and the pose of the view's own frame agrees
+/// with the case.
 bool fitsItsView(const core::FollowedRun& run, const core::View& view)
 {
     const auto& frames = core::framesOf(run);
@@ -61,7 +62,8 @@ bool fitsItsView(const core::FollowedRun& run, const core::View& view)
            (!shown || shown->tracked.cameraFromPatient.matrix() == view.cameraFromPatient.matrix());
 }
 
-/// Like the result, which may be of another frame or not there any more.
+/// Explains why a view's tracking result is no longer valid, independently of the result, which may belong to another
+/// frame or be absent.
 std::optional<core::Message> whyFollowedStale(bool haveInputsChanged, const ViewNotes& notes, const core::View& view)
 {
     auto why = whyStale(haveInputsChanged, notes.changedBesideFollowed);

@@ -7,9 +7,8 @@
 
 namespace angiopose::io {
 
-/// Lets go of results, and of what following found, that stand beside other inputs than those they were found with.
-/// `noted`: the case as its file has it, with `notes` of its views, in order; `read`: with the inputs as they are.
-/// Warns of each, saying what has changed.
+/// Removes results and tracking results whose inputs have changed, and warns with the changes. `noted`: the case as
+/// stored, with `notes` for its views, in order; `read`: the case with its current inputs.
 void dropStaleResults(const core::Case& noted, std::span<const ViewNotes> notes, core::Case& read,
                       core::Messages& warnings);
 

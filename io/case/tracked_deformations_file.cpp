@@ -43,7 +43,7 @@ std::vector<const FollowedFrame*> framesWithDeformation(const FollowedRun& run)
     return frames;
 }
 
-/// Whatever has as many points and bends begins with the same bytes.
+/// The file header, which is identical for equal numbers of points and deformations.
 std::string deformationsHeader(std::size_t points, std::size_t deformations)
 {
     return "NRRD0004\n"
@@ -95,7 +95,7 @@ std::string deformationsContent(const std::vector<const FollowedFrame*>& frames)
     return bytes;
 }
 
-/// What the case file, as it is now, names for the bends of a view; empty where it names none.
+/// The file that the case file on disk names for the deformations of a view; empty if it names none.
 fs::path namedDeformation(const fs::path& casePath, std::optional<std::size_t> otherView)
 {
     const auto input = openInput(casePath.string());
@@ -108,7 +108,7 @@ fs::path namedDeformation(const fs::path& casePath, std::optional<std::size_t> o
     return (casePath.parent_path() / root[place].get<std::string>()).lexically_normal();
 }
 
-/// Takes the numbers of one point after the other.
+/// Reads the numbers of one point after another.
 class BendNumbers {
 public:
     explicit BendNumbers(std::string_view bytes) : bytes_(bytes) {}
@@ -134,7 +134,7 @@ public:
                 }
             }
         }
-        core::roundMotion(motion);   // to what was written, which single precision holds
+        core::roundMotion(motion);   // restores the written values, which were rounded to single precision
     }
 
     bool areFinite() const { return areFinite_; }
@@ -144,7 +144,7 @@ private:
     bool areFinite_ = true;
 };
 
-/// Whether the case file tells of the branches of this tree, no more and no less.
+/// Whether the case file lists exactly the branches of this tree.
 bool namesBranchesOf(const core::VesselTree& tree, const core::DeformableResult& deformed)
 {
     return deformed.branches.size() == tree.branches.size() &&
@@ -153,7 +153,7 @@ bool namesBranchesOf(const core::VesselTree& tree, const core::DeformableResult&
            });
 }
 
-/// The content behind its header, where it is of so many bends of this tree.
+/// Returns the content after the header, if it holds this number of deformations of this tree.
 core::Result<std::string_view> deformationNumbersIn(std::string_view content, const core::VesselTree& tree,
                                                     std::size_t deformations)
 {
@@ -189,7 +189,7 @@ core::Result<InputBytes> openDeformation(const core::InputFile& file)
     return input;
 }
 
-/// Whole, or nothing of it.
+/// Reads all deformations of a cine run, or none on failure.
 core::Status readDeformation(FollowedRun& run, const core::VesselTree& tree)
 {
     const std::vector<const FollowedFrame*> deformed = framesWithDeformation(run);
@@ -223,7 +223,7 @@ core::Status readDeformation(FollowedRun& run, const core::VesselTree& tree)
     return core::Done{};
 }
 
-/// Frames that do not show the vessels take over the bend of one that does.
+/// Copies deformations to the frames that do not show the vessels.
 void carryDeformationOn(FollowedRun& run)
 {
     auto frames = std::make_shared<std::vector<FollowedFrame>>(core::framesOf(run));

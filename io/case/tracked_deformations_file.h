@@ -9,15 +9,15 @@
 
 namespace angiopose::io {
 
-/// The file of how the vessels are bent in the frames of a followed run, with its hash: each case has its own,
-/// `<case>.bends.nrrd` beside it (FORMATS §2.12). The file of an earlier save of the same case is replaced, any other
-/// of that name is left alone and a number added to the name. `otherView`: for the run of that view of the case,
-/// `<case>.view-2.bends.nrrd` and on. No path where no frame is bent.
+/// Writes the deformations of a tracked cine run to `<case>.bends.nrrd` beside the case (FORMATS §2.12) and returns the
+/// file with its hash. Replaces the file of an earlier save of the same case; another existing file stays, and the name
+/// gets a number. `otherView`: writes `<case>.view-2.bends.nrrd` and so on for that view. The path is empty if no frame
+/// is deformed.
 core::Result<core::InputFile> keepFollowedDeformation(const core::FollowedRun& run, const std::string& casePath,
                                                       std::optional<std::size_t> otherView = std::nullopt);
 
-/// The bends of a case as its file tells them get their points from those files. Where one cannot be had, or is not of
-/// these vessels, its run keeps the poses and goes without bends, and a warning says so.
+/// Reads the points of a case's tracked deformations from their files. If a file is missing or belongs to other
+/// vessels, warns and keeps only the poses.
 void readDeformationOfRuns(core::Case& read, core::Messages& warnings);
 
 }   // namespace angiopose::io

@@ -18,7 +18,7 @@ namespace {
 
 using core::View;
 
-/// The case's own keys win over the header's.
+/// Completes the subtraction plan; keys of the case override the header's values.
 core::SubtractionPlan completed(const SubtractionKeys& keys, core::SubtractionPlan plan)
 {
     if (keys.maskFrames || keys.interval) {
@@ -52,7 +52,7 @@ core::Status treatRun(View& view, const ViewNotes& notes)
     return core::Done{};
 }
 
-/// What the view is registered to, and catheters and wires that are kept apart from it.
+/// Reads the target of the registration and the catheters and guidewires excluded from it.
 core::Status readTarget(View& view, const ViewNotes& notes)
 {
     auto read = readCenterline2d(view.target.file.path);
@@ -99,7 +99,7 @@ void fillFrom(core::Sourced<Value>& value, const core::Sourced<Value>& header)
     }
 }
 
-/// What only shows once the inputs are there.
+/// Returns an inconsistency that becomes apparent only once the inputs are loaded.
 std::optional<core::Message> findMisfit(const View& view)
 {
     const core::Angiogram& angiogram = *view.angiogram;
@@ -114,12 +114,12 @@ std::optional<core::Message> findMisfit(const View& view)
     return {};
 }
 
-/// Frame, geometry and the pose to start from.
+/// Completes frame, geometry and initial pose.
 core::Status complete(View& view, const ViewNotes& notes, const core::Vessels& vessels, core::Messages& warnings)
 {
     const core::Angiogram& angiogram = *view.angiogram;
     view.frame = notes.hasFrame ? view.frame : angiogram.suggestedFrame;
-    if (view.result && !view.result->provenance.frame) {   // older files did not note it
+    if (view.result && !view.result->provenance.frame) {   // older files did not store it
         view.result->provenance.frame = view.frame;
     }
     if (const auto misfit = findMisfit(view)) {

@@ -8,19 +8,20 @@
 
 namespace angiopose::io {
 
-/// Reads what a view of these vessels consists of: image, given centreline and subtraction; completes frame, geometry
-/// and pose. Fails naming the file.
+/// Reads the inputs of a view of these vessels: image, given centerline and subtraction; completes frame, geometry and
+/// pose. Fails, naming the file.
 core::Status loadView(core::View& view, const ViewNotes& notes, const core::Vessels& vessels,
                       const std::string& casePath, core::Messages& warnings, PeakFrame peak);
 
-/// Likewise of a view beside the first: where it cannot be read, that is a warning and the view has no angiogram.
+/// Reads the inputs of an additional view; if they cannot be read, adds a warning and leaves the view without an
+/// angiogram.
 void loadOtherView(core::View& view, const ViewNotes& notes, const core::Vessels& vessels, const std::string& casePath,
                    core::Messages& warnings, PeakFrame peak);
 
-/// Fills in what `cArm` lacks.
+/// Fills in missing values of `cArm` from the header.
 void fillFromHeader(core::CArm& cArm, const core::CArm& header);
 
-/// Notes the hash of what was read; warns where the case expected something else.
+/// Stores the hash of the file read; warns if the case expected another.
 core::Status checkHash(core::InputFile& file, core::Result<std::string> hash, core::Messages& warnings);
 
 }   // namespace angiopose::io

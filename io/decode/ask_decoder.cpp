@@ -13,17 +13,17 @@
 namespace angiopose::io {
 namespace {
 
-constexpr int askedEveryMs = 30;   // whether to stop
+constexpr int askedEveryMs = 30;   // interval between checks for cancellation
 constexpr std::uintmax_t usualReply = 1 << 20, repliedPerByte = 64;   // bytes
-constexpr double decodedShare = 0.9;   // of the progress; the rest is sending
+constexpr double decodedShare = 0.9;   // share of decoding in the progress; the rest is the transfer
 
-/// What comes out of the pipe, bit by bit. More than `largestContent` bytes are none of a decoder.
+/// Collects the reply from the pipe. A reply of more than `largestContent` bytes is invalid.
 class Listening {
 public:
     explicit Listening(std::uintmax_t largestContent) : largestContent_(largestContent) {}
 
     void hear(std::string_view bytes);
-    double fraction() const;   ///< of the whole work
+    double fraction() const;   ///< progress of the whole task
     bool isWhole() const { return heard_.size() >= headSize && heard_.size() == headSize + contentSize(); }
     bool isAstray() const
     {
@@ -44,7 +44,7 @@ private:
 
     std::uintmax_t largestContent_;
     double decoded_ = 0.0;
-    std::string heard_;   ///< from the byte on that says what follows
+    std::string heard_;   ///< the reply, beginning with the byte for its kind
 };
 
 void Listening::hear(std::string_view bytes)
@@ -94,7 +94,7 @@ core::Result<DecoderReply> askDecoder(const std::string& program, const std::vec
     if (!helper.isStarted()) {
         return fileError(path, says::decoderMissing(file));
     }
-    std::error_code isNew;   // a file that is to be written
+    std::error_code isNew;   // set if the file does not exist yet because it is an output
     const std::uintmax_t size = std::filesystem::file_size(path, isNew);
     Listening listening(isNew ? usualReply : usualReply + repliedPerByte * size);
     const Ending ending = listen(helper, listening, observe);
@@ -106,7 +106,7 @@ core::Result<DecoderReply> askDecoder(const std::string& program, const std::vec
         return reply.kind == ReplyKind::TooLarge ? fileError(path, says::decoderTooLarge())
                                                  : core::Result<DecoderReply>(std::move(reply));
     }
-    // Who talks on is killed.
+    // A helper that sends too much is killed.
     const bool isTooLong = ending == Ending::Silent && helper.waitForEnd() == ChildProcess::Ending::OutOfTime;
     return fileError(path, isTooLong ? says::decoderTooLong() : says::decoderDied());
 }
@@ -122,7 +122,7 @@ std::string helperProgram(const std::string& name)
             return candidate;
         }
     }
-    // A package of the library alone keeps its own beside it.
+    // A library-only package has its helpers beside the library.
     const fs::path beside = folder / "angiopose" / name;
     return isExecutable(beside) ? beside : fs::path(ANGIOPOSE_INSTALLED_HELPERS) / name;
 }

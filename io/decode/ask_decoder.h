@@ -9,15 +9,15 @@
 
 namespace angiopose::io {
 
-/// Starts a helper program (its name; `arguments` after it) in which a library decodes the file `path`, and waits for
-/// what it says. The observer hears of progress and may stop it. Fails, naming the file, when the program dies, runs
-/// out of the memory and time that a file of that size may need, or is not there; a library that finds the file
-/// damaged is no failure here but a reply.
+/// Runs a helper program (its name, followed by `arguments`) in which a library decodes the file `path`, and returns
+/// its reply. `observe` receives the progress and can cancel. Fails, naming the file, if the program crashes, is
+/// missing, or exceeds the memory and time appropriate for a file of that size. Damage reported by the library is a
+/// reply, not a failure.
 core::Result<DecoderReply> askDecoder(const std::string& program, const std::vector<std::string>& arguments,
                                       const std::string& path, const ReadObserver& observe = {});
 
-/// Path of a program that AngioPose brings along: below the folder that holds the running program, or the library that
-/// this code is part of, or where it was to be installed. It may be missing there.
+/// Path of a helper program of AngioPose, relative to the running program or the library that contains this code, or
+/// else at the install location. The file may not exist.
 std::string helperProgram(const std::string& name);
 
 }   // namespace angiopose::io

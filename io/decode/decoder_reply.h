@@ -12,18 +12,19 @@
 #include <type_traits>
 #include <vector>
 
-// What a helper program writes to its standard output: progress as single bytes of percent, then one byte that says
-// what follows, the length of that and that. Both programs run on one machine: numbers are as memory holds them.
+// Protocol of a helper program's standard output: progress as single bytes of percent, then one byte for the kind of
+// reply, the length of the content and the content. Both programs run on the same machine, so numbers have native byte
+// order.
 
 namespace angiopose::io {
 
 constexpr unsigned char largestPercent = 100;
 
-/// What follows the progress.
+/// The kind of content after the progress.
 enum class ReplyKind : unsigned char {
     Result = 201,
-    Refusal = 202,   ///< the library found the file damaged; what follows says where, or is empty
-    TooLarge = 203,   ///< it needed more memory than it was given
+    Refusal = 202,   ///< the library found the file damaged; the content gives the position, or is empty
+    TooLarge = 203,   ///< it needed more memory than permitted
 };
 
 struct DecoderReply {
@@ -31,7 +32,7 @@ struct DecoderReply {
     std::string content;
 };
 
-/// Values in a row, as bytes: numbers (and arrays of numbers), texts, and vectors and maps of them.
+/// Serializes values to bytes: numbers (and arrays of numbers), texts, and vectors and maps of them.
 class ReplyWriter {
 public:
     template <class Value>
@@ -80,8 +81,8 @@ private:
     std::string bytes_;
 };
 
-/// Takes them back. Nothing is allocated for values that the bytes cannot hold; once one is missing all that follow
-/// are.
+/// Deserializes them. Never allocates more than the bytes can hold; once a value is missing, all later ones are missing
+/// too.
 class ReplyReader {
 public:
     explicit ReplyReader(std::string_view bytes) : rest_(bytes) {}
@@ -123,7 +124,7 @@ public:
         }
     }
 
-    /// True when everything was there, and nothing else.
+    /// True if all values were present and no bytes are left.
     bool isDone() const { return isSound_ && rest_.empty(); }
 
 private:
@@ -132,7 +133,7 @@ private:
         isSound_ = isSound_ && size <= rest_.size();
         return isSound_;
     }
-    /// A number of things of at least `size` bytes each.
+    /// Reads the number of elements of at least `size` bytes each.
     std::size_t takeCount(std::size_t size)
     {
         std::uint64_t count = 0;

@@ -8,10 +8,10 @@
 
 namespace angiopose::io {
 
-/// The one rigid transform of an HDF5 file of ITK (`.h5`; several in a composite become one), read by ITK.
+/// Reads the single rigid transform of an ITK HDF5 file (`.h5`) through ITK; merges the transforms of a composite.
 core::Result<core::RigidTransform> poseFromItkHdf5(const std::string& path, const ReadObserver& observe = {});
 
-/// Writes the same as an affine transform, every double as it is.
+/// Writes the pose as an affine transform, with all bits of every double.
 core::Status writeItkHdf5(const core::RigidTransform& cameraFromPatient, const std::string& path);
 
 }   // namespace angiopose::io

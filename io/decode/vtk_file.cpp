@@ -13,7 +13,7 @@
 namespace angiopose::io {
 namespace {
 
-/// What VTK made of the file, or where it was found damaged; the words for that are the format's.
+/// Reads a file through VTK; `saysDamaged` creates the format's message for a damaged file.
 template <class SaysDamaged>
 core::Result<VtkLines> readByVtk(const std::string& format, const std::string& path, const ReadObserver& observe,
                                  const SaysDamaged& saysDamaged)
@@ -32,7 +32,7 @@ core::Result<VtkLines> readByVtk(const std::string& format, const std::string& p
 
 constexpr int maxDeclared = 20'000'000;
 
-/// VTK reserves what the header declares before it looks at the data: what no centreline can need is refused by name.
+/// Rejects counts that no centerline can have, because VTK allocates as the header declares before it reads the data.
 std::optional<core::Message> findImpossibleCount(std::string_view content)
 {
     constexpr std::array attributes = {"NumberOfPoints=\"", "NumberOfLines=\"",     "NumberOfVerts=\"",
@@ -59,7 +59,7 @@ core::Result<VtkLines> readLegacyVtk(std::string_view content, const std::string
 {
     TextCursor cursor(content);
     cursor.line();
-    cursor.line();   // the title
+    cursor.line();   // skip the title
     const std::string coding = lowered(cursor.word());
     if (coding != "ascii" && coding != "binary") {
         return fileError(path, says::vtkThirdLine());
@@ -88,7 +88,7 @@ core::Result<VtkLines> readXmlVtk(std::string_view content, const std::string& p
     }
     auto lines = readByVtk(isGrid ? "xml_unstructured_grid" : "xml_polydata", path, observe,
                            [](const std::string&) { return says::vtkXmlDamaged(); });
-    const bool isDead = !lines && lines.error().message.is(says::decoderDied);   // of damage, then
+    const bool isDead = !lines && lines.error().message.is(says::decoderDied);   // the file is then damaged
     return isDead ? fileError(path, says::vtkXmlDamaged()) : std::move(lines);
 }
 
@@ -100,7 +100,8 @@ core::Result<VtkLines> readPly(const std::string& path, const ReadObserver& obse
                : place == "header"        ? says::plyHeaderDamaged()
                                           : says::plyDataDamaged();
     });
-    const bool isDead = !lines && lines.error().message.is(says::decoderDied);   // of data that are not there, mostly
+    const bool isDead =
+        !lines && lines.error().message.is(says::decoderDied);   // usually because declared data are missing
     return isDead ? fileError(path, says::plyDataDamaged()) : std::move(lines);
 }
 

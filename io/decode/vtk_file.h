@@ -9,15 +9,15 @@
 
 namespace angiopose::io {
 
-/// Legacy VTK (ASCII or binary, up to format 5.1), poly-data or unstructured grid, read by VTK in a process of its own.
-/// `content` is the file's.
+/// Reads legacy VTK (ASCII or binary, up to format 5.1), poly-data or unstructured grid, through VTK in a separate
+/// process. `content`: of the file.
 core::Result<VtkLines> readLegacyVtk(std::string_view content, const std::string& path,
                                      const ReadObserver& observe = {});
 
-/// VTK XML, PolyData (.vtp) or UnstructuredGrid (.vtu), likewise.
+/// Reads VTK XML, PolyData (.vtp) or UnstructuredGrid (.vtu), through VTK in a separate process.
 core::Result<VtkLines> readXmlVtk(std::string_view content, const std::string& path, const ReadObserver& observe = {});
 
-/// A surface in PLY, likewise; points come in single precision.
+/// Reads a PLY surface through VTK in a separate process; points have single precision.
 core::Result<VtkLines> readPly(const std::string& path, const ReadObserver& observe = {});
 
 }   // namespace angiopose::io

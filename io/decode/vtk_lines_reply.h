@@ -5,7 +5,7 @@
 
 namespace angiopose::io {
 
-/// What of a file goes through the pipe, in this order.
+/// Visits the members sent through the pipe, in this order.
 template <class Lines, class Use>
 void eachField(Lines& lines, const Use& use)
 {
@@ -27,7 +27,7 @@ inline std::string toReply(const VtkLines& lines)
     return std::move(writer).bytes();
 }
 
-/// Nothing when it is not whole.
+/// Decodes the reply; nothing if it is incomplete.
 inline std::optional<VtkLines> linesFromReply(std::string_view bytes)
 {
     VtkLines lines;

@@ -12,7 +12,7 @@
 namespace angiopose::io {
 namespace {
 
-/// What of DICOM can be freed of identity.
+/// Kinds of DICOM objects that can be de-identified.
 enum class FreedClass { Image, Segmentation, Report, PresentationState, Registration };
 
 constexpr std::string_view storage = "1.2.840.10008.5.1.4.1.1.";
@@ -22,7 +22,7 @@ constexpr std::string_view segmentClass = "66.4";
 constexpr std::string_view reports = "88.";
 constexpr std::string_view documents = "104.";
 
-/// Presentation states and spatial objects of other kinds, waveforms, raw data, treatment plans.
+/// Unsupported SOP classes: other presentation states and spatial objects, waveforms, raw data, treatment plans.
 constexpr std::array<std::string_view, 8> uncleared{"9.", "11.", "66", "67", "68.", "78.", "79.", "481."};
 
 core::Result<FreedClass> classOf(const DicomDataset& data, const std::string& path)
@@ -35,7 +35,7 @@ core::Result<FreedClass> classOf(const DicomDataset& data, const std::string& pa
     if (kind == segmentClass) {
         return FreedClass::Segmentation;
     }
-    if (kind == grayState) {   // others need a colour profile, which holds words
+    if (kind == grayState) {   // other kinds need a color profile, which contains text
         return FreedClass::PresentationState;
     }
     if (kind == spatialClass) {
@@ -60,8 +60,9 @@ bool hasPixels(FreedClass freed)
     return freed == FreedClass::Image || freed == FreedClass::Segmentation;
 }
 
-/// By its SOP class; an image where that tells nothing else. Fails, naming the file, where words or pages of the object
-/// cannot be cleared for sure, and where it holds pixels that objects of its class do not have: they would be lost.
+/// Determines the kind of object by its SOP class; an image if nothing else is indicated. Fails, naming the file, if
+/// the texts or pages of the object cannot be cleared reliably, or if it holds pixels unusual for its class, which
+/// would be lost.
 core::Result<FreedClass> freedClassOf(const DicomFile& file, const std::string& path)
 {
     const auto freed = classOf(file.dataset, path);
@@ -83,7 +84,7 @@ constexpr Method cleanStructure{"113104", "Clean Structured Content Option"};
 constexpr Method cleanDescriptors{"113105", "Clean Descriptors Option"};
 constexpr Method modifiedDates{"113107", "Retain Longitudinal Temporal Information Modified Dates Option"};
 
-/// Present though nothing is known, as the modules of images demand (type 2).
+/// Elements written empty if unknown, as image modules require (type 2).
 constexpr std::array<std::pair<DicomTag, const char*>, 8> emptyWhereAbsent{{{0x00080020, "DA"},
                                                                             {0x00080030, "TM"},
                                                                             {0x00080050, "SH"},
@@ -118,7 +119,7 @@ void sayWhatWasDone(DicomItem& root, const Deidentification& requested)
     root.text(0x00280303, "CS", areShifted ? "MODIFIED" : "REMOVED");
 }
 
-/// One value of at most 64 letters, as names and IDs may have.
+/// Limits a text to one value of at most 64 characters, as names and IDs require.
 std::string asOneValue(const std::string& requested)
 {
     std::string value = shortened(requested, 64);
@@ -126,14 +127,14 @@ std::string asOneValue(const std::string& requested)
     return value;
 }
 
-/// The ID tells patients apart; where there is none, the name.
+/// Identifies a patient by the ID or, without one, by the name.
 std::string patientOf(const DicomDataset& data)
 {
     const std::string_view id = data.text(0x00100020);
     return std::string(id.empty() ? data.text(0x00100010) : id);
 }
 
-/// What every image belongs to; files without it are those of one series of their patient.
+/// Adds missing instance, study and series UIDs; files without them form one series per patient.
 void addPlaces(const DicomDataset& data, const std::string& path, const Replacements& replacements, DicomItem& root)
 {
     const Pseudonyms& pseudonyms = replacements.pseudonyms;

@@ -8,25 +8,25 @@
 
 namespace angiopose::io {
 
-/// What is wished of files that go to others.
+/// Options of a de-identification.
 struct Deidentification {
     KeptDates dates = KeptDates::None;
     DrawnLetters letters = DrawnLetters::Reported;
-    std::string patientName{};   ///< and ID; empty: a pseudonym
+    std::string patientName{};   ///< also used as the ID; empty: a pseudonym
 };
 
-/// A DICOM object without identity.
+/// A de-identified DICOM object.
 struct NamelessDicom {
-    std::string content;   ///< of the file
-    std::string seriesUid;   ///< new
-    int instanceNumber = 0;   ///< as it was; 0: not given
+    std::string content;   ///< file content
+    std::string seriesUid;   ///< replaced by a new UID
+    int instanceNumber = 0;   ///< unchanged; 0: absent
     core::Messages warnings;
 };
 
-/// The image, segmentation, report, presentation state or spatial registration of a DICOM file after the Basic
-/// Application Level Confidentiality Profile (PS3.15 annex E): `copyKept`, `copyPixels`, patient and study by
-/// pseudonyms, what was done said in the codes of the standard. Fails naming the file where it holds no image that can
-/// be stored again, or what cannot be cleared for sure.
+/// De-identifies the image, segmentation, report, presentation state or spatial registration of a DICOM file by the
+/// Basic Application Level Confidentiality Profile (PS3.15 annex E): `copyKept`, `copyPixels`, pseudonyms for patient
+/// and study, and the applied methods as codes of the standard. Fails, naming the file, if it holds no image that can
+/// be stored again, or parts that cannot be cleared reliably.
 core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::string& path,
                                             const Deidentification& requested, const Pseudonyms& pseudonyms);
 

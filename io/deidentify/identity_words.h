@@ -8,19 +8,19 @@
 
 namespace angiopose::io {
 
-/// The words by which a data set tells whose it is: names, numbers and places of the patient, of the request, of people
-/// and of the institution. Codes that may stay as a rule are looked at, whether somebody wrote one of these in them.
+/// Words in a data set that identify the patient: names, numbers and addresses of the patient, the request, staff and
+/// the institution. Codes that are normally kept are checked for these words.
 class IdentityWords {
 public:
     explicit IdentityWords(const DicomDataset& data);
 
-    /// Whether `text` holds one of the words, whatever the case of its letters.
+    /// Whether `text` contains one of the words, ignoring case.
     bool areIn(std::string_view text) const;
 
 private:
     void collect(const DicomDataset& data, int depth);
 
-    std::set<std::string> words_;   ///< capitals
+    std::set<std::string> words_;   ///< in upper case
 };
 
 }   // namespace angiopose::io

@@ -13,7 +13,7 @@ namespace {
 
 constexpr CodedTerm takenOut{"AP0", "99ANGIOPOSE", "Term that was taken out"};
 
-/// What this program's own objects say; a test compares.
+/// Terms used in this program's own objects; a test compares them.
 constexpr std::array knownTerms{
     CodedTerm{"111028", "DCM", "Image Library"},
     CodedTerm{"112039", "DCM", "Tracking Identifier"},
@@ -57,7 +57,7 @@ constexpr std::array knownTerms{
     CodedTerm{"AP9", "99ANGIOPOSE", "Judgement of the registration"},
 };
 
-/// Units in braces could be any words, and a name of letters could pass for a unit: only these.
+/// Permitted units: a unit in braces could be any text, and a name could pass for a unit.
 constexpr std::array<std::string_view, 32> knownUnits{
     "%",  "1",   "cm",  "cm2", "cm3", "deg",      "g",         "Gy",      "Gy.m2",    "Gy.cm2", "dGy.m2",
     "h",  "Hz",  "keV", "kg",  "kV",  "m",        "mA",        "mAs",     "mGy",      "mL",     "ml",
@@ -73,7 +73,7 @@ bool isNumberOf(std::string_view value, std::size_t least, std::size_t most)
     return value.size() >= least && value.size() <= most && std::ranges::all_of(value, isCodeDigit);
 }
 
-/// "T-D0050", "R-10241".
+/// For example "T-D0050" or "R-10241".
 bool isSnomedThree(std::string_view value)
 {
     const bool isHex = std::ranges::all_of(value.substr(std::min<std::size_t>(value.size(), 2)),
@@ -81,14 +81,14 @@ bool isSnomedThree(std::string_view value)
     return value.size() >= 6 && value.size() <= 8 && value[0] >= 'A' && value[0] <= 'Z' && value[1] == '-' && isHex;
 }
 
-/// "18745-0".
+/// For example "18745-0".
 bool isLoinc(std::string_view value)
 {
     return value.size() >= 4 && value.size() <= 8 && value[value.size() - 2] == '-' && isCodeDigit(value.back()) &&
            isNumberOf(value.substr(0, value.size() - 2), 2, 6);
 }
 
-/// "en", "en-US".
+/// For example "en" or "en-US".
 bool isLanguage(std::string_view value)
 {
     const auto areBetween = [](std::string_view letters, char first, char last) {
@@ -104,7 +104,7 @@ bool isUnit(std::string_view value)
     return std::ranges::find(knownUnits, value) != knownUnits.end();
 }
 
-/// Schemes that anybody can look up, and what their values look like.
+/// A public coding scheme and the format of its values.
 struct PublicScheme {
     std::string_view name;
     bool (*isValue)(std::string_view value);
@@ -129,7 +129,7 @@ const CodedTerm* knownTerm(const ReadTerm& term)
 }
 
 enum class ContentRule {
-    AsUsual,   ///< sequences, numbers, codes, UIDs
+    AsUsual,   ///< by the general rules: sequences, numbers, codes, UIDs
     Empty,
     Label,
     Layer,
@@ -148,7 +148,7 @@ struct ContentElement {
 };
 
 constexpr std::array contentElements{
-    // When it was made; references.
+    // Creation time; references.
     ContentElement{0x00080023, ContentRule::Time}, ContentElement{0x00080033, ContentRule::Time},
     ContentElement{0x00081115}, ContentElement{0x0008114a}, ContentElement{0x00081160}, ContentElement{0x00081199},
     ContentElement{0x00089124}, ContentElement{0x00089215}, ContentElement{0x0040a170},
@@ -185,7 +185,7 @@ constexpr std::array contentElements{
     ContentElement{0x0040a730}, ContentElement{0x0040db00, ContentRule::Template}, ContentElement{0x0040db73},
     ContentElement{0x30060024}};
 
-/// What this program itself writes where others write what they like.
+/// Labels that this program writes into elements with free text.
 constexpr std::array<std::string_view, 2> ownLabels{"ANGIOPOSE", "VESSELS"};
 constexpr std::array<std::string_view, 4> ownWords{"AngioPose", "Arteries", "trustworthy", "not trustworthy"};
 constexpr std::string_view programWord = "AngioPose ";
@@ -202,7 +202,7 @@ bool isAmong(const std::array<std::string_view, Count>& known, std::string_view 
     return std::ranges::find(known, value) != known.end();
 }
 
-/// "AngioPose 1.2.0".
+/// Whether a text is a program name with a version, for example "AngioPose 1.2.0".
 bool isProgramWithVersion(std::string_view text)
 {
     return text.starts_with(programWord) && text.size() <= programWord.size() + 12 &&

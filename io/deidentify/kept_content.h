@@ -18,36 +18,36 @@ struct ReadTerm {
     std::string meaning;
 };
 
-/// What a term becomes that goes to others.
+/// A coded term after de-identification.
 struct KeptTerm {
     ReadTerm term;
-    bool isReplaced = false;   ///< by one that says it was taken out
+    bool isReplaced = false;   ///< replaced by a term that states the removal
 };
 
-/// Values stay where the scheme is a public one and they look as its values do; of units and of this program's own
-/// terms those that are known. Meanings are free words: the known ones stay, in place of others stands the value.
+/// De-identifies a coded term. Keeps values of public schemes that have the scheme's format; among units and this
+/// program's own terms, only known ones. Meanings are free text: keeps known ones and replaces others by the value.
 KeptTerm keptTerm(const ReadTerm& term, const IdentityWords& words);
 
-/// What objects that are no images hold besides what describes images: segments, graphics, matrices, references, the
-/// tree of a report (PS3.15 E.3.6, clean structured content; E.3.3, clean graphics). Codes, numbers and structure stay,
-/// words are replaced, so that what must be there is there and positions hold. For one object.
+/// De-identifies the content specific to objects other than images: segments, graphics, matrices, references, report
+/// trees (PS3.15 E.3.6, clean structured content; E.3.3, clean graphics). Keeps codes, numbers and structure, and
+/// replaces words, which preserves required elements and positions. One instance per object.
 class KeptContent {
 public:
     explicit KeptContent(const IdentityWords& words) : words_(words) {}
 
-    /// Whether an element is copied, numbers and codes by the usual rules.
+    /// Whether an element is copied; its numbers and codes follow the general rules.
     static bool has(DicomTag tag);
 
-    /// Whether a text is one for `insteadOf`.
+    /// Whether a text must be replaced by `insteadOf`.
     static bool isReplaced(DicomTag tag);
     std::string insteadOf(DicomTag tag, const std::vector<std::string>& values);
 
-    /// In place of a date or time that does not stay, where there must be one; nothing where there need not be.
+    /// Replacement for a removed date or time that must be present; nothing if it is optional.
     static std::optional<std::string> insteadOfTime(DicomTag tag, const std::string& vr);
 
     ReadTerm term(const ReadTerm& term);
 
-    /// Words, names and terms that were taken out.
+    /// Number of removed words, names and terms.
     std::size_t cleared() const { return cleared_; }
 
 private:
@@ -56,7 +56,7 @@ private:
     std::string words(const std::string& text);
 
     const IdentityWords& words_;
-    std::map<std::string, std::string> layers_;   ///< graphics refer to them by name
+    std::map<std::string, std::string> layers_;   ///< graphics refer to layers by name
     std::size_t segments_ = 0;
     std::size_t cleared_ = 0;
 };

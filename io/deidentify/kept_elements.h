@@ -10,23 +10,24 @@
 
 namespace angiopose::io {
 
-/// What stands in place of names, UIDs and dates: the same for the same original, so that the files of an export fit
-/// together, and without the key nobody finds the way back (keyed hashes, HMAC-SHA-256).
+/// Replacements for names, UIDs and dates. Equal originals get equal replacements, which keeps the files of an export
+/// consistent; without the key they cannot be reversed (keyed hashes, HMAC-SHA-256).
 class Pseudonyms {
 public:
-    /// With a random key: exports of different days do not fit together. Fails where the system gives no random bytes.
+    /// Creates pseudonyms with a random key, which makes separate exports unlinkable. Fails if the system provides no
+    /// random bytes.
     static core::Result<Pseudonyms> create();
-    /// Exports with the same key fit together; whoever has it can test guesses.
+    /// Exports with the same key are linkable; anyone who has the key can test guesses.
     explicit Pseudonyms(std::string key) : key_(std::move(key)) {}
 
-    /// "2.25." and a number. UIDs that DICOM itself defines stay.
+    /// Replaces a UID by "2.25." and a number; keeps UIDs defined by DICOM.
     std::string uid(std::string_view original) const;
 
-    /// "P-" and ten digits, for a patient's ID; where there is none, for the name.
+    /// Replaces a patient ID, or a name without an ID, by "P-" and ten digits.
     std::string patient(std::string_view original) const;
 
-    /// yyyymmdd, one to ten years earlier, as many days for all dates of one patient, weeks kept. "" for what is no
-    /// date.
+    /// Shifts a date (yyyymmdd) by one to ten years into the past, by whole weeks and by the same number of days for
+    /// all dates of a patient. Returns "" for an invalid date.
     std::string date(std::string_view original, std::string_view patient) const;
 
 private:
@@ -37,20 +38,19 @@ private:
 
 enum class KeptDates { None, Shifted };
 
-/// What takes the places of names, UIDs and dates in one data set.
+/// Replacements for names, UIDs and dates in one data set.
 struct Replacements {
     const Pseudonyms& pseudonyms;
     const IdentityWords& words;
-    std::string patient;   ///< by which dates are shifted
+    std::string patient;   ///< determines the shift of the dates
     KeptDates dates = KeptDates::None;
-    KeptContent* content = nullptr;   ///< of objects that are no images
+    KeptContent* content = nullptr;   ///< for objects other than images
 };
 
 /// Copies the elements that describe the image: numbers, codes and flags of acquisition, geometry and display, UIDs
-/// replaced, dates as wished, sequences of these. Everything else stays behind: names, texts, private elements,
-/// overlays, curves and what no rule knows; of objects that are no images `content` says what else is copied and what
-/// stands in place of words. This is less than PS3.15 table E.1-1 lets through, and so holds for
-/// elements to come.
+/// replaced, dates as requested, and sequences of these. Omits everything else: names, texts, private elements,
+/// overlays, curves and unknown elements; for objects other than images, `content` selects further elements and
+/// replaces their words. Stricter than PS3.15 table E.1-1 and therefore safe for future elements.
 void copyKept(const DicomDataset& from, DicomItem& to, const Replacements& replacements);
 
 }   // namespace angiopose::io

@@ -16,12 +16,12 @@
 namespace angiopose::io {
 namespace {
 
-constexpr int framesLookedAt = 6;   ///< of a run, evenly spaced: letters stand in all of them
+constexpr int framesLookedAt = 6;   ///< evenly spaced frames of a cine run, because burned-in text is in all frames
 constexpr DicomTag positionTag = 0x00200032;
 constexpr DicomTag sharedGroupsTag = 0x52009229;
 constexpr DicomTag burnedInTag = 0x00280301;
 
-/// Where letters are, in any of the frames looked at.
+/// Mask of burned-in text in any of the sampled frames.
 core::Mask2d lettersIn(const std::vector<core::ImageF>& frames)
 {
     const int count = static_cast<int>(frames.size());
@@ -36,7 +36,7 @@ core::Mask2d lettersIn(const std::vector<core::ImageF>& frames)
     return letters;
 }
 
-/// The darkest value of the run, or the one that is shown darkest.
+/// Fills the masked pixels with the lowest value of the cine run, or the highest if the image is shown inverted.
 void blackOut(std::vector<core::ImageF>& frames, const core::Mask2d& letters, bool isInverse)
 {
     float black = frames.front().pixels.front();
@@ -78,8 +78,8 @@ void treatLetters(std::vector<core::ImageF>& frames, const DicomDataset& data, D
     to.text(burnedInTag, "CS", "NO");
 }
 
-/// The frames as 16-bit words, little endian as DCMTK takes them: values of at most 16 bits, negative ones in two's
-/// complement; those of 8 bits two in a word.
+/// Packs the frames into 16-bit little-endian words for DCMTK: values of at most 16 bits, negative ones in two's
+/// complement; 8-bit values two per word.
 std::vector<std::uint16_t> wordsOf(const std::vector<core::ImageF>& frames, int bitsAllocated)
 {
     std::vector<std::uint16_t> words;
@@ -104,7 +104,7 @@ std::vector<std::uint16_t> wordsOf(const std::vector<core::ImageF>& frames, int 
 void describePixels(const PixelLayout& layout, DicomItem& to)
 {
     to.unsignedShort(0x00280002, 1);
-    to.remove(0x00280006);   // planar configuration, of colours
+    to.remove(0x00280006);   // planar configuration, for color images only
     to.text(0x00280004, "CS", layout.photometric == "MONOCHROME1" ? "MONOCHROME1" : "MONOCHROME2");
     to.unsignedShort(0x00280010, layout.rows);
     to.unsignedShort(0x00280011, layout.columns);
@@ -116,7 +116,7 @@ void describePixels(const PixelLayout& layout, DicomItem& to)
     }
 }
 
-/// Values of 32 bits go as they lie in the file.
+/// Copies 32-bit values unchanged.
 core::Status copyWide(const DicomPixels& pixels, const PixelLayout& layout, const std::string& path, DicomItem& to)
 {
     const std::size_t needed = layout.pixelsPerFrame() * static_cast<std::size_t>(layout.frames) * 4;

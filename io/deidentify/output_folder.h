@@ -12,11 +12,12 @@
 
 namespace angiopose::io {
 
-/// "00001.dcm": what the images of a series are called where names could tell.
+/// Returns the neutral file name of an image in a series, for example "00001.dcm", because original names can identify
+/// patients.
 std::string instanceFileName(std::size_t number);
 
-/// The new or empty folder that files without identity are written to: `series-1/00001.dcm`, `picture-1.png`. Its own
-/// until `keep`: else nothing is left of it.
+/// The new or empty output folder of a de-identification: `series-1/00001.dcm`, `picture-1.png`. The destructor deletes
+/// its content unless `keep` was called.
 class OutputFolder {
 public:
     explicit OutputFolder(std::string path) : path_(std::move(path)) {}
@@ -33,7 +34,7 @@ public:
 
 private:
     std::string path_;
-    std::map<std::string, std::pair<std::size_t, std::size_t>> counts_;   ///< number and files of each series
+    std::map<std::string, std::pair<std::size_t, std::size_t>> counts_;   ///< number and file count of each series
     std::size_t pictures_ = 0;
     std::vector<std::filesystem::path> made_;
     bool isNew_ = false;

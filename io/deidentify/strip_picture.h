@@ -7,9 +7,9 @@
 
 namespace angiopose::io {
 
-/// A PNG or JPEG with its pixels as they are stored, or a TIFF with those it shows (`strippedTiff`), and nothing that
-/// is written beside them: texts, times, Exif, profiles, thumbnails, what follows the end. Size in print and, of a
-/// JPEG, the marker of its colours stay. Fails on others.
+/// Returns a PNG or JPEG with its pixels as stored, or a TIFF with its visible pixels (`strippedTiff`), without
+/// metadata: texts, times, Exif, profiles, thumbnails, trailing data. Keeps the print size and, in a JPEG, the color
+/// marker. Fails for other formats.
 core::Result<std::string> strippedPicture(std::string_view picture, const std::string& path);
 
 }   // namespace angiopose::io

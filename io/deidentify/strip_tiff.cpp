@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t maxTiffBytes = std::size_t{1} << 31;
 
-/// A file in memory, as libtiff asks for one.
+/// An in-memory file for libtiff.
 class MemoryFile {
 public:
     MemoryFile() = default;

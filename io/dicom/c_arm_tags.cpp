@@ -37,7 +37,7 @@ core::Quantity millimeters(double value)
     return {std::round(value * 1e4) / 1e4, core::Quantity::asNeeded, "mm"};
 }
 
-/// Copies tags that the top level lacks out of the sequences of functional groups, two levels down.
+/// Copies tags missing at the top level from the functional group sequences, two levels down.
 void addFromGroups(DicomDataset& data, DicomTag groupsTag)
 {
     const std::vector<DicomDataset> groups = data.items(groupsTag);
@@ -60,7 +60,7 @@ bool isPositive(std::optional<double> value)
     return value && *value > 0.0;
 }
 
-/// As Siemens rooms write it; nothing where no C-arm is like that.
+/// Reads the isocenter distance as Siemens systems write it; nothing if it is implausible for a C-arm.
 std::optional<double> privateIsocenterMm(const DicomDataset& data, const CArm& cArm, DicomTag tag)
 {
     const auto value = data.number(tag);
@@ -69,8 +69,9 @@ std::optional<double> privateIsocenterMm(const DicomDataset& data, const CArm& c
     return isOne ? value : std::nullopt;
 }
 
-/// The isocenter has tags of its own. What (0018,1111) holds is where the device assumes the object, some way above its
-/// table (PS3.3 C.8.19.6.9.1): of old the isocenter, in rooms of today often another plane.
+/// Reads the source distances. The isocenter has tags of its own; (0018,1111) gives the plane where the device assumes
+/// the object, at some height above its table (PS3.3 C.8.19.6.9.1): the isocenter in older systems, often another plane
+/// in current ones.
 void readDistances(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
 {
     if (isPositive(data.number(sidTag))) {
@@ -110,7 +111,7 @@ std::optional<Eigen::Vector2d> positivePair(const DicomDataset& data, DicomTag t
     return isPositive(first) && isPositive(second) ? std::optional(Eigen::Vector2d(*first, *second)) : std::nullopt;
 }
 
-/// (row, column) extent of the field of view in mm, when it covers the whole image without distortion.
+/// Pixel spacing (row, column), mm, derived from the field of view if it covers the whole image without distortion.
 std::optional<Eigen::Vector2d> fieldSpacing(const DicomDataset& data)
 {
     const auto rows = data.number(rowsTag), columns = data.number(columnsTag);
@@ -120,13 +121,14 @@ std::optional<Eigen::Vector2d> fieldSpacing(const DicomDataset& data)
         data.text(0x00181147) != "RECTANGLE") {
         return std::nullopt;
     }
-    // PS3.3: "row dimension followed by column": the first goes along a row, so over the columns.
+    // PS3.3: "row dimension followed by column": the first extends along a row, that is, across the columns.
     const Eigen::Vector2d spacing(*columnDimension / *rows, *rowDimension / *columns);
     const bool isPlausible = spacing.minCoeff() > 0.05 && spacing.maxCoeff() < 2.0;
     return isPlausible && std::abs(spacing.x() / spacing.y() - 1.0) < 0.01 ? std::optional(spacing) : std::nullopt;
 }
 
-/// ALGORITHMS §5.2 in its order: imager spacing, calibrated pixel spacing, field of view; else it stays missing.
+/// Reads the pixel spacing in the order of ALGORITHMS §5.2: imager spacing, calibrated pixel spacing, field of view;
+/// otherwise it stays missing.
 void readSpacing(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
 {
     if (const auto imager = positivePair(data, imagerSpacingTag)) {
@@ -167,8 +169,8 @@ void readAngles(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
     }
 }
 
-/// Foot of the beam axis in the stored image, from where the field of view lies on the detector; rotation first, then
-/// flip (ALGORITHMS §5.2).
+/// Computes the principal point in the stored image from the position of the field of view on the detector; rotation
+/// first, then flip (ALGORITHMS §5.2).
 void readPrincipalPoint(const DicomDataset& data, CArm& cArm)
 {
     const auto element = positivePair(data, 0x00187022);   // detector element spacing, mm
@@ -178,15 +180,15 @@ void readPrincipalPoint(const DicomDataset& data, CArm& cArm)
     if (!element || !active || !originRow || !originColumn || !rows || !columns || !cArm.rowSpacingMm.value) {
         return;
     }
-    // Active dimensions and origins count from the active area's top left corner.
+    // Active dimensions and origins are relative to the top left corner of the active area.
     double cy = (0.5 * active->x() - *originRow * element->x()) / *cArm.rowSpacingMm.value - 0.5;
     double cx = (0.5 * active->y() - *originColumn * element->y()) / *cArm.columnSpacingMm.value - 0.5;
     double width = *columns, height = *rows;
     const int turns = static_cast<int>(std::lround(data.number(0x00187032).value_or(0.0) / 90.0)) & 3;
     if (turns % 2 == 1) {
-        std::swap(width, height);   // size before the rotation
+        std::swap(width, height);   // size before rotation
     }
-    for (int i = 0; i < turns; ++i) {   // clockwise: (u, v) goes to (height − 1 − v, u)
+    for (int i = 0; i < turns; ++i) {   // clockwise: (u, v) becomes (height − 1 − v, u)
         const double u = height - 1.0 - cy;
         cy = cx;
         cx = u;
@@ -200,7 +202,8 @@ void readPrincipalPoint(const DicomDataset& data, CArm& cArm)
     }
 }
 
-/// The direction that letters of Patient Orientation name, the first the most: "LA". Zero where they name none.
+/// The direction given by letters of Patient Orientation, the dominant one first: "LA". Zero if the letters are
+/// invalid.
 Eigen::Vector3d directionOf(std::string_view letters)
 {
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();
@@ -217,13 +220,12 @@ Eigen::Vector3d directionOf(std::string_view letters)
     return direction.stableNormalized();
 }
 
-/// Whether the image is shown as seen from the source, and by which quarter it is turned: of all eight ways in which an
-/// image may lie, the one whose rows and columns run as the letters of Patient Orientation say. The flip tag only
-/// hints.
+/// Determines whether the image is shown as seen from the source, and its quarter turn: the one of all eight
+/// orientations whose rows and columns best match the letters of Patient Orientation. The flip tag is only a hint.
 void readOrientation(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
 {
     constexpr DicomTag orientationTag = 0x00200020;
-    constexpr double minLikeness = 0.45;   // letters are coarse, but not as coarse as that
+    constexpr double minLikeness = 0.45;   // minimum agreement; the letters are coarse, but not that coarse
     const Eigen::Vector3d row = directionOf(data.text(orientationTag, 0));
     const Eigen::Vector3d column = directionOf(data.text(orientationTag, 1));
     CArm likeliest = cArm;

@@ -9,16 +9,17 @@
 
 namespace angiopose::io {
 
-/// C-arm geometry of an XA header (ALGORITHMS §5.1, §5.2), each value with its origin. What the header does not give
-/// stays missing unless other tags determine it; then it is derived, and a warning says so.
-/// Enhanced XA: the functional groups of the first frame.
+/// C-arm geometry of an XA header (ALGORITHMS §5.1, §5.2), each value with its origin. A missing value stays missing
+/// unless other tags determine it; a derived value comes with a warning. Enhanced XA: uses the functional groups of the
+/// first frame.
 core::CArm cArmOf(const DicomDataset& data, core::Messages& warnings);
 
-/// The data set with what only its functional groups hold (those of the first frame, then the shared ones) on top.
+/// Returns the data set with the elements of its functional groups (those of the first frame, then the shared ones)
+/// added at the top level.
 DicomDataset withFunctionalGroups(const DicomDataset& data);
 
-/// True for the warning of `cArmOf` that the header leaves the pixel spacing out: of no use where it is known
-/// otherwise.
+/// True for the warning of `cArmOf` about missing pixel spacing, which is irrelevant if the spacing is known from
+/// another source.
 bool isAboutMissingSpacing(const core::Message& warning);
 
 }   // namespace angiopose::io

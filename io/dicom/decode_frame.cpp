@@ -5,7 +5,7 @@
 #include "io/support/quiet_libraries.h"
 
 #include <dcmtk/config/osconfig.h>
-// DCMTK's macros first.
+// DCMTK headers come first because of their macros.
 #include <dcmtk/dcmdata/dcpixel.h>
 #include <dcmtk/dcmdata/dcpixseq.h>
 #include <dcmtk/dcmdata/dcpxitem.h>
@@ -24,8 +24,8 @@ namespace {
 
 constexpr std::string_view rleSyntax = "1.2.840.10008.1.2.5";
 
-/// The decoders trust what the stream declares: refuse one that is not the image of the header. libjpeg makes grey of
-/// colours by itself.
+/// Whether the stream declares the image of the header; the decoders trust the stream, so others are rejected. libjpeg
+/// converts color to gray itself.
 bool isTheImageExpected(const StreamHead& head, const PixelLayout& layout)
 {
     return head.columns == layout.columns && head.rows == layout.rows &&
@@ -33,7 +33,7 @@ bool isTheImageExpected(const StreamHead& head, const PixelLayout& layout)
            head.bits <= layout.bitsAllocated;
 }
 
-/// 8-bit lossy JPEG through libjpeg.
+/// Decodes 8-bit lossy JPEG through libjpeg.
 std::optional<DecodedPixels> decodeBaseline(std::string_view compressed, PixelLayout& layout)
 {
     const auto raster =
@@ -53,7 +53,8 @@ std::optional<DecodedPixels> decodeBaseline(std::string_view compressed, PixelLa
     return DecodedPixels{std::move(bytes), raster->isFlawed};
 }
 
-/// DCMTK fills what is missing with grey; a whole stream has its end marker, which padding may follow.
+/// Whether a stream is complete, that is, has its end marker, possibly followed by padding; DCMTK would fill missing
+/// parts with gray.
 bool isWhole(std::string_view compressed)
 {
     return !compressed.starts_with("\xff\xd8") || compressed.rfind("\xff\xd9") != std::string_view::npos;
@@ -69,7 +70,7 @@ void registerDecoders()
     });
 }
 
-/// A data set of one compressed frame, as DCMTK's decoders want it.
+/// Creates a data set with one compressed frame, as DCMTK's decoders require.
 std::unique_ptr<DcmDataset> datasetOf(std::string_view compressed, E_TransferSyntax syntax, const PixelLayout& layout)
 {
     auto data = std::make_unique<DcmDataset>();
@@ -88,7 +89,7 @@ std::unique_ptr<DcmDataset> datasetOf(std::string_view compressed, E_TransferSyn
     }
     data->putAndInsertString(DCM_PhotometricInterpretation, layout.photometric.c_str());
     data->putAndInsertString(DCM_NumberOfFrames, "1");
-    auto* sequence = new DcmPixelSequence(DCM_PixelSequenceTag);   // DCMTK owns what is put into it
+    auto* sequence = new DcmPixelSequence(DCM_PixelSequenceTag);   // DCMTK takes ownership
     sequence->insert(new DcmPixelItem(DCM_PixelItemTag));   // the offset table
     auto* frame = new DcmPixelItem(DCM_PixelItemTag);
     std::string padded(compressed);
@@ -101,7 +102,7 @@ std::unique_ptr<DcmDataset> datasetOf(std::string_view compressed, E_TransferSyn
     return data;
 }
 
-/// The frame as DCMTK decodes it; `layout` follows what became of colours.
+/// Decodes a frame through DCMTK; updates `layout` to the color format of the result.
 std::optional<DecodedPixels> decodedByDcmtk(std::string_view compressed, E_TransferSyntax syntax, PixelLayout& layout)
 {
     registerDecoders();
@@ -159,7 +160,7 @@ std::optional<DecodedPixels> decodeFrame(std::string_view compressed, const std:
             return bytes ? std::optional(DecodedPixels{std::move(*bytes)}) : std::nullopt;
         }
         return isWhole(compressed) ? decodedByDcmtk(compressed, syntax, layout) : std::nullopt;
-    } catch (const std::exception&) {   // no memory left
+    } catch (const std::exception&) {   // out of memory
         return std::nullopt;
     }
 }

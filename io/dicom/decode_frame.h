@@ -9,18 +9,18 @@
 
 namespace angiopose::io {
 
-/// What became of a compressed frame.
+/// The result of decoding a compressed frame.
 struct DecodedPixels {
-    std::vector<char> bytes;   ///< in the layout's native form, little endian
-    bool isFlawed = false;   ///< damaged in part: what could be decoded is there
+    std::vector<char> bytes;   ///< in the native form of the layout, little endian
+    bool isFlawed = false;   ///< partly damaged; contains the part that could be decoded
 };
 
-/// Decodes one compressed frame (JPEG, JPEG-LS, JPEG 2000, RLE). `layout` is adjusted where the compressed stream knows
-/// better. Nothing when it cannot be decoded: lossy JPEG in more than a half, the others whole.
+/// Decodes one compressed frame (JPEG, JPEG-LS, JPEG 2000, RLE). Corrects `layout` if the compressed stream contradicts
+/// it. Returns nothing on failure; lossy JPEG must be more than half intact, the others complete.
 std::optional<DecodedPixels> decodeFrame(std::string_view compressed, const std::string& transferSyntax,
                                          PixelLayout& layout);
 
-/// What a JPEG, JPEG-LS or JPEG 2000 stream declares; nothing when it has no readable header.
+/// The image properties declared by a JPEG, JPEG-LS or JPEG 2000 stream; nothing if its header is unreadable.
 struct StreamHead {
     int columns = 0;
     int rows = 0;

@@ -1,6 +1,6 @@
 #include "io/dicom/decode_jpeg2000.h"
 
-#include <openjpeg-2.5/openjpeg.h>   // ITK has one of its own, older and renamed
+#include <openjpeg-2.5/openjpeg.h>   // ITK contains an older, renamed copy
 #include <algorithm>
 #include <cstring>
 #include <memory>
@@ -8,7 +8,7 @@
 namespace angiopose::io {
 namespace {
 
-/// What OpenJPEG reads from.
+/// In-memory input for OpenJPEG.
 struct Jpeg2000Source {
     std::string_view bytes;
     std::size_t at = 0;

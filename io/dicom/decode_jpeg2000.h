@@ -8,8 +8,8 @@
 
 namespace angiopose::io {
 
-/// Samples of a JPEG 2000 stream by OpenJPEG, colours by pixel, little endian; nothing when it is damaged, cut short or
-/// not of the layout. DCMTK has no decoder for it, and GDCM's asserts on damaged streams.
+/// Decodes a JPEG 2000 stream through OpenJPEG to samples, colors by pixel, little endian; returns nothing if it is
+/// damaged, truncated or differs from the layout. DCMTK has no decoder for it, and GDCM's asserts on damaged streams.
 std::optional<std::vector<char>> decodeJpeg2000(std::string_view compressed, const PixelLayout& layout);
 
 }   // namespace angiopose::io

@@ -4,7 +4,7 @@
 #include "io/support/quiet_libraries.h"
 
 #include <dcmtk/config/osconfig.h>
-// DCMTK's macros first.
+// DCMTK headers come first because of their macros.
 #include <dcmtk/dcmdata/dcistrmb.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <array>
@@ -27,7 +27,7 @@ E_TransferSyntax syntaxOf(DicomEncoding encoding)
     return encoding.order == ByteOrder::Big ? EXS_BigEndianExplicit : EXS_LittleEndianExplicit;
 }
 
-/// A number by one of DCMTK's getters; nothing beyond the last value.
+/// Reads a number through one of DCMTK's getters; nothing beyond the last value.
 template <class Number>
 std::optional<double> valueBy(OFCondition (DcmElement::*get)(Number&, unsigned long), DcmElement& element,
                               std::size_t index)
@@ -63,7 +63,7 @@ std::optional<double> binaryNumber(DcmElement& element, std::size_t index)
     }
 }
 
-/// One of several values, `\` between them; empty beyond the last.
+/// Returns one of several values separated by `\`; empty beyond the last.
 std::string_view valueAt(std::string_view values, std::size_t index)
 {
     for (; index > 0; --index) {
@@ -76,7 +76,8 @@ std::string_view valueAt(std::string_view values, std::size_t index)
     return trimmed(values.substr(0, values.find('\\')));
 }
 
-/// A private element whose VR nobody told: text, or what its length makes likely (little endian, PS3.5 §6.2.2).
+/// Reads a private element of unknown VR: as text, or as the type that its length suggests (little endian, PS3.5
+/// §6.2.2).
 std::optional<double> unknownNumber(DcmElement& element, std::size_t index)
 {
     Uint8* bytes = nullptr;
@@ -104,7 +105,7 @@ bool isBinaryVr(DcmEVR vr)
     return vr == EVR_US || vr == EVR_SS || vr == EVR_UL || vr == EVR_up || vr == EVR_SL || vr == EVR_FL || vr == EVR_FD;
 }
 
-/// The items of a sequence; each keeps the data set that it belongs to.
+/// Appends the items of a sequence; each keeps its data set alive.
 void appendItems(DcmElement& element, const std::shared_ptr<DcmItem>& owner, std::vector<DicomDataset>& items)
 {
     if (element.ident() != EVR_SQ) {
@@ -205,13 +206,13 @@ void DicomDataset::addMissingFrom(const DicomDataset& other)
 DicomDataset readElements(std::string_view elements, DicomEncoding encoding)
 {
     quietLibraries();
-    dcmEnableUnknownVRConversion.set(OFTrue);   // writers that do not know an element call its VR UN
+    dcmEnableUnknownVRConversion.set(OFTrue);   // writers use VR UN for elements they do not know
     const auto data = std::make_shared<DcmDataset>();
     DcmInputBufferStream stream;
     stream.setBuffer(elements.data(), static_cast<offile_off_t>(elements.size()));
     stream.setEos();
     data->transferInit();
-    data->read(stream, syntaxOf(encoding));   // what went before a failure is kept
+    data->read(stream, syntaxOf(encoding));   // keeps the elements before an error
     data->transferEnd();
     return DicomDataset(data);
 }

@@ -9,28 +9,28 @@
 
 namespace angiopose::io {
 
-/// A parsed DICOM file. Pixels point into the bytes it was parsed from, or into `unpacked` for deflated files.
+/// A parsed DICOM file. Its pixels refer to the bytes it was parsed from, or to `unpacked` for deflated files.
 struct DicomFile {
-    std::string transferSyntax;   ///< UID; "" when the file does not say
+    std::string transferSyntax;   ///< UID; "" if the file does not give one
     DicomDataset dataset;
     std::map<DicomTag, DicomPixels> pixels;
-    std::optional<core::Message> damage;   ///< what is wrong after the last good element
+    std::optional<core::Message> damage;   ///< the problem after the last intact element
     InputBytes unpacked;
 };
 
-/// True for a part-10 file, and for a bare data set that starts like one.
+/// True for a part-10 file, and for a bare data set that begins like one.
 bool looksLikeDicom(std::string_view content);
 
-/// True for a gzip archive whose content begins like DICOM: no more of it is unpacked to know.
+/// True for a gzip archive whose content begins like DICOM; decompresses only the beginning.
 bool holdsPackedDicom(std::string_view content);
 
-/// Opens a DICOM file, also one inside a gzip archive. Fails as `openInput` does, and on content that is not DICOM.
+/// Opens a DICOM file, also inside a gzip archive. Fails like `openInput`, and if the content is not DICOM.
 core::Result<InputBytes> openDicom(const std::string& path);
 
-/// True for what begins as `openDicom` wants it.
+/// True for files that begin like DICOM, see `openDicom`.
 bool isDicomFile(const std::string& path);
 
-/// Passes the gate first, then DCMTK. Fails when there is no element that can be read.
+/// Parses a DICOM file: filters it by `passElements`, then reads it through DCMTK. Fails if no element is readable.
 core::Result<DicomFile> parseDicom(std::string_view content, const std::string& path);
 
 }   // namespace angiopose::io

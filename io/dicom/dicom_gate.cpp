@@ -15,10 +15,10 @@ constexpr DicomTag itemEndTag = 0xfffee00d;
 constexpr DicomTag sequenceEndTag = 0xfffee0dd;
 constexpr std::uint32_t undefinedLength = 0xffffffff;
 constexpr std::size_t maxDepth = 32;
-constexpr std::size_t maxValueBytes = std::size_t{1} << 20;   // no field that is asked for is longer
-constexpr std::size_t maxPrivateBytes = 64;   // numbers and names of blocks
+constexpr std::size_t maxValueBytes = std::size_t{1} << 20;   // longer than any field that is read
+constexpr std::size_t maxPrivateBytes = 64;   // enough for numbers and names of private blocks
 
-// PS3.5 §7.1.2: these have a 32-bit length, these a 16-bit one.
+// PS3.5 §7.1.2: these VRs have a 32-bit length, the following ones a 16-bit length.
 constexpr std::string_view longVrs = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
 constexpr std::string_view shortVrs = "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US";
 
@@ -39,14 +39,14 @@ bool isPixelTag(DicomTag tag)
     return tag == pixelDataTag || tag == floatPixelsTag || tag == doublePixelsTag;
 }
 
-/// Records of a directory are asked for elsewhere, one by one; DCMTK 3.6.7 puts their types right while it reads them,
-/// and throws at two values that are too long.
+/// Whether the element is the record sequence of a DICOMDIR, which is read elsewhere record by record: DCMTK 3.6.7
+/// corrects record types during reading and throws at two values that are too long.
 bool isDirectory(const ElementHead& head)
 {
     return head.tag == 0x00041220;
 }
 
-/// DCMTK reads the element as it is meant.
+/// Whether DCMTK interprets the element as intended.
 bool isReadable(const ElementHead& head, DicomEncoding encoding)
 {
     const bool isVrKnown =
@@ -54,40 +54,40 @@ bool isReadable(const ElementHead& head, DicomEncoding encoding)
     return encoding.isExplicit ? !head.vr.empty() && isVrKnown : head.vr.empty();
 }
 
-/// A sequence or an item whose end is not reached yet.
+/// A sequence or an item whose end has not been reached.
 struct OpenLevel {
-    std::size_t end;   ///< no further than that of the level around it
-    bool isDelimited;   ///< its length is undefined: a delimiter closes it before its end
+    std::size_t end;   ///< not beyond the end of the enclosing level
+    bool isDelimited;   ///< undefined length: a delimiter closes it before its end
     DicomEncoding encoding;
     bool holdsItems;
-    bool isOpaque;   ///< its items are fragments of pixels
+    bool isOpaque;   ///< its items are pixel fragments
 };
 
-/// What the value of an element, at the start of `rest`, holds besides plain bytes; nothing when it is those. `rest`
-/// ends with the level around it, at `end`.
+/// Returns the nested level that the value of an element opens; nothing if the value is plain bytes. The value begins
+/// at the start of `rest`; `rest` ends at `end`, with the enclosing level.
 std::optional<OpenLevel> levelOf(const ElementHead& head, std::string_view rest, std::size_t end,
                                  DicomEncoding encoding)
 {
     const bool isOpen = head.length == undefinedLength;
-    const bool isUnknown = head.vr.empty() || head.vr == "UN";   // then the content tells
+    const bool isUnknown = head.vr.empty() || head.vr == "UN";   // then the content decides
     const auto first = isUnknown && !isOpen ? readHead(rest.substr(0, head.length), encoding) : std::nullopt;
     const bool isSequence = head.vr == "SQ" || (isUnknown && (isOpen || (first && first->tag == itemTag)));
     if (!isSequence && !isOpen) {
         return std::nullopt;
     }
-    // A sequence whose VR was lost is implicit inside (PS3.5 §6.2.2).
+    // A sequence of unknown VR is encoded implicitly (PS3.5 §6.2.2).
     return OpenLevel{isOpen ? end : end - rest.size() + head.length, isOpen,
                      isUnknown ? DicomEncoding{false, encoding.order} : encoding, true,
                      !isSequence || isPixelTag(head.tag)};
 }
 
-/// Where the value of an element ends, and whether DCMTK can be given it.
+/// The size of an element's value, and whether it is safe to pass to DCMTK.
 struct ValueWalk {
-    std::optional<std::size_t> size;   ///< nothing: not within the bytes that are there
+    std::optional<std::size_t> size;   ///< nothing: extends beyond the available bytes
     bool isClean = true;
 };
 
-/// Walks through a sequence, whatever is in it, until it is closed.
+/// Walks through a sequence of any content to its end.
 ValueWalk walkThrough(const OpenLevel& sequence, std::string_view bytes)
 {
     ValueWalk walk;
@@ -148,7 +148,7 @@ ValueWalk walkValue(const ElementHead& head, std::string_view rest, DicomEncodin
     return walk;
 }
 
-/// What one element of the data set adds.
+/// Adds one element of the data set to the result.
 void pass(const ElementHead& head, std::string_view whole, bool isClean, DicomEncoding encoding, PassedElements& passed)
 {
     const std::string_view value = whole.substr(head.size);
@@ -176,7 +176,7 @@ std::optional<ElementHead> readHead(std::string_view bytes, DicomEncoding encodi
     head.size = 8;
     head.tag =
         static_cast<DicomTag>(readUint16(bytes, encoding.order)) << 16 | readUint16(bytes.substr(2), encoding.order);
-    // Item tags have no VR; some writers forget the VR of single elements, which the letters tell.
+    // Item tags have no VR, and some writers omit the VR of single elements; the letters show which.
     if (!encoding.isExplicit || head.tag >> 16 == 0xfffe || !isUpper(bytes[4]) || !isUpper(bytes[5])) {
         head.length = readUint32(bytes.substr(4), encoding.order);
         return head;
@@ -242,7 +242,7 @@ std::optional<std::vector<std::string_view>> fragmentsOf(const DicomPixels& pixe
         fragments.push_back(rest.substr(0, head->length));
         rest.remove_prefix(head->length);
     }
-    return fragments;   // without a delimiter: the whole fragments up to the end of the file
+    return fragments;   // no delimiter: the complete fragments up to the end of the file
 }
 
 }   // namespace angiopose::io

@@ -15,39 +15,39 @@ inline constexpr DicomTag floatPixelsTag = 0x7fe00008;
 inline constexpr DicomTag doublePixelsTag = 0x7fe00009;
 inline constexpr DicomTag pixelDataTag = 0x7fe00010;
 
-/// Tag, VR and length of the element at the start of some bytes.
+/// Tag, VR and length of an element.
 struct ElementHead {
     DicomTag tag = 0;
-    std::string_view vr;   ///< empty when implicit, or forgotten
+    std::string_view vr;   ///< empty if implicit or omitted
     std::uint32_t length = 0;
-    std::size_t size = 0;   ///< bytes of the head itself
+    std::size_t size = 0;   ///< size of the head itself, bytes
 };
 
-/// Nothing when the bytes end within the head.
+/// Reads the head at the start of `bytes`; nothing if the bytes end within it.
 std::optional<ElementHead> readHead(std::string_view bytes, DicomEncoding encoding);
 
-/// Pixels where they lie in the file.
+/// Pixel data as a range of the file.
 struct DicomPixels {
     std::string_view bytes;
     bool isEncapsulated = false;
     ByteOrder order = ByteOrder::Little;
 };
 
-/// What goes on to DCMTK, which trusts lengths and nesting: elements of the standard that lie whole within the file, no
-/// deeper than 32 levels, and short plain ones of the private group in which rooms note their gantry. Other private
-/// elements, long values and pixels are passed by.
+/// Elements that are safe to pass to DCMTK, which trusts lengths and nesting: complete standard elements at most 32
+/// levels deep, and short plain elements of the private group in which some systems store the gantry position. Other
+/// private elements, long values and pixels are skipped.
 struct PassedElements {
     std::string elements;
-    std::string withoutVr;   ///< elements whose VR was forgotten in an explicit data set
+    std::string withoutVr;   ///< elements without a VR in an explicit data set
     std::map<DicomTag, DicomPixels> pixels;
-    std::optional<core::Message> damage;   ///< the first element that does not fit the file
-    bool isEmpty = true;   ///< there was no element at all
+    std::optional<core::Message> damage;   ///< the first element that extends beyond the file
+    bool isEmpty = true;   ///< no element was found
 };
 
-/// Walks the elements up to the end of `bytes`, or up to the first one that is damaged.
+/// Filters the elements up to the end of `bytes` or the first damaged element.
 PassedElements passElements(std::string_view bytes, DicomEncoding encoding);
 
-/// Pieces of encapsulated pixel data, the offset table first; nothing when one is cut short.
+/// Fragments of encapsulated pixel data, the offset table first; nothing if one is truncated.
 std::optional<std::vector<std::string_view>> fragmentsOf(const DicomPixels& pixels);
 
 }   // namespace angiopose::io

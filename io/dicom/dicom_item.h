@@ -13,18 +13,17 @@ class DcmFileFormat;
 
 namespace angiopose::io {
 
-/// Elements that are put into a DICOM object, or into an item of one of its sequences. What is there already is
-/// replaced. Value representations are given by their two letters, so that no dictionary is asked. Valid as long as
-/// the object.
+/// Writes elements into a DICOM object or a sequence item and replaces existing ones. The caller gives each VR by its
+/// two letters, so no dictionary is needed. Valid as long as the object.
 class DicomItem {
 public:
     explicit DicomItem(DcmItem& item) : item_(&item) {}
 
-    void text(DicomTag tag, const char* vr, const std::string& value);   ///< may be empty; `\` between values
+    void text(DicomTag tag, const char* vr, const std::string& value);   ///< may be empty; values separated by `\`
     void textWhereAbsent(DicomTag tag, const char* vr, const std::string& value);
-    void decimals(DicomTag tag, const std::vector<double>& values);   ///< DS, as exact as 16 characters allow
+    void decimals(DicomTag tag, const std::vector<double>& values);   ///< DS, as precise as 16 characters permit
     void unsignedShort(DicomTag tag, int value);
-    void unsignedShorts(DicomTag tag, const std::vector<std::uint16_t>& values);   ///< nothing when empty
+    void unsignedShorts(DicomTag tag, const std::vector<std::uint16_t>& values);   ///< writes no element if empty
     void signedShort(DicomTag tag, int value);
     void signedLongs(DicomTag tag, const std::vector<std::int32_t>& values);
     void unsignedLongs(DicomTag tag, const std::vector<std::uint32_t>& values);
@@ -32,7 +31,7 @@ public:
     void doubles(DicomTag tag, const std::vector<double>& values);
     void attribute(DicomTag tag, DicomTag pointedTo);   ///< AT
     void words(DicomTag tag, const std::vector<std::uint16_t>& values);   ///< OW
-    void bytes(DicomTag tag, std::string_view content);   ///< OB, made even
+    void bytes(DicomTag tag, std::string_view content);   ///< OB, padded to even length
     void floatPixels(const std::vector<float>& values);   ///< OF
 
     void remove(DicomTag tag);
@@ -40,13 +39,13 @@ public:
     DicomItem addItem(DicomTag sequence);
     void emptySequence(DicomTag sequence);
 
-    DcmItem& element() const { return *item_; }   ///< for those that copy elements as they are
+    DcmItem& element() const { return *item_; }   ///< for copying elements unchanged
 
 private:
     DcmItem* item_;
 };
 
-/// A DICOM object that is being made.
+/// A DICOM object under construction.
 class DicomObject {
 public:
     DicomObject();
@@ -56,14 +55,14 @@ public:
 
     DicomItem root();
 
-    /// The file as it would lie on disk, little endian with VRs. Fails when an element is not one.
+    /// Returns the complete file content, explicit VR little endian. Fails if an element is invalid.
     core::Result<std::string> content();
 
 private:
     std::unique_ptr<DcmFileFormat> file_;
 };
 
-/// Text of at most `characters`, which may be several bytes each.
+/// Truncates a text to `characters`, each of which may take several bytes.
 std::string shortened(std::string_view utf8, std::size_t characters);
 
 }   // namespace angiopose::io

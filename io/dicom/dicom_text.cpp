@@ -12,9 +12,9 @@ namespace angiopose::io {
 namespace {
 
 struct CharacterSet {
-    std::string_view term;   ///< defined term of (0008,0005), also with "ISO 2022" in place of "ISO_"
+    std::string_view term;   ///< defined term of (0008,0005), also with "ISO 2022" instead of "ISO_"
     const char* iconvName;
-    std::string_view escape;   ///< what begins it within a text (PS3.3 C.12.1.1.2), after ESC
+    std::string_view escape;   ///< escape sequence after ESC that selects the set within a text (PS3.3 C.12.1.1.2)
 };
 
 constexpr std::array characterSets = {
@@ -39,7 +39,7 @@ constexpr std::array characterSets = {
     CharacterSet{"GBK", "GBK", {}},
 };
 
-/// Nothing for ASCII, and for terms that are none.
+/// Finds a character set by its term; nothing for ASCII and unknown terms.
 const CharacterSet* setCalled(std::string_view term)
 {
     const auto* found = std::ranges::find_if(
@@ -65,7 +65,7 @@ std::string converted(std::string_view text, const char* from, std::string_view 
         std::size_t room = block.size();
         const bool failed = iconv(converter, &in, &left, &out, &room) == static_cast<std::size_t>(-1);
         result.append(block.data(), block.size() - room);
-        if (failed && room > 8 && left > 0) {   // not a matter of room: skip the byte it cannot read
+        if (failed && room > 8 && left > 0) {   // not a full buffer: skip the unconvertible byte
             result += unreadable;
             ++in;
             --left;
@@ -77,7 +77,7 @@ std::string converted(std::string_view text, const char* from, std::string_view 
     return result;
 }
 
-/// Letters of two bytes below 0x80, which only an escape sequence tells from ASCII.
+/// Whether a set encodes characters as two bytes below 0x80, which only an escape sequence distinguishes from ASCII.
 bool isOfPairs(const CharacterSet& set)
 {
     return set.escape == "$B" || set.escape == "$(D";
@@ -88,20 +88,20 @@ bool isUtf8(std::string_view text)
     return converted(text, "UTF-8", "\xff").find('\xff') == std::string::npos;
 }
 
-/// Bytes of one set. Where none fits, the bytes show whether they are UTF-8, else they are taken as Latin-1.
+/// Converts bytes of one set. If the set is unknown, tries UTF-8, then Latin-1.
 std::string ofSet(std::string_view bytes, const CharacterSet* set)
 {
     const bool isGuess = !set || set->term == "IR 192" || isOfPairs(*set);
     return converted(bytes, isGuess ? isUtf8(bytes) ? "UTF-8" : "ISO-8859-1" : set->iconvName);
 }
 
-/// Text that changes between sets by escape sequences (PS3.5 6.1.2.5). After a delimiter the first of its sets holds
-/// again; where that has no letters beyond ASCII, bytes that need some are those of the set before.
+/// Converts a text that switches sets by escape sequences (PS3.5 6.1.2.5). After a delimiter the first set applies
+/// again; if it has no characters beyond ASCII, non-ASCII bytes belong to the previous set.
 std::string ofSeveralSets(std::string_view text, const CharacterSet* first)
 {
     std::string result;
-    const CharacterSet* upper = first;   // of bytes from 0x80 on
-    const CharacterSet* pairs = nullptr;   // of bytes below, two for each letter
+    const CharacterSet* upper = first;   // set of bytes from 0x80
+    const CharacterSet* pairs = nullptr;   // two-byte set of bytes below 0x80
     std::size_t begin = 0;
     const auto flush = [&](std::size_t end) {
         const std::string_view bytes = text.substr(begin, end - begin);
@@ -124,14 +124,16 @@ std::string ofSeveralSets(std::string_view text, const CharacterSet* first)
         const auto* set = std::ranges::find_if(characterSets, [rest](const CharacterSet& each) {
             return !each.escape.empty() && rest.starts_with(each.escape);
         });
-        std::size_t intermediate = 0;   // bytes before the final one, also of sequences that are not known
+        std::size_t intermediate = 0;   // bytes before the final one, also of unknown sequences
         while (intermediate < rest.size() && rest[intermediate] >= ' ' && rest[intermediate] <= '/') {
             ++intermediate;
         }
         if (set != characterSets.end() && !isOfPairs(*set)) {
             upper = set;
         } else {
-            pairs = set != characterSets.end() ? set : setCalled(rest.starts_with("$@") ? "IR 87" : "");   // of 1978
+            pairs = set != characterSets.end()
+                        ? set
+                        : setCalled(rest.starts_with("$@") ? "IR 87" : "");   // "$@": the 1978 edition
         }
         at += std::min(intermediate + 1, rest.size());
         begin = at + 1;
@@ -140,7 +142,7 @@ std::string ofSeveralSets(std::string_view text, const CharacterSet* first)
     return result;
 }
 
-/// "19700413" → "1970-04-13"; anything else is left out.
+/// Converts "19700413" to "1970-04-13"; empty for anything else.
 std::string dateText(std::string_view date)
 {
     const bool isDate =
@@ -150,7 +152,7 @@ std::string dateText(std::string_view date)
                   : std::string();
 }
 
-/// "144948.000" → "14:49".
+/// Converts "144948.000" to "14:49".
 std::string timeText(std::string_view time)
 {
     const bool isTime =

@@ -7,11 +7,11 @@
 
 namespace angiopose::io {
 
-/// Bytes in the data set's own character sets (0008,0005), or in those `declared` around it, as UTF-8; without any they
-/// are UTF-8 where they can be, else Latin-1. What cannot be converted becomes "?".
+/// Converts a text to UTF-8 from the data set's character sets (0008,0005), or from those `declared` around it; without
+/// any, from UTF-8 if valid, otherwise from Latin-1. Replaces unconvertible characters by "?".
 std::string utf8Text(const DicomDataset& data, DicomTag tag, std::string_view declared = {});
 
-/// Who and when, for the corners of the window.
+/// Patient and study data for the corners of the window.
 core::StudyIdentity identityOf(const DicomDataset& data);
 
 }   // namespace angiopose::io

@@ -13,9 +13,9 @@ namespace {
 
 using core::ImageF;
 
-constexpr std::string_view runLengthSyntax = "1.2.840.10008.1.2.5";   // one fragment for each frame (PS3.5 A.4.2)
+constexpr std::string_view runLengthSyntax = "1.2.840.10008.1.2.5";   // one fragment per frame (PS3.5 A.4.2)
 
-/// Stored value number `index` of a frame, sign-extended from its high bit.
+/// Reads stored value number `index` of a frame, sign-extended from its high bit.
 class SampleReader {
 public:
     SampleReader(std::string_view bytes, const PixelLayout& layout, ByteOrder order)
@@ -56,7 +56,7 @@ private:
     ByteOrder order_;
 };
 
-/// Bits of one native frame; colour sub-sampled 4:2:2 takes two samples per pixel (PS3.5 §8.2).
+/// Bits of one native frame; color subsampled 4:2:2 has two samples per pixel (PS3.5 §8.2).
 std::size_t bitsPerFrame(const PixelLayout& layout)
 {
     const bool isHalved = layout.samples == 3 && layout.photometric == "YBR_FULL_422";
@@ -64,7 +64,7 @@ std::size_t bitsPerFrame(const PixelLayout& layout)
            static_cast<std::size_t>(layout.bitsAllocated);
 }
 
-/// Grey as it is, colour as luminance (Rec. 601), YBR by its Y.
+/// Converts samples to an image: gray unchanged, color as luminance (Rec. 601), YBR by its Y.
 ImageF imageFrom(const SampleReader& sample, const PixelLayout& layout, bool isSubsampled, std::size_t firstSample)
 {
     ImageF image(layout.columns, layout.rows);

@@ -10,24 +10,25 @@
 
 namespace angiopose::io {
 
-/// A frame as it could be decoded.
+/// A frame, decoded as far as possible.
 struct DecodedFrame {
     core::ImageF image;
-    bool isFlawed = false;   ///< damaged in part
+    bool isFlawed = false;   ///< partly damaged
 };
 
-/// Decodes the frames of a DICOM file one at a time, as stored values (colour as luminance). The file must outlive it.
+/// Decodes the frames of a DICOM file one at a time, as stored values (color as luminance). The file must outlive the
+/// reader.
 class FrameReader {
 public:
-    /// Fails when there is no whole frame: a part of an image is no image.
+    /// Opens the frames of a file; fails if there is no complete frame.
     static core::Result<FrameReader> open(const DicomFile& file, const PixelLayout& layout, const std::string& path);
 
-    /// The frames that are there, whatever the header announces.
+    /// Number of frames present, regardless of the header.
     int frameCount() const { return frameCount_; }
 
-    /// Frame `index`; fails when it is not there, or cannot be decoded whole.
+    /// Decodes frame `index`; fails if it is absent or cannot be decoded completely.
     core::Result<core::ImageF> frame(int index) const;
-    /// The same where a part of a frame is better than none.
+    /// Decodes frame `index`; accepts a partly decoded frame.
     core::Result<DecodedFrame> wholeOrPart(int index) const;
 
 private:
@@ -44,14 +45,14 @@ private:
     std::vector<std::vector<std::string_view>> streams_;   ///< fragments of each compressed frame
 };
 
-/// All frames of a run that are there.
+/// All frames present of a cine run.
 struct DecodedRun {
     std::vector<core::ImageF> frames;
-    std::vector<int> flawedFrames;   ///< those damaged in part
-    std::vector<int> lostFrames;   ///< those that cannot be decoded: copies of a neighbour stand in their places
+    std::vector<int> flawedFrames;   ///< partly damaged frames
+    std::vector<int> lostFrames;   ///< undecodable frames, replaced by copies of a neighboring frame
 };
 
-/// Fails when no frame can be decoded.
+/// Decodes all frames; fails if none can be decoded.
 core::Result<DecodedRun> readFrames(const DicomFile& file, const PixelLayout& layout, const std::string& path);
 
 }   // namespace angiopose::io

@@ -19,7 +19,7 @@ double positiveOrZero(const DicomDataset& data, DicomTag tag)
     return std::max(data.number(tag).value_or(0.0), 0.0);
 }
 
-/// The median of what lies between frames; the first entry is before the first of them.
+/// Median of the intervals between frames; skips the first entry, which precedes the first frame.
 double medianOfVector(const DicomDataset& data)
 {
     std::vector<double> steps;

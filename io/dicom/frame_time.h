@@ -7,14 +7,14 @@
 
 namespace angiopose::io {
 
-/// The time from frame to frame.
+/// The time between frames.
 struct FrameTime {
-    double ms = 0.0;   ///< 0: not known
-    std::optional<core::Message> contradiction;   ///< what else the header says
+    double ms = 0.0;   ///< 0: unknown
+    std::optional<core::Message> contradiction;   ///< a different value elsewhere in the header
 };
 
-/// From where the Frame Increment Pointer leads, else from Frame Time, the median of Frame Time Vector, or the rate at
-/// which the run was taken or is to be shown.
+/// Reads the frame time from the element that the Frame Increment Pointer names, otherwise from Frame Time, the median
+/// of Frame Time Vector, or the acquisition or recommended display rate.
 FrameTime frameTimeOf(const DicomDataset& data);
 
 }   // namespace angiopose::io

@@ -4,7 +4,7 @@
 
 namespace angiopose::io {
 
-/// The functional groups of a DICOM object of many frames: what holds for all of them, and one item for each frame.
+/// Functional groups of a multi-frame DICOM object: shared by all frames, and one item per frame.
 inline constexpr DicomTag sharedGroupsTag = 0x52009229;
 inline constexpr DicomTag perFrameGroupsTag = 0x52009230;
 

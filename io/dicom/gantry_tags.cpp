@@ -22,7 +22,7 @@ constexpr std::size_t maxValuesShown = 6;
 
 struct GeometryTag {
     DicomTag tag;
-    const char* name;   ///< PS3.6
+    const char* name;   ///< from PS3.6
 };
 
 constexpr std::array geometryTags{
@@ -76,7 +76,7 @@ constexpr std::array siemensGeometryTags{
     GeometryTag{siemensTable, "Siemens, Table Position"},
 };
 
-/// The values as people write them: "200, 200"; long lists end with their length.
+/// Formats the values for users: "200, 200"; a long list ends with its length.
 std::string valueText(const DicomDataset& data, DicomTag tag)
 {
     const bool isBinary = data.isBinaryNumber(tag) || tag >> 16U == siemensBlock >> 16U;
@@ -123,8 +123,9 @@ std::optional<Eigen::Vector2d> positivePairIn(const DicomDataset& data, DicomTag
     return first && second ? std::optional(Eigen::Vector2d(*first, *second)) : std::nullopt;
 }
 
-/// PS3.3 C.8.7.3.1.3: rectangle: row then column dimension, the first along a row; round: the diameter. A round field
-/// shows in a square image, which may also be cut out of it; then it tells nothing about a smaller extent.
+/// Reads the field of view. PS3.3 C.8.7.3.1.3: rectangle: row then column dimension, the first along a row; round: the
+/// diameter. A round field appears in a square image, which may be cropped from it; the extent of a cropped image is
+/// then unknown.
 void readFieldOfView(const DicomDataset& data, GantryHeader& header)
 {
     if (data.text(0x00181147) == "RECTANGLE") {
@@ -154,7 +155,7 @@ void readSpacings(const DicomDataset& data, GantryHeader& header)
     }
 }
 
-/// Enhanced XA gives every frame its own angles.
+/// Angles of each frame of Enhanced XA.
 std::vector<Eigen::Vector2d> frameAngles(const DicomDataset& data)
 {
     std::vector<Eigen::Vector2d> angles;
@@ -170,7 +171,7 @@ std::vector<Eigen::Vector2d> frameAngles(const DicomDataset& data)
     return angles;
 }
 
-/// Classic XA: one increment per frame relative to the first, or a single one of frame to frame.
+/// Angle increments of classic XA: one per frame relative to the first frame, or a single one from frame to frame.
 std::vector<Eigen::Vector2d> storedIncrements(const DicomDataset& data, std::size_t frameCount)
 {
     const auto valuesOf = [&](DicomTag tag) {
@@ -219,7 +220,7 @@ void readIncrements(const DicomDataset& data, int frameCount, GantryHeader& head
     }
 }
 
-/// Positions of PS3.3 C.7.3.1.1.2 other than head first, supine, are said.
+/// Reads the patient position (PS3.3 C.7.3.1.1.2) and warns unless it is head first, supine.
 void readPatientPosition(const DicomDataset& data, GantryHeader& header, core::Messages& warnings)
 {
     const std::string position(data.text(0x00185100));
@@ -267,8 +268,8 @@ std::optional<Eigen::Vector3d> tableNumbers(const DicomDataset& data, const std:
     return numbers;
 }
 
-/// Where the isocenter lies in the patient whom the table carries past it (PS3.3 C.8.19.6.13.1.3: the table's axes are
-/// the LPS of somebody head first and supine). Nothing of a table that is turned or tilted.
+/// Computes the isocenter in patient coordinates from the table position (PS3.3 C.8.19.6.13.1.3: the table's axes are
+/// the LPS axes of a patient head first and supine). Ignores a rotated or tilted table.
 void readTable(const DicomDataset& data, GantryHeader& header)
 {
     constexpr double maxTurnDeg = 0.1;
@@ -278,7 +279,7 @@ void readTable(const DicomDataset& data, GantryHeader& header)
         }
     }
     if (!header.patientPosition && !data.text(0x00185100).empty()) {
-        return;   // who lies in another way
+        return;   // unsupported patient position
     }
     const Eigen::Matrix3d patientFromTable =
         core::patientFromTable(header.patientPosition.value_or(core::PatientPosition::HFS));
@@ -292,7 +293,7 @@ void readTable(const DicomDataset& data, GantryHeader& header)
     }
 }
 
-/// Seconds of a time as DICOM writes it, hhmmss.ffff.
+/// Converts a DICOM time, hhmmss.ffff, to seconds.
 double secondsOf(std::string_view time)
 {
     const double number = parseNumber(time).value_or(0.0);
@@ -300,7 +301,7 @@ double secondsOf(std::string_view time)
     return 3600.0 * hours + 60.0 * minutes + std::fmod(number, 100.0);
 }
 
-/// Both planes of a bi-plane acquisition say so in the image type.
+/// Recognizes the planes of a biplane acquisition by the image type.
 void readBiplane(const DicomDataset& data, GantryHeader& header)
 {
     const std::string_view type = data.text(0x00080008, 2);

@@ -9,9 +9,9 @@
 
 namespace angiopose::io {
 
-/// What an X-ray header says about the gantry beside the values of cArmOf (ALGORITHMS §5.1): facts to check them
-/// against, the angles of each frame relative to the first, and every geometry element for people to read. Warns where
-/// the gantry moved and the header does not say how.
+/// Gantry data of an X-ray header in addition to the values of cArmOf (ALGORITHMS §5.1): data for checking them, angles
+/// of each frame relative to the first, and all geometry elements for display. Warns if the gantry moved and the header
+/// does not give the motion.
 core::GantryHeader gantryHeaderOf(const DicomDataset& data, int frameCount, core::Messages& warnings);
 
 }   // namespace angiopose::io

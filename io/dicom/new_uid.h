@@ -5,16 +5,17 @@
 
 namespace angiopose::io {
 
-/// A new UID: the root 2.25, which everybody may use, and 128 random bits as a decimal number (a UUID, PS3.5 B.2).
+/// Creates a UID: the root 2.25, which anyone may use, and 128 random bits as a decimal number (a UUID, PS3.5 B.2).
 std::string newUid();
 
-/// The same with bits that follow from the content: equal content, equal UID; any other content, another one.
+/// Creates a UID of the same form from a hash of the content: equal content gives the same UID, different content a
+/// different one.
 std::string uidOfContent(std::string_view content);
 
-/// Numbers with dots between them, as the standard wants UIDs.
+/// Whether a text is a valid UID: numbers separated by dots.
 bool isUid(std::string_view text);
 
-/// The UID that a file gives, or where that is none, one that follows from it: what it keeps together stays together.
+/// Returns the UID of a file, or one derived from it if it is invalid; equal invalid UIDs give equal results.
 std::string usableUid(const std::string& reported);
 
 }   // namespace angiopose::io

@@ -13,7 +13,7 @@ namespace {
 
 constexpr DicomTag placeTag = 0x00200032;
 
-/// CT, MR, and what is reconstructed from projections: angiography, head, breast.
+/// Whether a SOP class has slices: CT, MR, and reconstructions from projections (angiography, head, breast).
 bool isClassOfSlices(std::string_view sopClass)
 {
     static constexpr std::array<std::string_view, 9> classes{
@@ -23,14 +23,14 @@ bool isClassOfSlices(std::string_view sopClass)
     return std::ranges::find(classes, sopClass) != classes.end();
 }
 
-/// Angiography, fluoroscopy and radiographs; headers that name no class can be these.
+/// Whether a SOP class has projections: angiography, fluoroscopy, radiography. An absent class counts as one.
 bool isClassOfProjections(std::string_view sopClass)
 {
     return sopClass.empty() || sopClass.starts_with("1.2.840.10008.5.1.4.1.1.12.") ||
            sopClass.starts_with("1.2.840.10008.5.1.4.1.1.1.") || sopClass == "1.2.840.10008.5.1.4.1.1.1";
 }
 
-/// Where the frames of a file lie in the patient, as their header writes it.
+/// The positions of a file's frames in the patient, as written in the header.
 std::set<std::string> placesOf(const DicomDataset& data)
 {
     std::set<std::string> places;

@@ -4,8 +4,8 @@
 
 namespace angiopose::io {
 
-/// Whether a DICOM image is an X-ray projection: by modality, unless its SOP class is one of slices, or its images lie
-/// at several places in the patient, as those of a reconstructed rotational angiogram do.
+/// Whether a DICOM image is an X-ray projection: by modality, unless its SOP class has slices or its images have
+/// several positions in the patient, as in reconstructed rotational angiograms.
 bool isProjection(const DicomDataset& data);
 
 }   // namespace angiopose::io

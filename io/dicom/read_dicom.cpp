@@ -39,7 +39,7 @@ void applyRescale(const DicomDataset& data, std::vector<ImageF>& frames)
     }
 }
 
-/// Inverts images meant to be shown inverted, so that high values are bright for everyone downstream.
+/// Inverts images stored for inverted display, so that high values are bright everywhere downstream.
 bool showBright(const DicomDataset& data, const PixelLayout& layout, std::vector<ImageF>& frames)
 {
     const bool isInverted = layout.photometric == "MONOCHROME1" || data.text(0x20500020) == "INVERSE";
@@ -57,7 +57,7 @@ bool showBright(const DicomDataset& data, const PixelLayout& layout, std::vector
     return true;
 }
 
-/// As DICOM counts them, from 1.
+/// Frame numbers as DICOM counts them, from 1.
 std::vector<std::string> namesOf(const std::vector<int>& frames)
 {
     std::vector<std::string> names;
@@ -65,7 +65,8 @@ std::vector<std::string> namesOf(const std::vector<int>& frames)
     return names;
 }
 
-/// Lost frames become as empty as a frame without contrast medium: nothing is found in them, nor in the way of others.
+/// Blanks lost frames like frames without contrast agent, so that nothing is detected in them and they do not disturb
+/// other frames.
 void blank(const std::vector<int>& lostFrames, Angiogram& angiogram)
 {
     const bool isDark = angiogram.polarity == core::Polarity::VesselsDark;
@@ -80,7 +81,7 @@ void blank(const std::vector<int>& lostFrames, Angiogram& angiogram)
     angiogram.warnings.push_back(says::dicomFramesLost(namesOf(lostFrames), angiogram.frameCount()));
 }
 
-/// Contrast absorbs, so vessels are low where values rise with the X-ray intensity, (0028,1041) = +1.
+/// Contrast agent absorbs X-rays, so vessels have low values if values rise with the X-ray intensity, (0028,1041) = +1.
 core::Polarity polarityOf(const DicomDataset& data, bool wasInverted)
 {
     const int sign = data.integer(0x00281041).value_or(wasInverted ? -1 : 1);
@@ -117,7 +118,7 @@ void describe(const DicomFile& file, const PixelLayout& layout, Angiogram& angio
     }
 }
 
-/// Nothing can be traced in a picture of a few pixels.
+/// Reads the layout and rejects images of a few pixels, in which nothing can be traced.
 core::Result<PixelLayout> runLayout(const DicomFile& file, const std::string& path)
 {
     auto layout = pixelLayoutOf(file, path);

@@ -8,7 +8,7 @@
 
 namespace angiopose::io {
 
-/// Angiogram from the bytes of a DICOM file. Other modalities load with a warning and without geometry.
+/// Reads an angiogram from the bytes of a DICOM file. Other modalities load with a warning and without geometry.
 core::Result<core::Angiogram> readDicomAngiogram(std::string_view content, const std::string& path);
 
 }   // namespace angiopose::io

@@ -21,9 +21,9 @@ constexpr DicomTag shapeTag = 0x00181600;
 constexpr DicomTag frameShutterTag = 0x00189472;
 constexpr DicomTag verticesTag = 0x00181620;
 constexpr std::size_t maxCoordinates = 8192;
-constexpr double minOpenShare = 0.01;   // less is no field of view but a mistake
+constexpr double minOpenShare = 0.01;   // a smaller opening is an error in the header
 
-/// `isOpen` gets column and row as DICOM counts them, from 1.
+/// Mask of the pixels for which `isOpen` is true; it receives column and row as DICOM counts them, from 1.
 template <class IsOpen>
 Mask2d fieldWhere(int columns, int rows, const IsOpen& isOpen)
 {
@@ -56,7 +56,7 @@ Mask2d inCircle(const DicomDataset& data, int columns, int rows)
     });
 }
 
-/// (row, column) after (row, column); empty where one is no number.
+/// Coordinates as alternating (row, column); empty if one is not a number.
 std::vector<double> coordinatesOf(const DicomDataset& data)
 {
     std::vector<double> coordinates;
@@ -73,7 +73,8 @@ std::vector<double> coordinatesOf(const DicomDataset& data)
     return rest.empty() && coordinates.size() % 2 == 0 ? coordinates : std::vector<double>();
 }
 
-/// Where a row meets the sides of the polygon, in order. Sides count without their upper or without their lower end.
+/// Columns at which a row crosses the sides of the polygon, ascending. `isAbove` determines whether the upper or the
+/// lower end of a side is excluded.
 template <class Above>
 std::vector<double> crossings(const std::vector<double>& coordinates, double row, const Above& isAbove)
 {
@@ -111,7 +112,7 @@ Mask2d inPolygon(const DicomDataset& data, int columns, int rows)
 }
 
 struct ShutterShape {
-    std::string_view name;   ///< as the header writes it
+    std::string_view name;   ///< as written in the header
     Mask2d (*openField)(const DicomDataset&, int columns, int rows);
     std::vector<DicomTag> tags;
 };

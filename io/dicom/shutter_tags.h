@@ -6,9 +6,9 @@
 
 namespace angiopose::io {
 
-/// The field that the display shutter leaves open (PS3.3 C.7.6.11): 255 inside of all its shapes, their edges included.
-/// Empty where the header has none, or it hides nothing. A shape that makes no sense is left out, and a warning says
-/// so. Enhanced XA: what the shutters of all frames leave open.
+/// The field left open by the display shutter (PS3.3 C.7.6.11): 255 inside all of its shapes, including their edges.
+/// Empty if the header has no shutter or it hides nothing. Skips an invalid shape with a warning. Enhanced XA: the
+/// union of the open fields of all frames.
 core::Mask2d shutterOf(const DicomDataset& data, int columns, int rows, core::Messages& warnings);
 
 }   // namespace angiopose::io

@@ -7,7 +7,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Some archives squeeze the creator's two spaces into one.
+/// Collapses double spaces, as some archives do in the creator's name.
 std::string withSingleSpaces(std::string_view text)
 {
     std::string single(text);

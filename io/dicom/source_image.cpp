@@ -13,10 +13,11 @@ namespace {
 struct TakenOver {
     DicomTag tag;
     const char* vr;
-    bool isType2;   ///< there, even where it is empty
+    bool isType2;   ///< required, even if empty
 };
 
-/// Patient, General Study and Patient Study modules (PS3.3 C.7.1.1, C.7.2.1, C.7.2.2), without remarks.
+/// Elements of the Patient, General Study and Patient Study modules (PS3.3 C.7.1.1, C.7.2.1, C.7.2.2), without
+/// comments.
 constexpr auto patientAndStudyElements = std::to_array<TakenOver>({
     {0x00080020, "DA", true},
     {0x00080030, "TM", true},
@@ -44,7 +45,7 @@ bool isAllDigits(std::string_view text)
     return std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Devices write what they like; what no reader would take becomes empty.
+/// Whether the standard permits a value; devices also write others, which readers reject, so these become empty.
 bool isAllowed(const TakenOver& element, std::string_view value)
 {
     const std::string_view vr = element.vr;

@@ -9,7 +9,7 @@ constexpr std::string_view codestreamStart("\xff\x4f\xff\x51", 4);   // SOC, SIZ
 
 std::optional<StreamHead> jpeg2000Head(std::string_view stream)
 {
-    const std::size_t start = stream.substr(0, 4096).find(codestreamStart);   // after boxes, if it is a JP2 file
+    const std::size_t start = stream.substr(0, 4096).find(codestreamStart);   // after the boxes of a JP2 file
     if (start == std::string_view::npos || stream.size() < start + 43) {
         return std::nullopt;
     }

@@ -31,7 +31,7 @@ void addDecimal(DicomItem& out, DicomTag tag, const core::Sourced<double>& numbe
     }
 }
 
-/// A distance or spacing that is none.
+/// Returns an error for an invalid distance or spacing.
 std::optional<core::Message> findNoLength(const CArm& cArm)
 {
     const auto isNone = [](const core::Sourced<double>& length) {
@@ -73,13 +73,13 @@ std::string digitsOf(std::string text)
     return text;
 }
 
-/// Pixels as bytes, to tell what an object holds.
+/// The pixels as bytes, for hashing.
 std::string_view bytesOf(const StoredValues& stored)
 {
     return {reinterpret_cast<const char*>(stored.pixels.data()), 2 * stored.pixels.size()};
 }
 
-/// An image of the same study in a series of its own: never one that the archive has already.
+/// Adds the identity of an image in a new series of the same study, which never collides with one in the archive.
 void addIdentity(DicomItem& out, const core::StudyIdentity& identity, const StoredValues& stored)
 {
     const std::string pixels = uidOfContent(bytesOf(stored));
@@ -106,10 +106,10 @@ void addIdentity(DicomItem& out, const core::StudyIdentity& identity, const Stor
     out.text(0x00200010, "SH", "1");
     out.text(0x00200011, "IS", "1");
     out.text(0x00200013, "IS", "1");
-    out.text(0x00200060, "CS", identity.laterality);   // empty where it is not known (type 2C)
+    out.text(0x00200060, "CS", identity.laterality);   // empty if unknown (type 2C)
 }
 
-/// The anatomical directions that a direction in LPS has, the first the most: "LA".
+/// The anatomical letters of a direction in LPS, the dominant one first: "LA".
 std::string lettersOf(const Eigen::Vector3d& direction)
 {
     constexpr double minShare = 0.2;
@@ -124,14 +124,14 @@ std::string lettersOf(const Eigen::Vector3d& direction)
     return letters;
 }
 
-/// How rows and columns run in the patient: that is where a mirror and a quarter turn are told.
+/// Adds the anatomical directions of rows and columns, which encode mirroring and quarter turns.
 void addOrientation(DicomItem& out, const CArm& cArm)
 {
     const core::ImageAxes axes = imageAxesOf(cArm);
     out.text(0x00200020, "CS", cArm.mirrored.value ? lettersOf(axes.right) + "\\" + lettersOf(axes.down) : "");
 }
 
-/// Where isocenter and table are known to be, in the tags that they came from.
+/// Adds isocenter and table position, if known, in the tags they were read from.
 void addTable(DicomItem& out, const Angiogram& angiogram)
 {
     const core::GantryHeader& gantry = angiogram.gantry;
@@ -175,7 +175,7 @@ void addTable(DicomItem& out, const Angiogram& angiogram)
     }
 }
 
-/// The principal point has no tag of its own: it follows from where the field of view lies on the detector.
+/// Adds the principal point, which has no tag of its own, as the position of the field of view on the detector.
 void addPrincipalPoint(DicomItem& out, const Angiogram& angiogram)
 {
     const CArm& cArm = angiogram.cArm;
@@ -198,7 +198,7 @@ void addGeometry(DicomItem& out, const Angiogram& angiogram)
 {
     const CArm& cArm = angiogram.cArm;
     out.text(0x00180060, "DS", "");
-    for (const std::uint32_t unknown : {0x00181150U, 0x00181151U, 0x00181152U}) {   // exposure
+    for (const std::uint32_t unknown : {0x00181150U, 0x00181151U, 0x00181152U}) {   // exposure, unknown
         out.text(unknown, "IS", "");
     }
     out.text(0x00181155, "CS", "GR");
@@ -245,7 +245,7 @@ void addPixelHeader(DicomItem& out, const Angiogram& angiogram, const StoredValu
     out.unsignedShort(0x00280103, 0);
     out.text(0x00281040, "CS", "LOG");
     if (angiogram.polarity == core::Polarity::VesselsBright) {
-        out.signedShort(0x00281041, -1);   // values fall with the X-ray intensity
+        out.signedShort(0x00281041, -1);   // values fall with increasing X-ray intensity
     }
     out.text(0x00281052, "DS", stored.intercept);
     out.text(0x00281053, "DS", stored.slope);
@@ -253,7 +253,7 @@ void addPixelHeader(DicomItem& out, const Angiogram& angiogram, const StoredValu
     out.text(0x00282110, "CS", "00");
 }
 
-/// What the image was made of, where that is an instance of an archive.
+/// Adds the source image, if it is a DICOM instance.
 void addDerivation(DicomItem& out, const SourceImage* source)
 {
     out.text(0x00082111, "ST", derivation);
@@ -269,7 +269,7 @@ void addDerivation(DicomItem& out, const SourceImage* source)
     }
 }
 
-/// All but the pixels and the image's own UID.
+/// Adds everything except the pixels and the image's own UID.
 void addHeader(DicomItem& out, const Angiogram& angiogram, const StoredValues& stored, const SourceImage* source)
 {
     addIdentity(out, angiogram.identity, stored);
@@ -278,7 +278,7 @@ void addHeader(DicomItem& out, const Angiogram& angiogram, const StoredValues& s
     addPixelHeader(out, angiogram, stored);
 }
 
-/// Of header and pixels together: what differs anywhere is another instance.
+/// Derives the instance UID from header and pixels, so that any difference gives another instance.
 std::string instanceUidOf(const Angiogram& angiogram, const StoredValues& stored, const SourceImage* source)
 {
     DicomObject header;

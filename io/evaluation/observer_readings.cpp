@@ -8,7 +8,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Columns of one log by name.
+/// Accesses the columns of one log row by name.
 class ReadingRow {
 public:
     ReadingRow(const CsvTable& table, std::size_t row) : table_(table), row_(row) {}

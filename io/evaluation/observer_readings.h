@@ -8,8 +8,8 @@
 
 namespace angiopose::io {
 
-/// The finished trials of a log of blind trials (observer_log.h). Fails where it is none, or was begun by a version
-/// that did not keep the tree's centroid.
+/// Reads the finished trials from a log of blind trials (observer_log.h). Fails if it is not such a log, or if it was
+/// started by a version that did not store the tree's centroid.
 core::Result<std::vector<core::ObserverReading>> readObserverReadings(const std::string& path);
 
 }   // namespace angiopose::io

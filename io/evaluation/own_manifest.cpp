@@ -16,7 +16,7 @@ namespace {
 
 using Rows = std::vector<std::vector<double>>;
 
-/// The numbers of the wanted columns, row by row.
+/// Reads the numbers of the given columns, row by row.
 core::Result<Rows> parsePointRows(const CsvTable& table, std::initializer_list<std::string_view> wanted)
 {
     std::vector<std::size_t> columns;
@@ -73,7 +73,7 @@ bool isFileWord(const std::string& text)
     });
 }
 
-/// The cells of one row, paths as the manifest's folder resolves them.
+/// Accesses the cells of one row; resolves paths relative to the manifest's folder.
 class OwnRow {
 public:
     OwnRow(const CsvTable& table, std::size_t row) : table_(table), row_(row) {}

@@ -18,7 +18,7 @@ namespace {
 using Key = std::tuple<std::string, std::string, std::uint64_t>;   ///< condition, method, trial
 using RunByKey = std::map<Key, core::RunRecord*>;
 
-/// Columns by name; the cells of one row as what they stand for.
+/// Accesses columns by name and converts the cells of one row.
 class RowReader {
 public:
     explicit RowReader(const CsvTable& table) : table_(table) {}
@@ -147,7 +147,7 @@ core::Result<core::RunSet> parseRuns(const CsvTable& table)
     return runs;
 }
 
-/// The run that a row of another file is about, or null.
+/// The run that a row of another file refers to, or null.
 core::RunRecord* runOf(const RowReader& reader, std::size_t row, const RunByKey& runs)
 {
     const auto trial = reader.count(row, "trial");
@@ -193,7 +193,7 @@ core::Status addHistories(const CsvTable& table, const RunByKey& runs)
     return core::Done{};
 }
 
-/// Reads a table that may be missing and hands it on.
+/// Reads an optional table and passes its rows on.
 core::Status addOptional(const std::filesystem::path& path, const RunByKey& runs,
                          core::Status (*add)(const CsvTable&, const RunByKey&))
 {
@@ -211,7 +211,7 @@ core::Status addOptional(const std::filesystem::path& path, const RunByKey& runs
 
 std::string cell(double value)
 {
-    return std::isnan(value) ? "nan" : toText(value);   // without the sign that a NaN may carry
+    return std::isnan(value) ? "nan" : toText(value);   // without the sign bit of a NaN
 }
 
 std::string keyOf(const core::RunRecord& run)

@@ -7,10 +7,10 @@
 
 namespace angiopose::io {
 
-/// Writes runs.csv (the same bytes for any number of threads), times.csv and histories.csv into an existing folder.
+/// Writes runs.csv (byte-identical for any number of threads), times.csv and histories.csv into an existing folder.
 core::Status writeRuns(const core::RunSet& runs, const std::string& folder);
 
-/// Reads them back, every number as it was; times and histories may be missing. Fails naming file and line.
+/// Reads the files with exactly the written numbers; times and histories may be missing. Errors name file and line.
 core::Result<core::RunSet> readRuns(const std::string& folder);
 
 }   // namespace angiopose::io

@@ -7,13 +7,13 @@
 
 namespace angiopose::io {
 
-/// Title, table and notes as Markdown (GitHub's tables); published rows in italics.
+/// Title, table and notes as Markdown (GitHub tables); published rows in italics.
 std::string toMarkdown(const core::ResultTable& table);
 
-/// The same as a LaTeX table for \input (packages booktabs and graphicx); first column left, numbers right.
+/// The table as LaTeX for \input (packages booktabs and graphicx); first column left-aligned, numbers right-aligned.
 std::string toLatex(const core::ResultTable& table);
 
-/// The same for a terminal, columns aligned.
+/// The table as plain text for a terminal, with aligned columns.
 std::string toPlainText(const core::ResultTable& table);
 
 }   // namespace angiopose::io

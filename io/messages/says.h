@@ -2,7 +2,7 @@
 
 #include "core/support/message.h"
 
-/// All that reading and writing can tell, by name, as core/messages/says.h.
+/// Messages of reading and writing, by name; see core/messages/says.h.
 namespace angiopose::io::says {
 
 using core::MessageKind;

@@ -2,7 +2,7 @@
 
 #include "core/support/message.h"
 
-/// What archives and the way to them can tell, by name, as io/messages/says.h.
+/// Messages about archives and the connection to them, by name; see io/messages/says.h.
 namespace angiopose::io::says {
 
 using core::MessageKind;

@@ -2,7 +2,7 @@
 
 #include "core/support/message.h"
 
-/// What taking identity out of files can tell, as io/messages/says.h; apart, since few ask.
+/// Messages of de-identification; see io/messages/says.h. A separate header, since few files need them.
 namespace angiopose::io::says {
 
 using core::MessageKind;

@@ -2,7 +2,7 @@
 
 #include "core/support/message.h"
 
-/// Of poses, cameras and points that other programs share, by name, as io/messages/says.h.
+/// Messages about poses, cameras and points exchanged with other programs, by name; see io/messages/says.h.
 namespace angiopose::io::says {
 
 #define MESSAGE(name, id, english) inline constexpr core::MessageKind<core::placesIn(english)> name{{id, english}};

@@ -2,7 +2,7 @@
 
 #include "core/support/message.h"
 
-/// What keeping files can tell, by name, as io/messages/says.h.
+/// Messages about saving and storing files, by name; see io/messages/says.h.
 namespace angiopose::io::says {
 
 #define MESSAGE(name, id, english) inline constexpr core::MessageKind<core::placesIn(english)> name{{id, english}};

@@ -2,7 +2,7 @@
 
 #include "io/messages/says.h"
 
-/// What DICOM objects that are written can tell; apart from says.h, which much includes.
+/// Messages about writing DICOM objects; separate from says.h, which many files include.
 namespace angiopose::io::says {
 
 #define MESSAGE(name, id, english) inline constexpr MessageKind<placesIn(english)> name{{id, english}};

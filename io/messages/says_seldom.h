@@ -2,8 +2,8 @@
 
 #include "core/support/message.h"
 
-/// Of batches, cases of one's own, foreign readers, results, studies and support, as io/messages/says.h; apart, since
-/// few ask.
+/// Messages about batches, the user's own cases, external readers, results, studies and support; see
+/// io/messages/says.h. A separate header, since few files need them.
 namespace angiopose::io::says {
 
 #define MESSAGE(name, id, english) inline constexpr core::MessageKind<core::placesIn(english)> name{{id, english}};

@@ -15,16 +15,16 @@ namespace angiopose::io {
 namespace {
 
 constexpr double ticksPerSecond = 100.0;
-constexpr std::int64_t minDelay = 2;   // below it viewers take a tenth of a second
+constexpr std::int64_t minDelay = 2;   // viewers replace shorter delays by a tenth of a second
 constexpr std::int64_t maxDelay = 65535;
 constexpr int paletteSize = 256;
 
-/// What of a picture is not as before, px.
+/// Rectangle of an image that differs from the previous image, px.
 struct Part {
     int left = 0, top = 0, width = 0, height = 0;
 };
 
-/// giflib's file in a stream of ours.
+/// Closes a giflib file that writes to one of our streams.
 struct GifCloser {
     void operator()(GifFileType* file) const { EGifCloseFile(file, nullptr); }
 };
@@ -94,13 +94,13 @@ private:
     AtomicFile file_;
     std::string path_;
     MovieSize size_;
-    core::Status written_ = core::Done{};   ///< of what giflib gave to the file
+    core::Status written_ = core::Done{};   ///< status of writing giflib's output to the file
     MovieClock clock_{ticksPerSecond};
     std::int64_t waitingFrom_ = 0;
-    core::ColorImage waiting_;   ///< its delay is known once the next one comes
-    core::ColorImage before_;   ///< as it is in the file
-    core::ColorImage late_;   ///< came too soon after the one that waits
-    std::unique_ptr<GifFileType, GifCloser> gif_;   ///< goes first: it writes its end
+    core::ColorImage waiting_;   ///< its delay is known only when the next image arrives
+    core::ColorImage before_;   ///< last image in the file
+    core::ColorImage late_;   ///< arrived too soon after the waiting image
+    std::unique_ptr<GifFileType, GifCloser> gif_;   ///< destroyed first, since that writes the trailer
 };
 
 int GifMovie::write(GifFileType* gif, const GifByteType* bytes, int count)
@@ -145,10 +145,10 @@ core::Status GifMovie::add(const core::ColorImage& picture, double ms)
     }
     if (waiting_.rgb == picture.rgb) {
         late_ = {};
-        return core::Done{};   // stays longer
+        return core::Done{};   // the waiting image is shown longer
     }
     if (from - waitingFrom_ < minDelay) {
-        late_ = picture;   // shown if none comes after it
+        late_ = picture;   // written only if no other image follows
         return core::Done{};
     }
     late_ = {};
@@ -199,7 +199,7 @@ core::Status GifMovie::finish()
     if (waiting_.rgb.empty()) {
         return fileError(path_, says::movieNotMade());
     }
-    if (!late_.rgb.empty()) {   // the last picture is the one that matters
+    if (!late_.rgb.empty()) {   // the last image must not be dropped
         const std::int64_t from = waitingFrom_ + minDelay;
         if (!putWaiting(from)) {
             return statusOf(false);

@@ -4,11 +4,11 @@
 
 namespace angiopose::io {
 
-inline constexpr int maxGifSidePx = 8192;   ///< the format has 65,535; nobody shows that
+inline constexpr int maxGifSidePx = 8192;   ///< the format allows 65,535, which no display shows
 inline constexpr int minMovieSidePx = 16;
 
-/// GIF by giflib: starts again for ever, delays of whole 1/100 s, each picture with colours of its own and only where
-/// it differs from the one before.
+/// Creates a GIF with giflib: endless loop, delays in whole 1/100 s, a local palette per image, and only the region
+/// that differs from the previous image.
 core::Result<std::unique_ptr<MovieWriter>> createGif(const std::string& path, const MovieSize& size,
                                                      const MovieFacts& facts);
 

@@ -12,11 +12,11 @@ namespace {
 using Color = GifPalette::Color;
 
 constexpr std::size_t maxColors = 255;
-constexpr std::size_t minGrays = 127;   // 2 apart over the whole range: no bands
-constexpr int grayTolerance = 8;   // between channels: what the eye takes for grey
+constexpr std::size_t minGrays = 127;   // at most 2 levels apart over the full range: no banding
+constexpr int grayTolerance = 8;   // difference between channels that still looks gray
 constexpr std::uint16_t unknown = 0xFFFF;
-constexpr int cellBits = 5;   // of a channel, in which colours are counted
-constexpr int keyBits = 6;   // in which the nearest is remembered
+constexpr int cellBits = 5;   // bits per channel of the histogram cells
+constexpr int keyBits = 6;   // bits per channel of the nearest-color cache
 
 bool isGray(const Color& color)
 {
@@ -33,7 +33,7 @@ std::size_t keyOf(const Color& color, int bits)
     return key;
 }
 
-/// Colours of a cell of the colour cube, counted.
+/// Sum and count of the colors in one cell of the color cube.
 struct Cell {
     std::array<double, 3> sum{};
     double count = 0.0;
@@ -41,15 +41,15 @@ struct Cell {
     double mean(std::size_t channel) const { return sum[channel] / count; }
 };
 
-/// A part of the cube that gets one colour.
+/// A part of the color cube that gets one palette entry.
 struct Box {
     std::size_t first = 0;
-    std::size_t last = 0;   ///< one behind
-    std::size_t widest = 0;   ///< channel
-    double spread = 0.0;   ///< sum of squares along it
+    std::size_t last = 0;   ///< one past the end
+    std::size_t widest = 0;   ///< channel with the largest spread
+    double spread = 0.0;   ///< sum of squares along that channel
 };
 
-/// Small things of their own colour matter as much as long lines: counts are damped.
+/// Damps counts, so that small objects of a distinct color weigh as much as long lines.
 double weightOf(const Cell& cell)
 {
     return std::sqrt(cell.count);
@@ -91,7 +91,7 @@ Color meanOf(std::span<const Cell> cells)
     return color;
 }
 
-/// Median cut by spread: the widest box is parted where its spread halves best, its middle.
+/// Median cut by spread: repeatedly splits the box with the largest spread at the point that best halves the spread.
 std::vector<Color> chosenColors(std::vector<Cell> cells, std::size_t most)
 {
     std::vector<Color> colors;
@@ -121,7 +121,7 @@ std::vector<Color> chosenColors(std::vector<Cell> cells, std::size_t most)
     return colors;
 }
 
-/// All that there are, or evenly spread ones.
+/// Returns all gray levels that occur, or evenly spaced ones if there are too many.
 std::vector<int> chosenGrays(const std::array<std::size_t, 256>& counts, std::size_t most)
 {
     std::vector<int> grays;
@@ -150,10 +150,10 @@ int luma(const Color& color)
 int distance(const Color& a, const Color& b)
 {
     const int red = a[0] - b[0], green = a[1] - b[1], blue = a[2] - b[2];
-    return 3 * red * red + 4 * green * green + 2 * blue * blue;   // about as the eye weighs them
+    return 3 * red * red + 4 * green * green + 2 * blue * blue;   // approximate perceptual weights
 }
 
-/// How often each grey is there, and the cells of the cube with all other colours.
+/// Histogram of the gray levels, and the cells of all other colors.
 struct Counted {
     std::array<std::size_t, 256> grays{};
     std::vector<Cell> others;

@@ -8,9 +8,9 @@
 
 namespace angiopose::io {
 
-/// The colours of one picture of a GIF: 255 at most, since one place is kept for "as before". Grey images keep their
-/// greys apart from the colours of what is drawn on them, so that neither takes the other's places: grey levels are
-/// exact or at most 2 off, lines keep their colours.
+/// The palette of one GIF image: at most 255 colors, since one entry is reserved for "unchanged". Gray levels of the
+/// image and colors of the overlay have separate entries: gray levels are exact or at most 2 off, and lines keep their
+/// colors.
 class GifPalette {
 public:
     static constexpr std::uint8_t asBefore = 255;
@@ -18,12 +18,12 @@ public:
     explicit GifPalette(const core::ColorImage& picture);
 
     using Color = std::array<std::uint8_t, 3>;
-    const std::vector<Color>& colors() const { return colors_; }   ///< 255 at most
-    std::uint8_t indexOf(const Color& color);   ///< of the nearest one
+    const std::vector<Color>& colors() const { return colors_; }   ///< at most 255
+    std::uint8_t indexOf(const Color& color);   ///< index of the nearest palette color
 
 private:
     std::vector<Color> colors_;
-    std::vector<std::uint16_t> nearest_;   ///< by coarse colour, as far as it was asked for
+    std::vector<std::uint16_t> nearest_;   ///< cache by coarse color, filled on demand
     std::array<std::uint8_t, 256> nearestGray_{};
     bool hasGrays_ = false;
 };

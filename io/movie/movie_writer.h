@@ -14,7 +14,7 @@ namespace angiopose::io {
 
 enum class MovieKind { Mp4, Gif };
 
-/// By the end of the path; nothing where it is another.
+/// Returns the movie kind for the extension of the path; nullopt for other extensions.
 std::optional<MovieKind> movieKindOf(const std::string& path);
 
 struct MovieSize {
@@ -24,34 +24,36 @@ struct MovieSize {
     bool operator==(const MovieSize&) const = default;
 };
 
-/// Why no movie of this kind can be that large; nothing where it can.
+/// Returns why a movie of this kind cannot have this size; nullopt if it can.
 std::optional<core::Message> findProblem(MovieKind kind, const MovieSize& size);
 
-/// What a movie says about itself.
+/// Title and provenance stored in a movie file.
 struct MovieFacts {
     std::string title;
-    std::map<std::string, std::string> texts;   ///< provenance, as PNG text chunks have it
+    std::map<std::string, std::string> texts;   ///< provenance, with the same keys as PNG text chunks
 };
 
-/// Writes a movie picture by picture. Until `finish` nothing stands under its path, and without it nothing is left.
+/// Writes a movie image by image. The file appears under its path only after `finish`; without it nothing is left
+/// behind.
 class MovieWriter {
 public:
-    /// Of MP4 or GIF, by the end of the path; all pictures are of one size.
+    /// Creates an MP4 or GIF writer, depending on the extension. All images have the same size.
     static core::Result<std::unique_ptr<MovieWriter>> create(const std::string& path, const MovieSize& size,
                                                              const MovieFacts& facts);
     virtual ~MovieWriter() = default;
     MovieWriter(const MovieWriter&) = delete;
     MovieWriter& operator=(const MovieWriter&) = delete;
 
-    /// Shown for `ms`. Rounding does not add up: the n-th picture comes when it should.
+    /// Adds an image shown for `ms`. Rounding errors do not accumulate: the n-th image appears on time.
     virtual core::Status add(const core::ColorImage& picture, double ms) = 0;
-    virtual core::Status finish() = 0;   ///< once, after one picture at least
+    virtual core::Status finish() = 0;   ///< to be called once, after at least one image
 
 protected:
     MovieWriter() = default;
 };
 
-/// Times of pictures that follow each other, in whole ticks: each is rounded for itself, so that errors do not add up.
+/// Converts the times of consecutive images to whole ticks; each time is rounded separately, so errors do not
+/// accumulate.
 class MovieClock {
 public:
     explicit MovieClock(double ticksPerSecond) : ticksPerMs_(ticksPerSecond / 1000.0) {}

@@ -17,24 +17,24 @@
 namespace angiopose::io {
 namespace {
 
-/// One picture in a track.
+/// One image in a track.
 struct Mp4Sample {
     std::size_t bytes = 0;
-    std::uint32_t ticks = 0;   ///< how long it is shown
-    bool isWhole = false;   ///< players may start here
+    std::uint32_t ticks = 0;   ///< display duration
+    bool isWhole = false;   ///< key frame: playback may start here
 };
 
-/// One track of H.264 with all that a file says of it.
+/// One H.264 track with everything that the file states about it.
 struct Mp4Track {
     MovieSize size;
     std::uint32_t ticksPerSecond = 90000;
-    std::string sequence;   ///< SPS, PPS: NAL units 7 and 8 without start code
+    std::string sequence;   ///< SPS and PPS: NAL units 7 and 8 without start code
     std::string picture;
     std::vector<Mp4Sample> samples;
     MovieFacts facts;
 };
 
-constexpr std::size_t profilesWithChroma = 100;   // and above: avcC says more (14496-15, 5.3.3.1)
+constexpr std::size_t profilesWithChroma = 100;   // from this profile on, avcC has further fields (14496-15, 5.3.3.1)
 
 std::string number(std::uint64_t value, int bytes)
 {
@@ -72,7 +72,7 @@ std::string box(std::string_view type, std::initializer_list<std::string> parts)
     return u32(8 + content.size()) + std::string(type) + content;
 }
 
-/// With version 0 and flags.
+/// Returns a box with version 0 and flags.
 std::string fullBox(std::string_view type, std::uint32_t flags, std::initializer_list<std::string> parts)
 {
     std::string content = u32(flags);
@@ -82,7 +82,7 @@ std::string fullBox(std::string_view type, std::uint32_t flags, std::initializer
     return box(type, {content});
 }
 
-/// No turn and no scale: 1 in 16.16, the last one in 2.30.
+/// Identity matrix: 1 in 16.16 fixed point, the last element in 2.30.
 std::string unityMatrix()
 {
     return u32(0x10000) + zeros(12) + u32(0x10000) + zeros(12) + u32(0x40000000);
@@ -116,7 +116,7 @@ std::string avcConfiguration(const Mp4Track& track)
     std::string configuration = u8(1) + profile + u8(0xFF) + u8(0xE1) + u16(track.sequence.size()) + track.sequence +
                                 u8(1) + u16(track.picture.size()) + track.picture;
     if (static_cast<unsigned char>(profile.front()) >= profilesWithChroma) {
-        configuration += u8(0xFD) + u8(0xF8) + u8(0xF8) + u8(0);   // 4:2:0, 8 bits, 8 bits, no more units
+        configuration += u8(0xFD) + u8(0xF8) + u8(0xF8) + u8(0);   // 4:2:0, 8 bits, 8 bits, no further units
     }
     return box("avcC", {configuration});
 }
@@ -170,7 +170,7 @@ std::string sampleSizes(const Mp4Track& track)
     return fullBox("stsz", 0, {u32(0), u32(track.samples.size()), rows});
 }
 
-/// All samples are one chunk at `offset` of the file.
+/// Describes all samples as one chunk at `offset` in the file.
 std::string sampleTable(const Mp4Track& track, std::uint64_t offset)
 {
     return box("stbl", {fullBox("stsd", 0, {u32(1), sampleEntry(track)}), timesToSamples(track), wholeSamples(track),
@@ -180,7 +180,7 @@ std::string sampleTable(const Mp4Track& track, std::uint64_t offset)
 
 std::string media(const Mp4Track& track, std::uint64_t offset)
 {
-    constexpr std::uint64_t noLanguage = 0x55C4;   // "und", five bits a letter
+    constexpr std::uint64_t noLanguage = 0x55C4;   // "und", five bits per letter
     const std::string handler = fullBox("hdlr", 0, {zeros(4), "vide", zeros(12), "AngioPose" + zeros(1)});
     const std::string here = fullBox("dref", 0, {u32(1), fullBox("url ", 1, {})});
     return box(
@@ -195,7 +195,7 @@ std::string namedText(std::string_view type, const std::string& text)
     return box(type, {box("data", {u32(isText), u32(0), text})});
 }
 
-/// Title and comment where players look for them.
+/// Stores title and comment where players look for them.
 std::string userData(const MovieFacts& facts)
 {
     std::string comment;
@@ -217,8 +217,8 @@ std::string movieBox(const Mp4Track& track, std::uint64_t offset)
                {movieHeader(track), box("trak", {trackHeader(track), media(track, offset)}), userData(track.facts)});
 }
 
-/// What stands before the pictures in a file that can be played while it is read (ISO/IEC 14496-12 and -15: ftyp, moov,
-/// head of mdat); the samples follow in their order, NAL units with their lengths in four bytes before them. Needs less
+/// Returns everything that precedes the samples in a file that can be played while it loads (ISO/IEC 14496-12 and -15:
+/// ftyp, moov, head of mdat). The samples follow in order, each NAL unit after its length in four bytes. Needs less
 /// than 4 GB of samples.
 std::string mp4Head(const Mp4Track& track)
 {
@@ -227,7 +227,8 @@ std::string mp4Head(const Mp4Track& track)
                         [](std::uint64_t sum, const Mp4Sample& sample) { return sum + sample.bytes; });
     const std::string type = box("ftyp", {"isom", u32(0x200), "isomiso2avc1mp41"});
     constexpr std::uint64_t mdatHead = 8;
-    const std::uint64_t offset = type.size() + movieBox(track, 0).size() + mdatHead;   // its length hangs on no offset
+    const std::uint64_t offset =
+        type.size() + movieBox(track, 0).size() + mdatHead;   // the size of moov does not depend on the offset
     return type + movieBox(track, offset) + u32(mdatHead + bytes) + "mdat";
 }
 
@@ -266,7 +267,7 @@ private:
     H264Encoder encoder_;
     std::string path_;
     Mp4Track track_;
-    MovieSize size_;   ///< as the pictures come
+    MovieSize size_;   ///< size of the images added
     MovieClock clock_;
     double atMs_ = 0.0;
     std::string samples_;
@@ -288,7 +289,7 @@ core::Status Mp4Movie::add(const core::ColorImage& picture, double ms)
     return samples_.size() <= maxMovieBytes ? core::Status(core::Done{}) : fileError(path_, says::movieTooLong());
 }
 
-/// Parameters go into the head of the file, all else is the sample.
+/// Stores the parameter sets for the file header and all other units as the sample.
 void Mp4Movie::take(const EncodedPicture& encoded, std::int64_t from)
 {
     const std::size_t before = samples_.size();

@@ -4,7 +4,8 @@
 
 namespace angiopose::io {
 
-/// MP4 with one track of H.264; odd sizes get one column or row more. What is encoded stays in memory until `finish`.
+/// Creates an MP4 with one H.264 track; odd sizes are padded by one column or row. The encoded data stay in memory
+/// until `finish`.
 core::Result<std::unique_ptr<MovieWriter>> createMp4(const std::string& path, const MovieSize& size,
                                                      const MovieFacts& facts);
 

@@ -35,7 +35,7 @@ std::uint8_t byteOf(double value)
     return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
 }
 
-/// Mean of two rows, and of three columns where the left one of two is the middle.
+/// Returns the weighted mean of two rows and three columns, centered on the left column of the chroma pair.
 Rgb aroundPair(const core::ColorImage& picture, int x, int y)
 {
     Rgb sum{};
@@ -53,10 +53,10 @@ Rgb aroundPair(const core::ColorImage& picture, int x, int y)
 
 constexpr int blockPx = 16;
 constexpr int maxBlocks = 36864;   // MAX_MBS_PER_FRAME of openh264
-constexpr int maxSideBlocks = 543;   // of H.264 level 5.2: √(8 · 36,864)
-constexpr int quality = 16;   // quantiser, 0 (best) … 51: no difference is seen
-constexpr unsigned wholeEvery = 30;   // pictures: players may start there
-constexpr float nominalRate = 30.0F;   // the file has the true times
+constexpr int maxSideBlocks = 543;   // limit of H.264 level 5.2: √(8 · 36,864)
+constexpr int quality = 16;   // quantizer, 0 (best) … 51: no visible difference
+constexpr unsigned wholeEvery = 30;   // key-frame interval, frames
+constexpr float nominalRate = 30.0F;   // the file has the actual times
 constexpr std::size_t startCodeBytes = 4;
 
 int blocksOf(int px)
@@ -193,7 +193,7 @@ core::Result<H264Encoder> H264Encoder::create(const MovieSize& size)
 core::Result<EncodedPicture> H264Encoder::encode(const PlanarPicture& picture, double atMs)
 {
     const auto plane = [](const std::vector<std::uint8_t>& pixels) {
-        return const_cast<std::uint8_t*>(pixels.data());   // the codec only reads
+        return const_cast<std::uint8_t*>(pixels.data());   // the codec only reads the pixels
     };
     SSourcePicture source{};
     source.iColorFormat = videoFormatI420;

@@ -10,8 +10,8 @@
 
 namespace angiopose::io {
 
-/// A picture as video codecs take it: brightness and, at half the resolution, two colour differences; ITU-R BT.709, the
-/// narrow range (16…235), colours where the left of two columns is.
+/// An image in the format of video codecs: luma and, at half the resolution, two chroma planes; ITU-R BT.709, limited
+/// range (16…235), chroma sited at the left of two columns.
 struct PlanarPicture {
     int width = 0;   ///< even
     int height = 0;   ///< even
@@ -20,22 +20,22 @@ struct PlanarPicture {
     std::vector<std::uint8_t> red;   ///< Cr
 };
 
-/// Where a side is odd, its last column or row is there twice.
+/// Converts an image; an odd side is padded by repeating its last column or row.
 PlanarPicture planarPicture(const core::ColorImage& picture);
 
-/// Whether openh264 makes pictures of this size: 36,864 blocks of 16 × 16 px at most.
+/// Returns whether openh264 can encode images of this size: at most 36,864 blocks of 16 × 16 px.
 bool canEncode(const MovieSize& size);
 
-/// A picture as the codec stores it: NAL units without start codes.
+/// An encoded image: NAL units without start codes.
 struct EncodedPicture {
     std::vector<std::string> units;
-    bool isWhole = false;   ///< needs no other picture
+    bool isWhole = false;   ///< key frame: decodable without other images
 };
 
-/// H.264 of constant, high quality by openh264, one thread: the same pictures make the same bytes.
+/// Encodes H.264 of constant, high quality with openh264 in one thread: the same images give the same bytes.
 class H264Encoder {
 public:
-    /// Even sizes.
+    /// Creates an encoder; width and height must be even.
     static core::Result<H264Encoder> create(const MovieSize& size);
     H264Encoder(H264Encoder&&) noexcept;
     H264Encoder& operator=(H264Encoder&&) noexcept;

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// True for a slice beside the one that was opened: its series is there already.
+/// Returns true for another slice of the series that is already being opened.
 bool isOfSameSeries(const LoadedInputs& inputs, const std::string& path)
 {
     return inputs.volume && inputs.vesselInput.kind == core::VesselInputKind::Volume &&
@@ -22,7 +22,7 @@ bool isOfSameSeries(const LoadedInputs& inputs, const std::string& path)
            !isVolumeFile(path);
 }
 
-/// A scan to be seen beside vessels that are there already.
+/// Adds a scan to be shown with vessels that are already present.
 core::Status addScan(LoadedInputs& inputs, const std::string& path, const std::string& seriesId,
                      const ReadObserver& observe)
 {
@@ -45,7 +45,7 @@ core::Status addScan(LoadedInputs& inputs, const std::string& path, const std::s
     return core::Done{};
 }
 
-/// A scan in which nothing could be traced is shown nevertheless: seeds and threshold can be set where it is seen.
+/// Shows a scan even if nothing could be traced, so that the user can set seeds and the threshold in it.
 core::Status addUntraced(LoadedInputs& inputs, const std::string& path, const std::string& seriesId,
                          const core::Error& problem, const ReadObserver& observe)
 {
@@ -56,8 +56,8 @@ core::Status addUntraced(LoadedInputs& inputs, const std::string& path, const st
     return core::Done{};
 }
 
-/// Surfaces and most centrelines carry no unit. How many it is across where mm make no vessels of it; nothing where
-/// they do, or where the file says its unit (Slicer curves).
+/// Returns the extent of the vessels in file units if the file states no unit and vessels of that size in mm are
+/// implausible; nullopt otherwise. Surfaces and most centerlines carry no unit; Slicer curves do.
 std::optional<double> doubtfulUnitsAcross(const std::string& path, core::VesselInputKind kind)
 {
     if (kind == core::VesselInputKind::Surface) {
@@ -73,7 +73,7 @@ std::optional<double> doubtfulUnitsAcross(const std::string& path, core::VesselI
     return isDoubtful ? std::optional(core::acrossMm(read.value().tree)) : std::nullopt;
 }
 
-/// How the vessels are read that the hints say nothing else of.
+/// Returns the default way to read the vessels, for hints that specify nothing else.
 core::VesselInput inputOf(core::VesselInputKind kind, const OpenHints& hints, const std::string& seriesId)
 {
     core::VesselInput input;

@@ -5,8 +5,8 @@
 
 namespace angiopose::io {
 
-/// Reads vessels into `inputs`, tracing them where they come as a scan, segmentation or surface; or notes there what
-/// has to be asked first (`isScanAsked`, `askedUnitsAcross`).
+/// Reads vessels into `inputs`, tracing a scan, segmentation or surface, or records there which question the user has
+/// to answer first (`isScanAsked`, `askedUnitsAcross`).
 core::Status addVessels(LoadedInputs& inputs, const std::string& path, const OpenHints& hints,
                         const std::string& seriesId, const ReadObserver& observe);
 

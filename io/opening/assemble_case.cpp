@@ -8,14 +8,14 @@
 namespace angiopose::io {
 namespace {
 
-/// "chest.nii.gz" is the chest.
+/// Returns the file name without extension: "chest" for "chest.nii.gz".
 std::string nameAlone(const std::string& path)
 {
     const std::string name = std::filesystem::path(path).filename().string();
     return name.substr(0, name.size() - std::min(name.size(), extensionOf(path).size()));
 }
 
-/// The scan of the case stays beside vessels that come from elsewhere but lie in it.
+/// Keeps the scan of the case if the new vessels come from elsewhere but lie within it.
 void putScan(core::Vessels& vessels, const LoadedInputs& inputs)
 {
     if (!inputs.volume && vessels.scan && liesIn(vessels.scan->geometry, *inputs.tree)) {
@@ -26,7 +26,7 @@ void putScan(core::Vessels& vessels, const LoadedInputs& inputs)
         return;
     }
     vessels.scan = inputs.volume;
-    vessels.measurements.clear();   // in another scan
+    vessels.measurements.clear();   // they belong to the previous scan
     vessels.scanIdentity = inputs.scanIdentity;
     vessels.scanFile = {};
     vessels.scanSeriesId.clear();
@@ -86,14 +86,14 @@ core::Case withInputs(core::Case base, const LoadedInputs& inputs)
     core::View& view = base.shown();
     if (inputs.tree) {
         putTree(vessels, inputs);
-        vessels.marks.clear();   // of other vessels
+        vessels.marks.clear();   // they belong to the previous vessels
         for (core::View& each : base.views) {
             each.sightings.clear();
         }
     }
     if (inputs.volume && !inputs.tree) {
         vessels.scan = inputs.volume;
-        vessels.measurements.clear();   // in another scan
+        vessels.measurements.clear();   // they belong to the previous scan
         vessels.scanIdentity = inputs.scanIdentity;
         vessels.scanFile = inputs.scanFile;
         vessels.scanSeriesId = inputs.scanSeriesId;
@@ -107,7 +107,7 @@ core::Case withInputs(core::Case base, const LoadedInputs& inputs)
     if (inputs.tree || inputs.angiogram) {
         core::forgetFindings(view);
         view.initialCameraFromPatient.reset();
-        view.landmarks.clear();   // of other vessels, or in another image
+        view.landmarks.clear();   // they belong to the previous vessels or image
         if (inputs.angiogram) {
             view.measurements.clear();
             view.sightings.clear();

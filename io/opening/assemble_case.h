@@ -5,14 +5,14 @@
 
 namespace angiopose::io {
 
-/// `base` with the loaded parts in place of its own: a new image brings its geometry and fullest frame, a new tree
-/// forgets branch choices, and the pose goes to the start pose where one can be had.
+/// Returns `base` with its parts replaced by the loaded ones: a new image brings its geometry and peak-opacification
+/// frame, a new tree resets the branch selections, and the pose becomes the initial pose if one can be computed.
 core::Case withInputs(core::Case base, const LoadedInputs& inputs);
 
-/// Whether most of a tree lies within a scan: then it is of this scan, however it was made.
+/// Returns whether more than half of a tree lies within a scan; the tree then counts as traced in this scan.
 bool liesIn(const core::VolumeGeometry& scan, const core::VesselTree& tree);
 
-/// True when the files make a case by themselves: a vessel tree and an angiogram.
+/// Returns true if the files form a complete case: a vessel tree and an angiogram.
 bool makesNewCase(const LoadedInputs& inputs);
 
 }   // namespace angiopose::io

@@ -45,17 +45,17 @@ bool startsAsDicom(std::string_view head)
 
 constexpr std::string_view spatialRegistration = "1.2.840.10008.5.1.4.1.1.66.1";
 
-/// JSON of curves, of fiducials, or of a pose.
+/// Distinguishes JSON files of curves, fiducials and poses.
 InputKind kindOfJson(const std::string& path, std::string_view head)
 {
     if (head.find("\"markups\"") != std::string_view::npos) {
         return isFiducialFile(path) ? InputKind::Points : InputKind::Centerline;
     }
     const bool isPose = head.find("cameraFromPatient") != std::string_view::npos || readPoseWithCamera(path);
-    return isPose ? InputKind::Pose : InputKind::Centerline;   // reading it says what is wrong
+    return isPose ? InputKind::Pose : InputKind::Centerline;   // the reader reports what is wrong
 }
 
-/// X-ray runs are images; what lies in the patient (CT, MR, …) is a slice of a volume.
+/// X-ray runs are images; anything with a position in the patient (CT, MR, …) is a slice of a volume.
 InputKind kindOfDicom(const std::string& path, std::string_view head)
 {
     if (head.find(spatialRegistration) != std::string_view::npos) {
@@ -63,7 +63,7 @@ InputKind kindOfDicom(const std::string& path, std::string_view head)
     }
     const auto images = readSliceRecords(path);
     if (!images || images.value().slices.empty()) {
-        return InputKind::Image;   // reading it says what is wrong
+        return InputKind::Image;   // the reader reports what is wrong
     }
     const bool isSlice = !images.value().isProjection && images.value().slices.front().position;
     return isSlice ? InputKind::Vessels : InputKind::Image;
@@ -138,7 +138,7 @@ core::Result<InputKind> inputKindOf(const std::string& path)
     if (!head) {
         return head.error();
     }
-    // A case file is told by its name: its content is validated on reading.
+    // The name identifies a case file; its content is validated on reading.
     if (extensionOf(path) == ".angiopose") {
         return InputKind::Case;
     }

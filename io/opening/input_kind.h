@@ -6,12 +6,12 @@
 
 namespace angiopose::io {
 
-/// `Vessels`: a scan, segmentation or surface that is traced; `Folder`: DICOM files to choose from; `Pose`: where a
-/// case has its vessels, with or without a camera; `Points`: fiducials.
+/// `Vessels`: a scan, segmentation or surface to be traced; `Folder`: DICOM files to choose from; `Pose`: position of
+/// the vessels in a case, with or without a camera; `Points`: fiducials.
 enum class InputKind { Case, Centerline, Vessels, Folder, Image, Target, Pose, Points };
 
-/// What a file claims to be, judged by its first bytes and, where these do not tell, by its name.
-/// Fails naming the file when it cannot be read or is nothing that the program opens.
+/// Determines the kind of a file by its first bytes and, if these are ambiguous, by its name. Fails, naming the file,
+/// if it cannot be read or has an unsupported type.
 core::Result<InputKind> inputKindOf(const std::string& path);
 
 }   // namespace angiopose::io

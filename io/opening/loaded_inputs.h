@@ -13,7 +13,7 @@
 
 namespace angiopose::io {
 
-/// What a set of files turned out to be: a whole case, or parts of one.
+/// The content of a set of files: a whole case, or parts of one.
 struct LoadedInputs {
     std::optional<core::Case> wholeCase;
     core::InputFile centerlineFile;
@@ -21,44 +21,47 @@ struct LoadedInputs {
     std::shared_ptr<const core::Volume> volume;
     std::shared_ptr<const core::VoxelMask> lumen;
     core::StudyIdentity scanIdentity;
-    core::InputFile scanFile;   ///< of a scan that is to be seen only: `volume` without a tree
-    std::string scanSeriesId;   ///< of `scanFile`, where that is a DICOM folder
-    bool isStudyOffered = false;   ///< a folder or DICOMDIR alone: nothing was read, see OpenHints::offersStudies
-    bool isScanAsked = false;   ///< it is a scan: nothing was read, see ScanUse::Ask
-    /// How many units vessels are across that say no unit and are too small or large for mm: nothing else was read.
+    core::InputFile scanFile;   ///< scan for display only: `volume` without a tree
+    std::string scanSeriesId;   ///< series of `scanFile`, if that is a DICOM folder
+    bool isStudyOffered =
+        false;   ///< a folder or DICOMDIR was opened alone: nothing was read, see OpenHints::offersStudies
+    bool isScanAsked = false;   ///< the file is a scan: nothing was read, see ScanUse::Ask
+    /// Extent, in file units, of vessels whose file states no unit and which are implausibly small or large in mm;
+    /// nothing else was read.
     std::optional<double> askedUnitsAcross;
     std::shared_ptr<const core::VesselTree> tree;
     core::InputFile imageFile;
     std::shared_ptr<const core::Angiogram> angiogram;
     std::shared_ptr<const core::Angiogram>
-        storedRun;   ///< as the file has it, where its header subtracts it; else null
-    core::SubtractionPlan headerPlan;   ///< of the angiogram
+        storedRun;   ///< run as stored, if its header requests subtraction; otherwise null
+    core::SubtractionPlan headerPlan;   ///< subtraction plan from the angiogram's header
     core::InputFile targetFile;
     std::shared_ptr<const core::Centerline2d> target;
-    std::optional<PoseWithCamera> pose;   ///< of a pose file: nothing else was read
-    std::vector<Fiducial> fiducials;   ///< of a file of points: nothing else was read
+    std::optional<PoseWithCamera> pose;   ///< content of a pose file; nothing else was read
+    std::vector<Fiducial> fiducials;   ///< content of a file of points; nothing else was read
     core::Messages warnings;
-    std::vector<DicomSeries> offered;   ///< of a folder with several: nothing is read until one is chosen
-    std::vector<MissingInput> missing;   ///< of a case, found nowhere: nothing else is read
+    std::vector<DicomSeries> offered;   ///< series of a folder with several; nothing is read until one is chosen
+    std::vector<MissingInput> missing;   ///< inputs of the case that were not found; nothing else is read
     MovedInputs moved;   ///< inputs of the case that were found elsewhere
 };
 
-/// What a scan is opened for: its vessels, the same or, where none are found, to be seen, or to be seen beside vessels
-/// that are there.
+/// Purpose of opening a scan: trace its vessels; trace them, or show the scan if none are found; show it with the
+/// existing vessels; or ask the user.
 enum class ScanUse { Trace, TraceOrShow, Beside, Ask };
 
-/// What helps to open files beside their paths.
+/// Options for opening files, in addition to their paths.
 struct OpenHints {
-    std::string seriesId;   ///< of a DICOM folder among them; empty: where there are several, they are offered
-    MovedInputs moved;   ///< where inputs of a case lie now
-    std::vector<std::string> searchFolders;   ///< where inputs of a case are looked for that are not in their place
-    ScanUse scanUse = ScanUse::Trace;   ///< Ask: a scan is not read but told
+    std::string seriesId;   ///< series of a DICOM folder among them; empty: several series are offered for choice
+    MovedInputs moved;   ///< current locations of the inputs of a case
+    std::vector<std::string> searchFolders;   ///< folders to search for missing inputs of a case
+    ScanUse scanUse = ScanUse::Trace;   ///< Ask: a scan is reported instead of read
     std::optional<double> unitMm =
-        std::nullopt;   ///< of vessels among them; not set: mm where that is plausible, else it is told
-    /// How vessels among them are read and traced; not set: as their content asks for.
+        std::nullopt;   ///< unit of vessels among them; not set: mm if that is plausible, otherwise reported
+    /// How vessels among them are read and traced; not set: chosen by their content.
     std::optional<core::VesselInput> vessels = std::nullopt;
-    bool offersStudies = false;   ///< a folder or DICOMDIR alone is not read: what lies in it is to be chosen first
-    bool withoutOptional = false;   ///< a case opens without what it can do without and is found nowhere
+    bool offersStudies =
+        false;   ///< a folder or DICOMDIR opened alone is not read: its content is offered for choice first
+    bool withoutOptional = false;   ///< a case opens without optional inputs that are not found
 };
 
 }   // namespace angiopose::io

@@ -39,7 +39,7 @@ core::Result<Json> readResultJson(const std::string& path)
     return root;
 }
 
-/// Its inputs, each where it lies with the content that it had.
+/// Finds the inputs of a result by name and SHA-256. Fails, naming the file, if one is missing.
 core::Result<MovedInputs> placesOf(const std::vector<core::InputFile>& files, const ResultPlace& place,
                                    const ReadObserver& observe)
 {
@@ -59,7 +59,7 @@ core::Result<MovedInputs> placesOf(const std::vector<core::InputFile>& files, co
     return found;
 }
 
-/// Of a folder only its name was looked at.
+/// Checks the SHA-256 of the loaded inputs; for folders the search compared only the name.
 core::Status checkContents(const std::vector<core::InputFile>& wanted, const MovedInputs& places,
                            const core::Case& loaded, const std::string& path)
 {
@@ -96,7 +96,7 @@ core::Result<core::Case> loadAsked(const Json& root, const ResultPlace& place, c
     return loaded;
 }
 
-/// What a result says of a view goes into it.
+/// Copies the findings that a result holds for a view into that view.
 core::Messages takeOverFound(core::View& view, const Json& json)
 {
     Reading reading;
@@ -143,7 +143,7 @@ core::Result<core::Case> openFound(const ResultPlace& place, core::Messages& war
             }
         }
         return core::showingView(std::move(session), first);
-    } catch (const std::exception&) {   // a value of another kind
+    } catch (const std::exception&) {   // a value has the wrong type
         return fileError(place.path, says::resultNotOne());
     }
 }

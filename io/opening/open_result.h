@@ -9,20 +9,20 @@
 
 namespace angiopose::io {
 
-/// Where the inputs of a result are looked for: by name and content, in folders and those below them. Its own folder
-/// comes first.
+/// The result file and the folders, searched with their subfolders, for its inputs by name and content. The folder of
+/// the result comes first.
 struct ResultPlace {
     std::string path;   ///< result.json or joint.json
     std::vector<std::string> inputFolders;
 };
 
-/// The case as the registration began with it, from what its result tells. Fails where an input is not there with the
-/// content that it had.
+/// Restores the case at the start of the registration from its result. Fails if an input with the recorded content is
+/// not found.
 core::Result<core::Case> openAsked(const ResultPlace& place, core::Messages& warnings,
                                    const ReadObserver& observe = {});
 
-/// The same case as the registration left it: the view of the result is shown, at the pose that was found, with bent
-/// vessels where there are any.
+/// Restores the case at the end of the registration: shows the view of the result at the registered pose, with deformed
+/// vessels if there are any.
 core::Result<core::Case> openFound(const ResultPlace& place, core::Messages& warnings,
                                    const ReadObserver& observe = {});
 

@@ -17,7 +17,7 @@ std::string folderOf(const std::string& path)
     return fs::absolute(path).lexically_normal().parent_path().string();
 }
 
-/// The inputs of a case that are not in their place: what the hints know of them, and what a search finds.
+/// Locates the missing inputs of a case by the hints and by a search.
 core::Status findInputs(LoadedInputs& inputs, const std::string& path, const OpenHints& hints,
                         const ReadObserver& observe)
 {
@@ -88,7 +88,7 @@ core::Result<core::Case> openCaseWith(const CaseRequest& request, const std::str
     LoadedInputs inputs = std::move(read).value();
     if (!inputs.wholeCase) {
         return loadCaseWith(request, path, warnings, observe,
-                            inputs.moved);   // says what is missing, or does without it
+                            inputs.moved);   // reports missing inputs, or opens without optional ones
     }
     warnings.insert(warnings.end(), inputs.warnings.begin(), inputs.warnings.end());
     return *std::move(inputs.wholeCase);

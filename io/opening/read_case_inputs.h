@@ -5,13 +5,13 @@
 
 namespace angiopose::io {
 
-/// A case with its inputs. Those that are not in their place are looked for where the hints say they lie, then by their
-/// content beside the case and in `hints.searchFolders`; one that was found is named in the warnings. What is found
-/// nowhere is told in `missing`, and nothing else is read.
+/// Reads a case with its inputs. Searches for missing inputs first where the hints place them, then by content in the
+/// case's folder and in `hints.searchFolders`; a warning names each input found elsewhere. `missing` lists those not
+/// found, and nothing else is then read.
 core::Result<LoadedInputs> readCaseInputs(const std::string& path, const OpenHints& hints = {},
                                           const ReadObserver& observe = {});
 
-/// The same for who can ask nobody: what is found nowhere is an error that names it, unless the case can do without.
+/// Opens a case without user interaction: a missing input is an error that names it, unless the case can do without.
 core::Result<core::Case> openCase(const std::string& path, core::Messages& warnings, const ReadObserver& observe = {});
 
 }   // namespace angiopose::io

@@ -24,7 +24,7 @@ core::Error twice(const std::string& path, const core::MessageKind<1>& what)
     return what(std::filesystem::path(path).filename().string());
 }
 
-/// A mask that the run does not have leaves it native, and is named.
+/// Subtracts the run as its header specifies; if the run lacks a named mask frame, it stays native with a warning.
 void subtractAsNamed(LoadedInputs& inputs, const core::RunTreatment& treatment)
 {
     auto run = core::treatedRun(*inputs.angiogram, treatment);
@@ -72,7 +72,7 @@ core::Status addTarget(LoadedInputs& inputs, const std::string& path)
     return core::Done{};
 }
 
-/// Why none of the series can be opened: every reason once, with the series it holds for.
+/// Returns why none of the series can be opened: each reason once, with the series it applies to.
 core::Message reasonsOf(const std::vector<DicomSeries>& all)
 {
     if (all.size() == 1) {
@@ -96,7 +96,7 @@ core::Message reasonsOf(const std::vector<DicomSeries>& all)
     return says::openNoSeries(all.size(), reasons);
 }
 
-/// Opens the chosen series of a folder, or the only one; several are offered.
+/// Opens the chosen series of a folder, or its only one; several are offered for choice.
 core::Status addFolder(LoadedInputs& inputs, const std::string& path, const OpenHints& hints,
                        const ReadObserver& observe)
 {
@@ -125,7 +125,7 @@ core::Status addFolder(LoadedInputs& inputs, const std::string& path, const Open
                               : addVessels(inputs, path, hints, found->id, partOf(observe, 0.1, 1.0));
 }
 
-/// A pose or points are of a case that is open: they come alone.
+/// Reads a pose or points, which belong to the open case and are opened alone.
 core::Result<LoadedInputs> readPoseInput(const std::string& path)
 {
     const auto pose = readPoseWithCamera(path);

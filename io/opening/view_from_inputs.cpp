@@ -7,7 +7,7 @@
 namespace angiopose::io {
 namespace {
 
-/// The image that was opened as a view of the case's vessels, at its start pose.
+/// Returns the opened image as a view of the case's vessels, at its initial pose.
 core::View viewWithImage(const core::Case& session, const LoadedInputs& inputs)
 {
     core::Case blank = session;
@@ -29,7 +29,7 @@ core::Result<core::View> viewFrom(const core::Case& session, const LoadedInputs&
     if (inputs.wholeCase && inputs.wholeCase->shown().angiogram) {
         core::View view = inputs.wholeCase->shown();
         view.caseFile = {path, {}};
-        core::forgetFindings(view);   // found with the vessels of that case
+        core::forgetFindings(view);   // they were found with the vessels of the other case
         return view;
     }
     if (!inputs.angiogram) {
@@ -39,7 +39,8 @@ core::Result<core::View> viewFrom(const core::Case& session, const LoadedInputs&
     core::View view = viewWithImage(session, inputs);
     if (const auto fromShown = core::stepToView(shown, view, session.vessels)) {
         view.cameraFromPatient = fromShown.value().viewFromFirst * shown.cameraFromPatient;
-        if (shown.initialCameraFromPatient) {   // vessels may have axes of their own, which angles know nothing about
+        if (shown.initialCameraFromPatient) {   // the vessels may have their own axes, which gantry angles do not
+                                                // account for
             view.initialCameraFromPatient = fromShown.value().viewFromFirst * *shown.initialCameraFromPatient;
         }
     }

@@ -7,9 +7,9 @@
 
 namespace angiopose::io {
 
-/// What was opened as another view of the case's vessels: an angiogram, or the image of a whole case, which `path` then
-/// is. Its pose is where the geometry between the views puts the vessels now; where that is not known, its start pose.
-/// Fails where there is no angiogram in it.
+/// Returns the opened files as another view of the case's vessels: an angiogram, or the image of a whole case (at
+/// `path`). The pose follows from the geometry between the views; if that is unknown, it is the initial pose. Fails if
+/// there is no angiogram.
 core::Result<core::View> viewFrom(const core::Case& session, const LoadedInputs& inputs, const std::string& path);
 
 }   // namespace angiopose::io

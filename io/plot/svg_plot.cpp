@@ -11,14 +11,14 @@ namespace {
 
 constexpr double maxTicks = 8.0;
 
-/// "1e-4", but "0.01" … "1000" as they are.
+/// Formats a power of ten: "1e-4", but "0.01" … "1000" in full.
 std::string powerOfTen(int exponent)
 {
     return exponent >= -2 && exponent <= 3 ? core::plainText(std::pow(10.0, exponent))
                                            : "1e" + std::to_string(exponent);
 }
 
-/// 1, 2 or 5 times a power of ten, so that not too many fit into `range`.
+/// Returns 1, 2 or 5 times a power of ten that gives a reasonable number of steps in `range`.
 double roundStep(double range)
 {
     const double power = std::pow(10.0, std::floor(std::log10(range / maxTicks)));
@@ -34,7 +34,7 @@ std::vector<PlotTick> linearTicks(const core::PlotAxis& axis)
 {
     const double step = roundStep(axis.max - axis.min);
     std::vector<PlotTick> ticks;
-    const double first = std::ceil(axis.min / step - 1e-9) + 0.0;   // not −0
+    const double first = std::ceil(axis.min / step - 1e-9) + 0.0;   // avoids −0
     for (double k = first; k * step <= axis.max + 1e-9 * step; k += 1.0) {
         ticks.push_back({k * step, core::plainText(k * step)});
     }
@@ -61,11 +61,11 @@ constexpr double bottomMargin = 56.0;
 constexpr double legendGap = 24.0;
 constexpr double legendLine = 20.0;
 constexpr double legendSample = 26.0;
-constexpr double characterWidth = 6.6;   // of the legend's font, about
+constexpr double characterWidth = 6.6;   // approximate, in the legend's font
 
-/// Distinct for colour-blind readers (Okabe and Ito 2008), the first for the method in question.
+/// Colors that color-blind readers can distinguish (Okabe and Ito 2008), the first for the method in question.
 constexpr std::array colors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8a6d00", "#56b4e9", "#e69f00", "#555555"};
-constexpr std::array dashes{"", "7 3", "2 3", "9 3 2 3"};   // the next one after all colours
+constexpr std::array dashes{"", "7 3", "2 3", "9 3 2 3"};   // advances after all colors are used
 
 std::string number(double value)
 {
@@ -100,7 +100,7 @@ std::string strokeOf(std::size_t index)
            (dash.empty() ? "" : " stroke-dasharray=\"" + dash + "\"");
 }
 
-/// Draws one plot piece by piece.
+/// Draws the elements of one plot.
 class SvgPlot {
 public:
     explicit SvgPlot(const core::Plot& plot)
@@ -152,7 +152,7 @@ private:
         for (std::size_t k = 0; k < plot_.series.size(); ++k) {
             text += band(plot_.series[k], k);
         }
-        for (std::size_t k = plot_.series.size(); k-- > 0;) {   // the first on top
+        for (std::size_t k = plot_.series.size(); k-- > 0;) {   // the first series on top
             text += plot_.series[k].areDots ? dots(plot_.series[k], k) : polyline(plot_.series[k], k);
         }
         return text;

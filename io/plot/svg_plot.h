@@ -12,15 +12,16 @@ struct PlotTick {
     std::string label;
 };
 
-/// Where a value lies along an axis of a picture, and where the marks go.
+/// Maps values to positions along an axis of a plot, and places the ticks.
 class PlotScale {
 public:
-    /// The axis' least value lies at `from`, its largest at `to`, both px.
+    /// Maps the minimum of the axis to `from` and its maximum to `to`, both px.
     PlotScale(const core::PlotAxis& axis, double from, double to) : axis_(axis), from_(from), to_(to) {}
 
-    /// Values beyond the ends stay at the ends: not every viewer of SVG clips.
+    /// Returns the position of a value. Clamps values beyond the ends, since not every SVG viewer clips.
     double position(double value) const;
-    /// Round values inside the axis, at most about eight; powers of ten on a logarithmic axis that spans some.
+    /// Returns round values within the axis, at most about eight; powers of ten on a logarithmic axis that spans
+    /// several.
     std::vector<PlotTick> ticks() const;
 
 private:
@@ -29,7 +30,8 @@ private:
     double to_;
 };
 
-/// The plot as a stand-alone SVG picture: thin grid, one colour and dash per line, bands behind, legend beside.
+/// Returns the plot as a stand-alone SVG: thin grid, one color and dash per line, bands behind the lines, legend at the
+/// side.
 std::string toSvg(const core::Plot& plot);
 
 }   // namespace angiopose::io

@@ -14,12 +14,12 @@
 namespace angiopose::io {
 namespace {
 
-/// What an ITK file says about its transform.
+/// The transform of an ITK file, as stored.
 struct ItkTransform {
     int count = 0;
     std::string type;
     std::vector<double> parameters;
-    std::vector<double> fixed;   ///< the centre; of Euler angles also whether their order is Z Y X
+    std::vector<double> fixed;   ///< the center; for Euler angles also whether their order is Z Y X
 };
 
 constexpr std::size_t maxParameters = 100;
@@ -73,7 +73,7 @@ Eigen::Vector3d vectorAt(const std::vector<double>& values, std::size_t first)
     return {values[first], values[first + 1], values[first + 2]};
 }
 
-/// Matrix and translation as ITK parametrises them; nothing for kinds that are not rigid, or a wrong count.
+/// Returns rotation and translation from ITK's parameters; nullopt for non-rigid transforms or a wrong parameter count.
 std::optional<core::RigidTransform> motionOf(const ItkTransform& transform)
 {
     const std::vector<double>& p = transform.parameters;
@@ -85,7 +85,7 @@ std::optional<core::RigidTransform> motionOf(const ItkTransform& transform)
         return core::RigidTransform{rotation, vectorAt(p, 9)};
     }
     if (transform.type.starts_with("VersorRigid3DTransform") && p.size() == 6) {
-        const Eigen::Vector3d axis = vectorAt(p, 0);   // sine of half the angle
+        const Eigen::Vector3d axis = vectorAt(p, 0);   // axis times the sine of half the angle
         const double w = std::sqrt(std::max(0.0, 1.0 - axis.squaredNorm()));
         return core::RigidTransform{Eigen::Quaterniond(w, axis.x(), axis.y(), axis.z()).normalized().toRotationMatrix(),
                                     vectorAt(p, 3)};
@@ -121,7 +121,7 @@ core::Result<core::RigidTransform> poseOf(const std::optional<ItkTransform>& tra
                                            : core::Error(says::poseCenterNotFinite());
 }
 
-/// A matrix of a MATLAB file, level 4.
+/// A matrix of a MATLAB level 4 file.
 struct MatlabMatrix {
     std::string name;
     std::vector<double> values;
@@ -135,11 +135,11 @@ std::vector<double> numbersOf(std::string_view bytes)
     return {numbers.begin(), numbers.end()};
 }
 
-/// Takes one off the front: type, rows, columns, imaginary part, size of the name; the name; the values.
+/// Consumes one matrix: type, rows, columns, imaginary part, length of the name; the name; the values.
 std::optional<MatlabMatrix> takeMatrix(std::string_view& rest)
 {
     constexpr std::size_t headSize = 20;
-    constexpr std::uint32_t singlePrecision = 10, longestName = 200;   // of little-endian files
+    constexpr std::uint32_t singlePrecision = 10, longestName = 200;   // type code of little-endian files
     if (rest.size() < headSize) {
         return std::nullopt;
     }

@@ -15,7 +15,8 @@ namespace {
 constexpr std::size_t maxNumbers = 4096;
 constexpr std::string_view betweenNumbers = " \t\r\n,;[]";
 
-/// Appends the numbers of a part; false at the first word that is none. The dashes of a YAML list are passed over.
+/// Appends the numbers of a text; returns false at the first word that is not a number. Skips the dashes of a YAML
+/// list.
 bool appendTo(std::vector<double>& numbers, std::string_view part)
 {
     while (true) {
@@ -36,7 +37,7 @@ bool appendTo(std::vector<double>& numbers, std::string_view part)
     }
 }
 
-/// Less those that are closed.
+/// Returns the number of opening minus closing brackets.
 std::ptrdiff_t openedBrackets(std::string_view line)
 {
     return std::ranges::count(line, '[') - std::ranges::count(line, ']');
@@ -45,7 +46,7 @@ std::ptrdiff_t openedBrackets(std::string_view line)
 std::string_view afterColon(std::string_view line, std::size_t colon)
 {
     std::string_view rest = trimmed(line.substr(colon + 1));
-    if (rest.starts_with("!!")) {   // the kind of what follows
+    if (rest.starts_with("!!")) {   // type tag of the value
         rest = trimmed(rest.substr(std::min(rest.find(' '), rest.size())));
     }
     return rest;
@@ -62,7 +63,7 @@ std::string joined(const double* values, std::size_t count, std::string_view bet
 
 using Rows3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-/// What is written of a camera with its pose, in this order.
+/// A matrix written for a camera with its pose; the files keep this order.
 struct StoredMatrix {
     const char* name;
     int rows, columns;

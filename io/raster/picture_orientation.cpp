@@ -11,9 +11,9 @@ namespace {
 constexpr std::string_view pngSignature = "\x89PNG\r\n\x1a\n";
 constexpr std::string_view exifStart("Exif\0\0", 6);
 constexpr std::uint16_t orientationTag = 274;
-constexpr std::uint16_t longType = 4;   // SHORT is what the standard has
+constexpr std::uint16_t longType = 4;   // nonstandard: the specification uses SHORT
 
-/// Of the first directory of a TIFF header, which is what EXIF data are.
+/// Reads the orientation from the first directory of EXIF data, which begin with a TIFF header.
 std::optional<int> orientationIn(std::string_view exif)
 {
     if (exif.size() < 8 || (exif[0] != 'I' && exif[0] != 'M')) {
@@ -36,7 +36,7 @@ std::optional<int> orientationIn(std::string_view exif)
     return std::nullopt;
 }
 
-/// Chunks of length, name, content and check sum.
+/// Walks the chunks of a PNG: length, name, content and checksum.
 std::optional<int> orientationOfPng(std::string_view rest)
 {
     rest.remove_prefix(pngSignature.size());
@@ -51,7 +51,7 @@ std::optional<int> orientationOfPng(std::string_view rest)
     return std::nullopt;
 }
 
-/// Segments of marker, length and content, up to the pixels.
+/// Walks the segments of a JPEG (marker, length and content) up to the pixels.
 std::optional<int> orientationOfJpeg(std::string_view rest)
 {
     rest.remove_prefix(2);

@@ -7,13 +7,13 @@
 
 namespace angiopose::io {
 
-/// Orientation of the EXIF data of a JPEG or PNG, 1 (as stored) to 8; 1 where none is stated.
+/// Returns the EXIF orientation of a JPEG or PNG, 1 (as stored) to 8; 1 if none is stated.
 int exifOrientation(std::string_view picture);
 
-/// EXIF data that state an orientation and nothing else.
+/// Returns EXIF data that state only an orientation.
 std::string exifOf(int orientation);
 
-/// The image as it is meant to be shown: TIFF 6.0, tag 274.
+/// Returns the image in its display orientation (TIFF 6.0, tag 274).
 core::ImageF oriented(const core::ImageF& stored, int orientation);
 
 }   // namespace angiopose::io

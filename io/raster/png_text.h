@@ -7,17 +7,17 @@
 
 namespace angiopose::io {
 
-/// Pixels of a PNG, row-major: one value (grey) or three (sRGB), of one byte or of two, the higher first.
+/// Pixels of a PNG, row-major: one sample (gray) or three (sRGB) of one byte, or of two bytes in big-endian order.
 struct PngPixels {
     int width = 0;
     int height = 0;
     int channels = 3;
     const std::vector<std::uint8_t>* bytes = nullptr;
-    int bitDepth = 8;   ///< or 16
-    double dotsPerInch = 0.0;   ///< 0: not told
+    int bitDepth = 8;   ///< 8 or 16
+    double dotsPerInch = 0.0;   ///< 0: not stated
 };
 
-/// A PNG file by libpng with the texts as iTXt chunks (UTF-8). Throws what libpng will not write (an image of too many
+/// Encodes a PNG with libpng, with the texts as iTXt chunks (UTF-8). Throws if libpng refuses the image (too many
 /// columns).
 std::string encodedPng(const PngPixels& pixels, const std::map<std::string, std::string>& texts);
 

@@ -14,7 +14,7 @@ constexpr std::size_t maxPixels = 100'000'000;
 constexpr JDIMENSION minSide = 8;
 constexpr int extraneousBytes = JWRN_EXTRANEOUS_DATA;
 
-/// libjpeg's way out of an error is a long jump: nothing with a destructor may live in the functions it leaves.
+/// libjpeg leaves a function on error by longjmp: nothing with a destructor may live in the functions it leaves.
 struct JpegState {
     jpeg_decompress_struct decoder;
     jpeg_error_mgr errors;
@@ -28,7 +28,7 @@ void leave(j_common_ptr decoder)
 
 void saySilently(j_common_ptr) {}
 
-/// Bytes between markers are what some vendors pad with, not damage.
+/// Some vendors pad with bytes between markers, which is not damage.
 void countDamage(j_common_ptr decoder, int level)
 {
     if (level < 0 && decoder->err->msg_code != extraneousBytes) {
@@ -36,7 +36,7 @@ void countDamage(j_common_ptr decoder, int level)
     }
 }
 
-/// Reads the header and starts decoding to grey or RGB.
+/// Reads the header and starts decoding to gray or RGB.
 bool start(JpegState* state, std::string_view content, JpegColors colors)
 {
     state->decoder.err = jpeg_std_error(&state->errors);
@@ -83,7 +83,8 @@ void copyRow(const std::vector<unsigned char>& row, std::size_t y, Raster& raste
     }
 }
 
-/// Rows that could not be decoded are as bright as the others on average: neither vessel nor edge of a shutter.
+/// Fills rows that could not be decoded with the mean of the others, so that they resemble neither a vessel nor a
+/// shutter edge.
 void fillFrom(std::size_t firstMissingRow, core::ImageF& frame)
 {
     const auto missing =

@@ -7,14 +7,14 @@
 
 namespace angiopose::io {
 
-/// What the three channels of a JPEG are.
+/// Interpretation of the three channels of a JPEG.
 enum class JpegColors {
-    AsMarked,   ///< what the stream's markers say, else Y Cb Cr
-    RgbUnlessMarked   ///< what a DICOM header with "RGB" means: red, green and blue where no marker says otherwise
+    AsMarked,   ///< as the markers of the stream state, otherwise Y Cb Cr
+    RgbUnlessMarked   ///< for DICOM headers with "RGB": red, green and blue unless a marker states otherwise
 };
 
-/// A grey or colour JPEG; nothing when it is too large, of another kind, or less than half of its rows can be decoded.
-/// `isFlawed` tells that the decoder complained: parts may be wrong, rows that are missing have the frame's mean.
+/// Decodes a gray or color JPEG; nullopt if it is too large, of another kind, or less than half of its rows can be
+/// decoded. `isFlawed` reports that the decoder complained: parts may be wrong, and missing rows have the frame's mean.
 std::optional<Raster> readJpeg(std::string_view content, JpegColors colors = JpegColors::AsMarked);
 
 }   // namespace angiopose::io

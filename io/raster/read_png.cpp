@@ -12,11 +12,11 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t maxBytes = std::size_t{800} << 20;   // decoded samples and their float copy together
+constexpr std::size_t maxBytes = std::size_t{800} << 20;   // decoded samples plus their float copy
 constexpr std::size_t maxSide = 32'768;
 constexpr std::size_t minSide = 8;
 
-/// libpng's way out of an error is a long jump: nothing with a destructor may live in the functions it leaves.
+/// libpng leaves a function on error by longjmp: nothing with a destructor may live in the functions it leaves.
 void leave(png_struct* png, const char*)
 {
     png_longjmp(png, 1);
@@ -34,7 +34,7 @@ void takeBytes(png_struct* png, png_byte* bytes, std::size_t size)
     rest.remove_prefix(size);
 }
 
-/// What libpng reads with, given back on every way out.
+/// Owns libpng's read structures and frees them on every exit path.
 struct PngReader {
     png_struct* png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, saySilently);
     png_info* info = png_create_info_struct(png);
@@ -44,7 +44,7 @@ struct PngReader {
     ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
-/// Reads the header; rows will be grey or colours of 8 or 16 bits, with alpha where something is transparent.
+/// Reads the header and sets up rows of 8- or 16-bit gray or color, with alpha if the image has transparency.
 bool readHeader(png_struct* png, png_info* info, std::string_view* rest)
 {
     if (setjmp(png_jmpbuf(png)) != 0) {

@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// A PNG of any kind, by libpng. Fails when a checksum is wrong, anything is missing up to its end, or it is too small
-/// or too large; memory is taken only after that is known of its header.
+/// Decodes any PNG with libpng. Fails if a checksum is wrong, data are missing before its end, or it is too small or
+/// too large; allocates memory only after the header has passed these limits.
 core::Result<Raster> readPng(std::string_view content, const std::string& path);
 
 }   // namespace angiopose::io

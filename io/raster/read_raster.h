@@ -9,23 +9,24 @@
 
 namespace angiopose::io {
 
-/// Frames of a PNG, JPEG or (multi-page) TIFF as grey values.
+/// Frames of a PNG, JPEG or (multi-page) TIFF as gray values.
 struct Raster {
     std::vector<core::ImageF> frames;
-    bool wasColor = false;   ///< channels differed; their luminance was taken
+    bool wasColor = false;   ///< channels differed and were converted to luminance
     bool hadAlpha = false;   ///< transparency was ignored
-    bool isFlawed = false;   ///< damaged in part: what could be decoded is there
-    int orientation = 1;   ///< tag of a frame that was turned or mirrored for it; 1: stored as shown
+    bool isFlawed = false;   ///< partly damaged: contains what could be decoded
+    int orientation =
+        1;   ///< orientation tag of a frame that was rotated or mirrored accordingly; 1: stored as displayed
 
-    /// Grey of a pixel (Rec. 601), exact where the channels agree; notes where they do not.
+    /// Converts colors to gray (Rec. 601), exact if the channels agree; records whether they differ.
     float luminance(float red, float green, float blue);
 };
 
-/// True when the content begins like one of the formats.
+/// Returns true if the content begins like one of these formats.
 bool looksLikeRaster(std::string_view content);
 
-/// `content` is what `path` holds; the libraries read the path itself. Frames come as their orientation tag (EXIF,
-/// TIFF) has them shown.
+/// Reads an image file; `content` is the content of `path`, which the libraries read themselves. Frames have the
+/// display orientation of their tag (EXIF, TIFF).
 core::Result<Raster> readRaster(std::string_view content, const std::string& path);
 
 }   // namespace angiopose::io

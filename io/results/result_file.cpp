@@ -25,7 +25,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the tree calls its branches stands beside their ids.
+/// Adds the tree's branch names next to the branch ids.
 void nameBranches(Json& branches, const core::Case& session)
 {
     for (Json& branch : branches) {
@@ -51,7 +51,7 @@ Json uidsOf(const core::StudyIdentity& identity)
     return uids;
 }
 
-/// File names only: results are passed around, and folders may name patients.
+/// Stores file names only: results are passed on, and folder names may identify patients.
 Json inputsJson(const core::Case& session, const core::RegistrationResult& result)
 {
     Json inputs = Json::object();
@@ -74,7 +74,7 @@ Json inputsJson(const core::Case& session, const core::RegistrationResult& resul
     return inputs;
 }
 
-/// The camera of the view, where it is known, and what it follows from.
+/// Adds the camera of the view, if known, and where it comes from.
 void addGeometry(Json& root, const core::View& view)
 {
     if (const auto known = core::cameraOf(view)) {
@@ -95,7 +95,7 @@ void eraseUids(Json& json)
     }
 }
 
-/// Nor with sentences about whose images they are.
+/// Removes UIDs and the sentences about a patient mismatch between the images.
 std::string withoutUids(const std::string& result)
 {
     Json root = Json::parse(result);
@@ -114,7 +114,7 @@ std::string resultJson(const core::Case& session, const core::RegistrationResult
     root["view"] = session.shownView + 1;
     root["title"] = session.title;
     root.update(writeFields(result, resultFields(), {}));
-    for (const char* list : {"perBranch", "unfilled", "alternatives"}) {   // there even where they are empty
+    for (const char* list : {"perBranch", "unfilled", "alternatives"}) {   // present even if empty
         if (!root.contains(list)) {
             root[list] = Json::array();
         }
@@ -142,7 +142,7 @@ std::string resultJson(const core::Case& session, const core::RegistrationResult
     if (!session.vessels.marks.empty()) {
         root["checkPoints"] = Json::parse(checkPointJson(session));
     }
-    // File names and titles need not be UTF-8; the result must be written all the same.
+    // Replaces invalid bytes: file names and titles need not be UTF-8, but the result must still be written.
     return prettyJson(root.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
@@ -198,7 +198,7 @@ std::string jointJson(const core::RegisteredCase& registered, const std::string&
     for (std::size_t k = 0; k < registered.places.size(); ++k) {
         const core::Case showing = core::showingView(registered.session, registered.places[k]);
         Json view = Json::parse(resultJson(showing, *showing.shown().result, askedCase));
-        view.erase("deformable");   // of all views together: below
+        view.erase("deformable");   // belongs to all views together: added below
         view.erase("case");
         view["view"] = registered.places[k] + 1;
         view["geometryCorrection"] = correctionJson(joint.corrections[k]);

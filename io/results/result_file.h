@@ -8,28 +8,29 @@
 
 namespace angiopose::io {
 
-/// Whether a result tells what people typed, names of files and UIDs.
+/// Whether a result includes text typed by users, file names and UIDs.
 enum class ResultNames { Kept, LeftOut };
 
-/// result.json of FORMATS §3 as text. `askedCase`: what the registration began with (case/asked_case.h), where that is
-/// known: only then it can be run again, or drawn, from its result (opening/open_result.h).
+/// Returns result.json of FORMATS §3 as text. `askedCase`: the case at the start of the registration
+/// (case/asked_case.h), if known; only then can the registration be repeated, or drawn, from its result
+/// (opening/open_result.h).
 std::string resultJson(const core::Case& session, const core::RegistrationResult& result,
                        const std::string& askedCase = {});
 
-/// Of a registration that was just made: that of the view at `place` in its case.
+/// Returns the result of a registration just completed, for the view at `place` in its case.
 std::string resultJson(const core::RegisteredCase& registered, std::size_t place, ResultNames names);
 
-/// Of the shown view's result, with what its registration began with as far as the case still knows it.
+/// Returns the result of the shown view, with the inputs of its registration as far as the case still knows them.
 std::string keptResultJson(const core::Case& session, ResultNames names);
 
-/// Writes it atomically.
+/// Writes the result of the shown view atomically.
 core::Status writeResult(const core::Case& session, const std::string& path);
 
-/// What a registration found, as text: result.json of one view, joint.json of several (FORMATS §3).
+/// Returns the outcome of a registration as text: result.json for one view, joint.json for several (FORMATS §3).
 std::string registeredJson(const core::RegisteredCase& registered, const std::string& askedCase);
 
-/// Writes joint.json atomically: what holds for all views together, the result of each, and how far its geometry was
-/// off. For several views only.
+/// Writes joint.json atomically: the values shared by all views, the result of each, and the error found in its
+/// geometry. For several views only.
 core::Status writeJointResult(const core::RegisteredCase& registered, const std::string& path,
                               const std::string& askedCase);
 

@@ -36,7 +36,7 @@ Json projectionSchema()
         "The camera of the pose, px: u = fx X/Z + cx, v = fy Y/Z + cy, from the centre of the first pixel.");
 }
 
-/// What is there beside the rows that a case keeps of a result, too.
+/// Properties of result.json beyond the fields that a case also stores for a result.
 Json ownProperties()
 {
     Json anything{{"type", "object"}};

@@ -28,7 +28,7 @@ std::optional<int> segmentIn(const std::vector<DicomDataset>& groups, std::size_
     return items.empty() ? std::nullopt : items.front().integer(segmentNumberTag);
 }
 
-/// Segment number of each frame; empty when a frame does not say.
+/// Returns the segment number of each frame; empty if a frame does not state one.
 std::vector<int> segmentOfFrames(const DicomDataset& data, std::size_t frameCount)
 {
     const std::vector<DicomDataset> shared = data.items(sharedGroupsTag);
@@ -45,7 +45,7 @@ std::vector<int> segmentOfFrames(const DicomDataset& data, std::size_t frameCoun
     return segments;
 }
 
-/// Bits of all frames one after the other, the first in the lowest bit of a byte (PS3.5 8.1.1).
+/// Reads the bits of all frames in sequence, the first in the lowest bit of a byte (PS3.5 8.1.1).
 class BitFrames {
 public:
     BitFrames(const DicomPixels& pixels, std::size_t pixelsPerFrame)
@@ -71,7 +71,7 @@ struct Segmentation {
     InputBytes bytes;
     DicomFile file;
     std::vector<SliceRecord> frames;
-    std::vector<int> segments;   ///< of each frame; empty for label maps
+    std::vector<int> segments;   ///< segment number of each frame; empty for label maps
     SegmentationGrid grid;
 };
 

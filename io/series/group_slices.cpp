@@ -15,7 +15,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Files with the same key can be slices of one volume.
+/// Returns a key; files with the same key can be slices of one volume.
 std::string seriesKey(const DicomImages& file)
 {
     const core::StudyIdentity& identity = file.identity;
@@ -26,7 +26,7 @@ std::string seriesKey(const DicomImages& file)
            file.seriesDescription;
 }
 
-/// Size, spacing and orientation, each rounded so that noise in the header does not split a volume.
+/// Returns size, spacing and orientation, each rounded so that noise in the header does not split a volume.
 std::vector<long> shapeKey(const SliceRecord& slice)
 {
     std::vector<long> key{slice.size.x(), slice.size.y(), std::lround(slice.spacingMm.x() * 1e4),
@@ -39,7 +39,7 @@ std::vector<long> shapeKey(const SliceRecord& slice)
     return key;
 }
 
-/// True when the orientations agree well enough to share a volume (rounding of the key may part equals).
+/// Returns true if the orientations agree well enough to share a volume (rounding in the key may separate equal ones).
 bool isAlike(const SliceRecord& a, const SliceRecord& b)
 {
     const bool isPlaced = a.position && a.axes, isOtherPlaced = b.position && b.axes;
@@ -70,8 +70,8 @@ std::vector<Slices> byShape(const Slices& slices)
     return groups;
 }
 
-/// Drops files that are there twice: same SOP instance and frame, place and number. Says how many, and how many others
-/// differ although they have the SOP Instance UID of one before.
+/// Removes duplicates: same SOP instance and frame, position and number. Reports how many, and how many images differ
+/// although they share their SOP Instance UID with an earlier one.
 core::Messages dropCopies(Slices& slices)
 {
     using Instance = std::pair<std::string, int>;
@@ -100,7 +100,7 @@ core::Messages dropCopies(Slices& slices)
     return found;
 }
 
-/// One slice per place: the first recorded.
+/// Keeps one slice per position: the first recorded.
 void keepFirstPerPlace(DicomSeries& series)
 {
     const std::size_t before = series.slices.size();
@@ -176,7 +176,7 @@ std::vector<DicomSeries> volumesOf(const DicomImages& head, Slices slices, std::
     return volumes;
 }
 
-/// The acquisition that all slices are of; empty where there are several, or none is named.
+/// Returns the acquisition that all slices belong to; empty if there are several or none is named.
 std::string acquisitionOf(const DicomSeries& series)
 {
     const std::string& first = series.slices.front().phaseKeys[0];
@@ -185,7 +185,8 @@ std::string acquisitionOf(const DicomSeries& series)
     return isOne ? first : std::string();
 }
 
-/// Largest first; numbers the parts of a series, and names the acquisition where that tells them apart.
+/// Sorts by size, largest first; numbers the parts of a series, and names the acquisition where that distinguishes
+/// them.
 void order(std::vector<DicomSeries>& volumes)
 {
     std::stable_sort(volumes.begin(), volumes.end(), [](const DicomSeries& a, const DicomSeries& b) {

@@ -6,8 +6,8 @@
 
 namespace angiopose::io {
 
-/// Groups the images of many files into volumes and X-ray runs: by series, size, spacing and orientation; images at the
-/// same place are told apart by acquisition, phase, echo, or order of recording; true duplicates are dropped.
+/// Groups the images of many files into volumes and X-ray runs by series, size, spacing and orientation. Images at the
+/// same position are separated by acquisition, phase, echo or order of recording; true duplicates are removed.
 std::vector<DicomSeries> groupSlices(std::vector<DicomImages> files);
 
 }   // namespace angiopose::io

@@ -54,12 +54,12 @@ core::Result<std::unique_ptr<OpenFile>> openFile(const std::string& path)
     return std::make_unique<OpenFile>(OpenFile{path, std::move(kept), std::move(file), std::move(reader).value()});
 }
 
-/// Decodes slices in the order they are asked for, keeping the last two and the last file.
+/// Decodes slices in the requested order, caching the last two slices and the last file.
 class SliceReader {
 public:
     explicit SliceReader(const std::vector<SliceRecord>& slices) : slices_(&slices) {}
 
-    /// Values of a slice (rescaled); valid until the slice after the next is asked for.
+    /// Returns the rescaled values of a slice; valid until two further slices have been requested.
     core::Result<const ImageF*> slice(std::size_t index)
     {
         const auto kept =
@@ -101,7 +101,7 @@ private:
 
     const std::vector<SliceRecord>* slices_;
     std::unique_ptr<OpenFile> file_;
-    std::deque<std::pair<std::size_t, ImageF>> kept_;   // a deque: what is kept stays where it is
+    std::deque<std::pair<std::size_t, ImageF>> kept_;   // a deque keeps references to cached slices valid
 };
 
 bool hasOneScale(const std::vector<SliceRecord>& slices)
@@ -113,9 +113,10 @@ bool hasOneScale(const std::vector<SliceRecord>& slices)
     });
 }
 
-/// How values of this series become voxels, and what a voxel then means.
+/// Conversion of the values of this series to voxels, and the meaning of a voxel.
 struct SeriesScale {
-    bool isRescaled = false;   ///< slices differ in slope or are of a wide type: `quantization` acts on rescaled values
+    bool isRescaled =
+        false;   ///< slices differ in slope or have a wide type: `quantization` applies to rescaled values
     Quantization quantization;
     double slope = 1.0;
     double intercept = 0.0;
@@ -167,7 +168,8 @@ core::Result<SeriesScale> scaleOf(const DicomSeries& series, const ReadObserver&
     return scale;
 }
 
-/// One slice as stored 16-bit levels in the plane of the volume, moved by its shift; `outside` where it does not reach.
+/// Returns one slice as stored 16-bit levels in the plane of the volume, translated by its shift; `outside` beyond its
+/// edges.
 std::vector<float> planeOf(const ImageF& image, const SliceRecord& slice, const SeriesScale& scale,
                            const Eigen::Vector2d& shift, const core::VolumeGeometry& geometry, float outside)
 {

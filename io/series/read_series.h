@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// The volume of a series, slices decoded one after the other into place. Values are Hounsfield units for CT.
-/// What was lost or mended is added to `warnings`.
+/// Reads the volume of a series, decoding slices one after the other into place. Values are Hounsfield units for CT.
+/// Adds to `warnings` what was lost or repaired.
 core::Result<core::Volume> readSeries(const DicomSeries& series, const ReadObserver& observe, core::Messages& warnings);
 
 }   // namespace angiopose::io

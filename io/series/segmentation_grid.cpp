@@ -12,7 +12,7 @@ namespace angiopose::io {
 namespace {
 
 constexpr std::size_t maxGridVoxels = std::size_t{1} << 31;
-constexpr double placeTolerance = 0.1;   // of a voxel
+constexpr double placeTolerance = 0.1;   // fraction of a voxel
 
 bool isPlaced(const SliceRecord& frame, const SliceRecord& first)
 {
@@ -20,7 +20,7 @@ bool isPlaced(const SliceRecord& frame, const SliceRecord& first)
            (*frame.axes - *first.axes).cwiseAbs().maxCoeff() < 5e-3;
 }
 
-/// The smallest step between frames, refined over the whole stack; 0 when all lie in one plane.
+/// Returns the smallest step between frames, refined over the whole stack; 0 if all lie in one plane.
 double stepBetween(std::vector<double> depths)
 {
     std::sort(depths.begin(), depths.end());
@@ -35,7 +35,7 @@ double stepBetween(std::vector<double> depths)
     return smallest > 0.0 ? extent / std::round(extent / smallest) : 0.0;
 }
 
-/// Distance between planes as the header gives it, for a segmentation of one plane.
+/// Returns the distance between planes from the header, for a segmentation of one plane.
 double statedStepMm(const DicomDataset& data)
 {
     constexpr DicomTag pixelMeasuresTag = 0x00289110;

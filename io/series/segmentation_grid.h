@@ -10,13 +10,15 @@
 
 namespace angiopose::io {
 
-/// The grid on which the frames of a segmentation lie. Several frames may share a layer; layers without any are empty.
+/// The grid on which the frames of a segmentation lie. Several frames may share a layer; layers without a frame are
+/// empty.
 struct SegmentationGrid {
     core::VolumeGeometry geometry;
-    std::vector<int> layers;   ///< of each frame
+    std::vector<int> layers;   ///< layer index of each frame
 };
 
-/// The smallest grid that holds all frames. Fails when they do not say where they lie, or lie on none.
+/// Returns the smallest grid that holds all frames. Fails if frames do not state their positions, or do not lie on a
+/// regular grid.
 core::Result<SegmentationGrid> segmentationGrid(const std::vector<SliceRecord>& frames, const DicomDataset& data,
                                                 const std::string& path);
 

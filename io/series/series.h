@@ -10,18 +10,18 @@
 
 namespace angiopose::io {
 
-/// One thing to open in a DICOM folder: the slices of a volume, or an X-ray run.
+/// A loadable item of a DICOM folder: the slices of a volume, or an X-ray run.
 struct DicomSeries {
     std::string id;   ///< Series Instance UID, with "#2", … for further volumes of the same series
     core::StudyIdentity identity;
     std::string description;
     int number = 0;   ///< Series Number
-    std::optional<core::Message> part;   ///< what tells it from other volumes of its series, e.g. "part 2 of 10"
-    bool isAngiogram = false;   ///< a projection; `slices.front().path` is the run
-    std::vector<SliceRecord> slices;   ///< ordered along the normal of their planes
-    SliceStack stack;   ///< of a volume
+    std::optional<core::Message> part;   ///< distinction from other volumes of its series, e.g. "part 2 of 10"
+    bool isAngiogram = false;   ///< a projection; `slices.front().path` is the file of the run
+    std::vector<SliceRecord> slices;   ///< sorted along the normal of their planes
+    SliceStack stack;   ///< for volumes only
     core::Messages warnings;   ///< missing slices, tilt, uneven spacing, duplicates, …
-    std::optional<core::Message> problem;   ///< why it cannot be opened
+    std::optional<core::Message> problem;   ///< reason why it cannot be opened
 };
 
 }   // namespace angiopose::io

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int maxFrames = 20'000;
 
-/// Tags of `phaseKeys` in a classic image.
+/// Tags of `phaseKeys` in a classic (single-frame) image.
 constexpr std::array<DicomTag, phaseKeyCount> phaseTags = {0x00200012, 0x00200100, 0x00209241,
                                                            0x00181060, 0x00180086, 0x00209056};
 
@@ -32,7 +32,7 @@ std::optional<Eigen::Vector3d> threeNumbers(const DicomDataset& data, DicomTag t
     return vector;
 }
 
-/// Directions of Image Orientation (Patient), rounding taken out; nothing where they are no right angle.
+/// Returns the directions of Image Orientation (Patient), orthonormalized; nullopt if they are not perpendicular.
 std::optional<Eigen::Matrix<double, 3, 2>> orientationOf(const DicomDataset& data)
 {
     Eigen::Matrix<double, 3, 2> axes;
@@ -53,7 +53,7 @@ std::optional<Eigen::Matrix<double, 3, 2>> orientationOf(const DicomDataset& dat
     return axes;
 }
 
-/// Takes over what `data` says about place, size of pixels and values: an image, or one functional group.
+/// Reads position, pixel size and value scale from `data`: an image, or one functional group.
 void readPlace(const DicomDataset& data, SliceRecord& slice)
 {
     if (const auto position = threeNumbers(data, 0x00200032)) {
@@ -84,7 +84,7 @@ void readPhases(const DicomDataset& data, SliceRecord& slice)
     }
 }
 
-/// The sequences of a functional group that place a frame (PS3.3 C.7.6.16): each holds one item.
+/// Reads the functional-group sequences that place a frame (PS3.3 C.7.6.16), each with one item.
 void readFunctionalGroups(const DicomDataset& groups, SliceRecord& slice)
 {
     constexpr std::array<DicomTag, 6> sequences = {0x00209113, 0x00209116, 0x00289110,
@@ -96,7 +96,7 @@ void readFunctionalGroups(const DicomDataset& groups, SliceRecord& slice)
         }
         readPlace(items.front(), slice);
         readPhases(items.front(), slice);
-        if (sequence == 0x00209111) {   // frame content: Temporal Position Index
+        if (sequence == 0x00209111) {   // Frame Content Sequence: Temporal Position Index
             if (const auto index = items.front().integer(0x00209128)) {
                 slice.phaseKeys[1] = std::to_string(*index);
             }

@@ -13,9 +13,10 @@ namespace angiopose::io {
 namespace {
 
 constexpr std::size_t maxGapsNamed = 3;
-constexpr double slantToleranceMm = 0.05;   // less than this is rounding in the header
-constexpr double gridTolerance = 0.1;   // of a step: less is rounding in the header
-constexpr double wholeStepTolerance = 0.2;   // of a step: gaps this close to whole multiples are missing slices
+constexpr double slantToleranceMm = 0.05;   // smaller values are rounding in the header
+constexpr double gridTolerance = 0.1;   // fraction of a step; smaller values are rounding in the header
+constexpr double wholeStepTolerance =
+    0.2;   // fraction of a step; gaps this close to a whole multiple are missing slices
 
 double rounded(double length)
 {
@@ -43,7 +44,7 @@ double quantileOf(std::vector<double> values, double fraction)
     return values[static_cast<std::size_t>(at)];
 }
 
-/// The step of slices that lie on a grid, some perhaps missing; 0 when they do not.
+/// Returns the step of slices that lie on a grid, possibly with some missing; 0 if they do not.
 double gridStep(const std::vector<double>& places)
 {
     const std::vector<double> distances = gapsOf(places);
@@ -64,7 +65,7 @@ double gridStep(const std::vector<double>& places)
     return isRegular ? step : 0.0;
 }
 
-/// The slices on either side of each layer; `step` apart from the first slice on.
+/// Returns, for each layer, the slices on either side; layers are `step` apart, starting at the first slice.
 std::vector<StackLayer> layersOf(const std::vector<double>& places, double step)
 {
     std::vector<StackLayer> layers;
@@ -85,7 +86,7 @@ std::vector<StackLayer> layersOf(const std::vector<double>& places, double step)
     return layers;
 }
 
-/// "after slice 41": where whole slices are missing.
+/// Names the places of whole missing slices: "after slice 41".
 core::Message gaps(const std::vector<double>& places, double step)
 {
     std::vector<std::string> before;
@@ -128,7 +129,7 @@ void placeLayers(const std::vector<double>& places, SliceStack& stack, double& s
     }
 }
 
-/// Where each slice's first pixel lies in the plane, from that of the first slice, in mm.
+/// Returns the in-plane offset of each slice's first pixel from that of the first slice, in mm.
 std::vector<Eigen::Vector2d> slantOf(const std::vector<SliceRecord>& slices)
 {
     std::vector<Eigen::Vector2d> offsets;
@@ -139,7 +140,7 @@ std::vector<Eigen::Vector2d> slantOf(const std::vector<SliceRecord>& slices)
     return offsets;
 }
 
-/// Widens the layers so that every slice finds room where it really lies.
+/// Widens the layers so that every slice fits at its true in-plane position.
 Eigen::Vector2i straighten(const std::vector<SliceRecord>& slices, double extentMm, SliceStack& stack,
                            Eigen::Vector3d& origin)
 {

@@ -9,28 +9,28 @@
 
 namespace angiopose::io {
 
-/// How one layer of the volume is made: from a slice, or between two of them.
+/// The source of one layer of the volume: a slice, or an interpolation between two.
 struct StackLayer {
     std::size_t lower = 0;   ///< index of a slice
     std::size_t upper = 0;
-    double upperWeight = 0.0;   ///< 0: the lower slice as it is
+    double upperWeight = 0.0;   ///< 0: the lower slice unchanged
 };
 
-/// A regular grid over slices that need not be regular: gaps are filled between neighbours, uneven spacing is resampled
-/// to the finest usual step, and the slant of a tilted gantry is shifted out within the slices.
+/// A regular grid over slices that may be irregular: gaps are interpolated, uneven spacing is resampled to a fine
+/// typical step, and the shear of a tilted gantry is removed by shifting the slices in their planes.
 struct SliceStack {
     core::VolumeGeometry geometry;
     std::vector<StackLayer> layers;   ///< one per k
-    std::vector<Eigen::Vector2d> shiftVoxels;   ///< per slice: where its first pixel lies in the layer (i, j)
+    std::vector<Eigen::Vector2d> shiftVoxels;   ///< per slice: position of its first pixel in the layer (i, j)
     core::Messages warnings;
-    std::optional<core::Message> problem;   ///< why there is no volume, with the remedy
+    std::optional<core::Message> problem;   ///< reason why there is no volume, with the remedy
 };
 
-/// Plans the volume of slices that share size, spacing and orientation, ordered along the normal of their planes, each
-/// at a place of its own.
+/// Plans the volume of slices that share size, spacing and orientation, sorted along the normal of their planes, each
+/// at a different position.
 SliceStack stackOf(const std::vector<SliceRecord>& slices);
 
-/// Unit normal of a slice's plane; slices are stacked along it.
+/// Returns the unit normal of a slice's plane; slices are stacked along it.
 Eigen::Vector3d normalOf(const SliceRecord& slice);
 
 }   // namespace angiopose::io

@@ -23,7 +23,7 @@ std::size_t placeCount(const Slices& sorted)
     return count;
 }
 
-/// The volumes that one key tells apart, when it does: none of them has two slices at one place.
+/// Splits slices by one key, if each resulting volume has at most one slice per position.
 std::vector<Slices> splitByKey(const Slices& slices, std::size_t key)
 {
     std::map<std::string, Slices> parts;
@@ -40,7 +40,7 @@ std::vector<Slices> splitByKey(const Slices& slices, std::size_t key)
     return result;
 }
 
-/// Every place recorded equally often: the first recording of each, the second, …
+/// Splits slices whose positions were all recorded equally often: the first recording of each position, the second, …
 std::vector<Slices> splitByRepetition(const Slices& sorted, std::size_t places)
 {
     const std::size_t count = sorted.size() / places;
@@ -55,7 +55,7 @@ std::vector<Slices> splitByRepetition(const Slices& sorted, std::size_t places)
     return parts;
 }
 
-/// How many slices are missing on the grid that these lie on; nothing where they lie on none.
+/// Returns how many slices are missing on the grid of these slices; nullopt if they do not lie on one.
 std::optional<std::size_t> missingOnGrid(const Slices& sorted)
 {
     const SliceStack stack = stackOf(sorted);
@@ -64,8 +64,8 @@ std::optional<std::size_t> missingOnGrid(const Slices& sorted)
     return stack.problem || isUneven ? std::nullopt : std::optional(stack.layers.size() - sorted.size());
 }
 
-/// Acquisitions at places of their own, each on a regular grid, that are no volume together: they lie apart, or the
-/// slices of one between those of another. Where a few slices are missing they are one.
+/// Splits acquisitions at different positions, each on a regular grid, that do not form one volume: they are far apart
+/// or interleaved. If only a few slices are missing, they count as one volume.
 std::vector<Slices> splitAcquisitions(const Slices& sorted)
 {
     constexpr std::size_t minSlices = 3, missingOf = 8;

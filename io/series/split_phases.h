@@ -8,14 +8,14 @@ namespace angiopose::io {
 
 using Slices = std::vector<SliceRecord>;
 
-/// True for slices that lie in one plane.
+/// Returns true for slices that lie in one plane.
 bool isSamePlace(const SliceRecord& a, const SliceRecord& b);
 
-/// Orders slices by place, then by recording, then by name: the same for any order of files.
+/// Sorts slices by position, then by recording, then by name, independently of the order of the files.
 void sortAlongNormal(Slices& slices);
 
-/// Sorted slices as volumes with one slice per place: told apart by a phase key, or by how often each place was
-/// recorded. Slices that neither tells apart stay together.
+/// Splits sorted slices into volumes with one slice per position, by a phase key or by repetition. Slices that neither
+/// separates stay together.
 std::vector<Slices> splitVolumes(const Slices& sorted);
 
 }   // namespace angiopose::io

@@ -53,7 +53,7 @@ std::string timeNow()
 }
 
 constexpr std::size_t maxWaiting = 200;
-constexpr std::chrono::seconds longestWait{2};   // what a killed program may leave out
+constexpr std::chrono::seconds longestWait{2};   // events that a killed program may fail to record
 
 }   // namespace
 

@@ -18,30 +18,30 @@ std::string_view toText(AuditEvent event);
 struct AuditRecord {
     AuditEvent event = AuditEvent::Opened;
     std::string program;   ///< "angiopose"
-    std::vector<std::string> paths;   ///< files and folders that it is about
-    std::string archive{};   ///< with which they were exchanged; may be empty
+    std::vector<std::string> paths;   ///< files and folders that the event concerns
+    std::string archive{};   ///< archive with which they were exchanged; may be empty
 };
 
-/// Adds a line of JSON to the audit file (FORMATS §4): time in UTC, account, program and version, event, and the
-/// SHA-256 of every file, of a folder those of the files in it. Reads them whole. Fails where the line cannot be
+/// Appends a line of JSON to the audit file (FORMATS §4): time in UTC, account, program and version, event, and the
+/// SHA-256 of every file (for a folder, of each file in it). Reads the files completely. Fails if the line cannot be
 /// written.
 core::Status recordAudit(const std::string& auditPath, const AuditRecord& record);
 
-/// The file that `ANGIOPOSE_AUDIT_FILE` names; empty: none.
+/// Returns the path in `ANGIOPOSE_AUDIT_FILE`; empty: no audit file.
 std::string auditFileOfEnvironment();
 
-/// Files that come one after another, noted in the audit file many to a line, soon after they came. Without a path of
-/// that file nothing is noted.
+/// Records files that arrive one after another, many per audit line and shortly after they arrive. Without a path of
+/// the audit file nothing is recorded.
 class AuditBatch {
 public:
     AuditBatch(std::string auditPath, AuditRecord about);
 
     void add(const std::string& path);
-    /// To be called again and again: a line where many wait, or the first one has waited.
+    /// Writes a line once enough files wait or the first has waited long enough; to be called periodically.
     void noteWhenDue();
     void noteAll();
 
-    /// Why the last line could not be written; nothing where all were.
+    /// Returns why the last line could not be written; nullopt if all were written.
     const std::optional<core::Message>& problem() const { return problem_; }
 
 private:

@@ -60,7 +60,7 @@ void addView(const core::View& view, Redaction& redaction)
     }
 }
 
-/// How an element tells: by a name or number, by words, or not at all.
+/// Whether an element can identify somebody: by a name or number, by words, or not at all.
 enum class Informative { Nothing, Name, Words };
 
 Informative informativeOf(DcmEVR vr)
@@ -120,7 +120,7 @@ const char* kindOf(core::VesselInputKind kind)
     return "volume";
 }
 
-/// ".dcm"; endings that are no usual ones could be part of a name.
+/// Returns the extension, such as ".dcm"; unusual ones are omitted, since they could be part of a name.
 std::string endingOf(const core::InputFile& file)
 {
     const std::string ending = std::filesystem::path(file.path).extension().string();

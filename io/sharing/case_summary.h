@@ -7,15 +7,15 @@
 
 namespace angiopose::io {
 
-/// Has a redaction know whom and what a case tells of: paths, what was typed, and what its headers said.
+/// Adds to a redaction everything in a case that can identify somebody: paths, typed text, and header values.
 void addIdentifiers(const core::Case& session, Redaction& redaction);
 
-/// The same of an input file, or of the first file of a folder: its path and, of a DICOM file, every text, name, UID
-/// and date in it. A file that cannot be read gives its path alone.
+/// Adds the identifiers of an input file, or of the first file of a folder: its path and, for a DICOM file, every text,
+/// name, UID and date in it. For an unreadable file, only its path.
 void addIdentifiersOfFile(const std::string& path, Redaction& redaction);
 
-/// What a case is made of, as "key: value" in lines: kinds, sizes, counts, options that are not as usual, what the
-/// verdicts say by their ids. Nothing that was typed, no name, date, path or UID.
+/// Summarizes a case as "key: value" lines: kinds, sizes, counts, non-default options, and the ids of its messages.
+/// Contains no typed text, name, date, path or UID.
 std::string caseSummary(const core::Case& session);
 
 }   // namespace angiopose::io

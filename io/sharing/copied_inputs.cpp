@@ -33,7 +33,7 @@ core::Status copied(const fs::path& from, const fs::path& to)
     return failed ? core::Status(fileError(from.string(), says::fileNotRead(failed.message()))) : core::Done{};
 }
 
-/// The files of a series and of other volumes with the same UID: what tells them apart is in all of them.
+/// Returns the files of a series and of other volumes with the same UID, since separating them again needs all files.
 std::vector<std::string> filesOf(const std::vector<DicomSeries>& all, const DicomSeries& wanted)
 {
     std::set<std::string> files;
@@ -57,7 +57,7 @@ public:
 
     core::Status copyVessels(core::Vessels& vessels)
     {
-        if (!vessels.file.path.empty() && !vessels.isLumenEdited) {   // an edited mask is written by saving
+        if (!vessels.file.path.empty() && !vessels.isLumenEdited) {   // saving writes an edited mask
             if (const auto done = copyVesselFile(vessels); !done) {
                 return done;
             }
@@ -67,7 +67,7 @@ public:
             return core::Done{};
         }
         const auto scan = copyVolume(vessels.scanFile.path, "scan", vessels.scanSeriesId);
-        if (!scan && !scan.isStopped()) {   // good to have
+        if (!scan && !scan.isStopped()) {   // the scan is optional
             warnings_.push_back(says::packedInputMissing(scan.error().message.text()));
             vessels.scanFile = {};
             vessels.scanSeriesId.clear();
@@ -95,7 +95,7 @@ public:
         if (isGiven) {
             return copyTarget(view.target, name + "-curves");
         }
-        view.target.file = {};   // edited curves are written by saving
+        view.target.file = {};   // saving writes edited curves
         view.followed.deformationsFile = {};
         return core::Done{};
     }
@@ -127,7 +127,8 @@ private:
         return done ? core::Result<std::string>(place) : done.error();
     }
 
-    /// Without identity the curves alone, written anew: tables can hold what nobody reads.
+    /// Copies the target; for de-identification only its curves, written by this program, since tables can hold hidden
+    /// text.
     core::Status copyTarget(core::GivenTarget& target, const std::string& name)
     {
         if (request_.deidentified && target.centerline) {
@@ -153,7 +154,7 @@ private:
             return copied(path, place);
         }
         std::error_code ignored;
-        fs::create_directories(place.parent_path(), ignored);   // writing tells where that failed
+        fs::create_directories(place.parent_path(), ignored);   // the write reports the failure
         const auto done = deidentifyFile(path, place.string(), *request_.deidentified, request_.pseudonyms);
         if (!done) {
             return done.error();
@@ -162,7 +163,7 @@ private:
         return core::Done{};
     }
 
-    /// What the case keeps of its image's header follows the pseudonyms.
+    /// Applies the pseudonyms to the header values that the case stores for its image.
     void assignNewUids(core::View& view) const
     {
         if (!view.angiogram) {
@@ -190,7 +191,8 @@ private:
         return place ? named(vessels.file, place.value()) : core::Status(place.error());
     }
 
-    /// Centrelines, masks and surfaces as this program writes them: places and numbers, names of branches.
+    /// Writes centerlines, masks and surfaces in this program's own formats: coordinates, numbers and branch names
+    /// only.
     core::Result<std::string> rewritten(core::Vessels& vessels)
     {
         const std::string& path = vessels.file.path;
@@ -213,7 +215,7 @@ private:
             return surface ? end(writeSurface(surface.value().mesh, place), place)
                            : core::Result<std::string>(surface.error());
         }
-        if (vessels.input.labels.empty()) {   // their names, which said which are vessels, stay behind
+        if (vessels.input.labels.empty()) {   // the label names, which identified the vessels, are not copied
             const auto overview = readLabelOverview(path);
             vessels.input.labels = overview ? vesselsByName(overview.value().labels) : std::vector<int>{};
         }
@@ -222,7 +224,7 @@ private:
         return labels ? end(writeLabels(labels.value(), place), place) : core::Result<std::string>(labels.error());
     }
 
-    /// A file, or the series that a folder or a slice is of. `seriesId` follows.
+    /// Copies a file, or the series that a folder or a slice belongs to, and updates `seriesId`.
     core::Result<std::string> copyVolume(const std::string& path, const std::string& name, std::string& seriesId)
     {
         if (isFolder(path) || isDicomFile(path)) {

@@ -9,16 +9,16 @@
 
 namespace angiopose::io {
 
-/// How inputs go into a pack: as they are, or without identity.
+/// Whether inputs are copied into a bundle unchanged or de-identified.
 struct CopyRequest {
     std::optional<Deidentification> deidentified;
     const Pseudonyms& pseudonyms;
 };
 
-/// Copies every input of a loaded case into `folder`, which is new, under names that say what they are in the case
-/// ("vessels.vtp", "view-1.dcm", "scan/00001.dcm"), and has the case name the copies; views that stand in cases of
-/// their own become views of this one. Hashes are left to saving. Fails where an input that the case opens with cannot
-/// be copied; what it opens without is left out with a warning.
+/// Copies every input of a loaded case into the new `folder`, under names that state its role ("vessels.vtp",
+/// "view-1.dcm", "scan/00001.dcm"), and points the case to the copies. Views stored in separate cases become views of
+/// this one. Saving computes the hashes. Fails if a required input cannot be copied; omits an optional one with a
+/// warning.
 core::Result<core::Messages> copyInputs(core::Case& session, const std::filesystem::path& folder,
                                         const CopyRequest& request, const ReadObserver& observe);
 

@@ -6,7 +6,7 @@
 
 namespace angiopose::io {
 
-/// In small letters, as long as before: ASCII and the letters of western Europe in UTF-8.
+/// Returns the text in lower case, with the same byte length: ASCII and the letters of western Europe in UTF-8.
 inline std::string foldedText(std::string_view text)
 {
     std::string folded(text);
@@ -22,7 +22,7 @@ inline std::string foldedText(std::string_view text)
     return folded;
 }
 
-/// Of a word: letters of any script, digits.
+/// Returns true for word characters: letters of any script and digits.
 inline bool isOfWord(char c)
 {
     const auto byte = static_cast<unsigned char>(c);
@@ -45,20 +45,19 @@ void eachWordOf(std::string_view text, const Visit& visit)
     }
 }
 
-/// The words a program has itself. Of a text that it put together from its own sentences and from what it was given,
-/// only these are let through.
+/// The words that the program itself uses. In a text composed of its own sentences and of input, only these words pass.
 class KnownWords {
 public:
     void add(std::string_view sentence);
 
-    /// `text` with "[…]" in place of other words, and of numbers of five digits and more.
+    /// Returns `text` with "[…]" in place of other words and of numbers of five or more digits.
     std::string only(std::string_view text) const;
 
 private:
-    std::set<std::string> words_;   ///< in small letters; signs of Chinese one by one
+    std::set<std::string> words_;   ///< lower case; Chinese characters one by one
 };
 
-/// `text` with "[uid]" and "[date]" in place of UIDs and of dates in any usual form.
+/// Returns `text` with "[uid]" and "[date]" in place of UIDs and of dates in any usual form.
 std::string withoutInformativeNumbers(std::string_view text);
 
 }   // namespace angiopose::io

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double sameLength = 0.002;   ///< of trees traced from voxels that were stored again
+constexpr double sameLength = 0.002;   ///< relative tolerance for trees traced from re-encoded voxels
 
 double lengthMm(const core::Case& session)
 {
@@ -44,7 +44,7 @@ bool areSameRuns(const core::View& a, const core::View& b)
                       [](const core::ImageF& x, const core::ImageF& y) { return x.pixels == y.pixels; });
 }
 
-/// What another reader would miss; nothing where all is there.
+/// Returns what the packed case lacks compared with the original; nullopt if nothing.
 std::optional<core::Message> difference(const core::Case& from, const core::Case& to, bool mayPixelsDiffer)
 {
     if (from.views.size() != to.views.size()) {

@@ -6,18 +6,18 @@
 
 namespace angiopose::io {
 
-/// Takes out of texts what could tell whose they are or who sat before the machine: known identifiers, the user's and
-/// the machine's name, folders, names of files, UIDs and dates. Words in brackets stand in their place.
+/// Removes from texts what could identify the patient or the user: known identifiers, the names of the user and the
+/// machine, folders, file names, UIDs and dates. Bracketed placeholders replace them.
 class Redaction {
 public:
-    /// Knows this machine: home folder, account, host.
+    /// Adds the identifiers of this machine: home folder, account, host.
     Redaction();
 
-    /// A name or number: it goes, and so does each of its words.
+    /// Adds a name or number, to be removed as a whole and word by word.
     void addName(std::string_view name);
-    /// A description: it goes as a whole, and so do its words but those of the trade ("angiogram", "left").
+    /// Adds a description, to be removed as a whole and word by word, except technical words ("angiogram", "left").
     void addText(std::string_view text);
-    /// Every part of a path.
+    /// Adds every part of a path.
     void addPath(std::string_view path);
 
     std::string cleaned(std::string_view text) const;
@@ -31,7 +31,7 @@ private:
             return a.size() != b.size() ? a.size() > b.size() : a < b;
         }
     };
-    std::set<std::string, LongestFirst> identifiers_;   ///< in small letters
+    std::set<std::string, LongestFirst> identifiers_;   ///< lower case
     std::string home_;
 };
 

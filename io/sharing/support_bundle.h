@@ -14,16 +14,16 @@ struct SupportText {
     std::string text;
 };
 
-/// What a program can tell of itself: `program.txt` with versions and machine, and the last dumps of faults.
+/// Returns the program's own diagnostics: `program.txt` with versions and machine, and the latest crash dumps.
 std::vector<SupportText> programTexts(const std::string& furtherFacts = {});
 
-/// The same texts without what the redaction knows.
+/// Returns the same texts without the identifiers that the redaction knows.
 std::vector<SupportText> cleaned(std::vector<SupportText> texts, const Redaction& redaction);
 
-/// All of them after one another, each below its name: what the user reads before it is written.
+/// Joins all texts, each below its name, for the user to review before writing.
 std::string asOneText(const std::vector<SupportText>& texts);
 
-/// Puts them into a ZIP archive, atomically.
+/// Writes the texts into a ZIP archive, atomically.
 core::Status writeSupportBundle(const std::vector<SupportText>& texts, const std::string& archivePath);
 
 }   // namespace angiopose::io

@@ -18,13 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr time_t oneDate = 315'619'200;   ///< 1 January 1980, noon: the first day that ZIP knows
+constexpr time_t oneDate = 315'619'200;   ///< 1 January 1980, noon: the first day that ZIP can store
 constexpr std::size_t pieceBytes = std::size_t{4} << 20;
 
 using Archive = std::unique_ptr<archive, decltype(&archive_write_free)>;
 using Entry = std::unique_ptr<archive_entry, decltype(&archive_entry_free)>;
 
-/// Where libarchive's bytes go, and what became of them.
+/// Destination of libarchive's output, and the status of writing it.
 struct Sink {
     AtomicFile& file;
     std::optional<core::Error> failure;

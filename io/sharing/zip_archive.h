@@ -6,8 +6,8 @@
 
 namespace angiopose::io {
 
-/// Puts the files of a folder and of those below it into a ZIP archive, atomically, under their paths in it, in the
-/// order of these and with one date: the same files give the same bytes.
+/// Writes the files of a folder and its subfolders into a ZIP archive, atomically, under their relative paths, sorted
+/// by path and with one fixed date: the same files give the same bytes.
 core::Status writeZip(const std::string& folder, const std::string& archive);
 
 }   // namespace angiopose::io

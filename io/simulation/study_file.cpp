@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A number of a study and its limits.
+/// A numeric key of a study and its limits.
 struct NumberKey {
     std::string_view key;
     std::variant<double*, int*> place;
@@ -26,7 +26,7 @@ struct NumberKey {
     double most = 0.0;
 };
 
-/// Reads the members of one object; the first fault counts.
+/// Reads the members of one object and keeps the first error.
 class ObjectReader {
 public:
     ObjectReader(const Json& object, std::string where, const std::string& path)
@@ -53,7 +53,7 @@ public:
         return found == object_.end() ? nullptr : &*found;
     }
 
-    /// To be called last.
+    /// Fails if the object has members that were not read; to be called last.
     core::Status noOthers() const
     {
         for (const auto& [key, value] : object_.items()) {
@@ -206,7 +206,7 @@ core::Result<core::StudySetting> settingFrom(const Json& json, const std::string
                   : core::Result<core::StudySetting>(status.error());
 }
 
-/// The objects of an array, each made by `make`; fails where there are none.
+/// Returns the objects of an array, each built by `make`; fails if there are none.
 template <class Item>
 core::Status readList(ObjectReader& reader, std::string_view key, const std::string& path,
                       core::Result<Item> (*make)(const Json&, const std::string&, const std::string&),

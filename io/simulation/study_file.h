@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// Reads a simulated study (FORMATS §4, "format": "angiopose-study"); trees it names are read, too. Fails naming file,
-/// place and key: what is unknown, missing or out of range.
+/// Reads a simulated study (FORMATS §4, "format": "angiopose-study") and the trees that it names. Fails, naming file,
+/// place and key, on anything unknown, missing or out of range.
 core::Result<core::SimulatedStudy> readStudy(const std::string& path);
 
 }   // namespace angiopose::io

@@ -8,20 +8,21 @@
 
 namespace angiopose::io {
 
-/// A file that a DICOMDIR lists, with what its records say about it.
+/// A file listed in a DICOMDIR, with the values of its records.
 struct ListedFile {
-    std::string name;   ///< below the folder of the DICOMDIR, parts joined by '/'
+    std::string name;   ///< relative to the folder of the DICOMDIR, parts joined by '/'
     core::StudyIdentity identity;
     std::string studyDescription;
     std::string seriesDescription;
     int seriesNumber = 0;
 };
 
-/// The files of a DICOMDIR (PS3.3 F.3) in the order of its tree. Fails where records are damaged, or do not lead to
-/// each other: then it tells less than a look at the files.
+/// Returns the files of a DICOMDIR (PS3.3 F.3) in the order of its tree. Fails if records are damaged or not linked
+/// consistently; reading the files then gives more information.
 core::Result<std::vector<ListedFile>> readDicomDirectory(const std::string& path);
 
-/// A name as file systems of discs and DICOMDIRs may both write it: without version, in one case.
+/// Normalizes a name so that names on a disc's file system and in its DICOMDIR compare equal: without version, in one
+/// letter case.
 std::string comparableName(std::string name);
 
 }   // namespace angiopose::io

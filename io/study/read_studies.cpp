@@ -22,9 +22,9 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t maxFiles = 50'000;
 constexpr int maxFolderDepth = 12;
 constexpr auto listedEvery = std::chrono::milliseconds(300);
-constexpr int groupingShare = 10;   ///< grouping anew takes at most this part of the time
+constexpr int groupingShare = 10;   ///< minimum interval between regroupings, in multiples of their duration
 
-/// What discs carry beside images: programs that view them, and their pages.
+/// Returns false for the viewers and web pages that discs carry along with images.
 bool canBeImage(const std::string& path)
 {
     static constexpr std::array<std::string_view, 24> others{
@@ -33,7 +33,7 @@ bool canBeImage(const std::string& path)
     return std::ranges::find(others, extensionOf(path)) == others.end();
 }
 
-/// One look at a folder: what lies in it, what is read of it, and what was told.
+/// One scan of a folder: the files found, the headers read, and the progress reported.
 class Scan {
 public:
     explicit Scan(const StudyObserver& observe) : observe_(observe) {}
@@ -50,7 +50,8 @@ public:
         return core::Done{};
     }
 
-    /// A folder that a scratched disc does not give is named, and those beside it are read.
+    /// Collects the files of a folder and its subfolders. Reports a folder that cannot be read (scratched disc) and
+    /// continues with the others.
     void walk(const fs::path& folder, int depth)
     {
         std::error_code failed;
@@ -82,7 +83,7 @@ public:
         isEnough_ = files_.size() % 64 == 0 && isStopped();
     }
 
-    /// Leaves those that the DICOMDIR lists and takes note of what is missing or not listed.
+    /// Keeps only files that the DICOMDIR lists, and records what is missing or not listed.
     void keepListed(const std::string& directoryPath)
     {
         DirectoryCheck& check = tree_.directory.emplace();
@@ -175,7 +176,7 @@ private:
         return tree_.isStopped;
     }
 
-    /// Paths by their names below a folder, as DICOMDIRs write them.
+    /// Returns paths by their names relative to a folder, as DICOMDIRs write them.
     std::map<std::string, std::string> namesBelow(const fs::path& folder) const
     {
         std::map<std::string, std::string> names;
@@ -187,7 +188,7 @@ private:
 
     const StudyObserver& observe_;
     std::vector<std::string> files_;
-    bool isEnough_ = false;   ///< stopped, or as many as are listed
+    bool isEnough_ = false;   ///< stopped, or the maximum number of files reached
     StudyCollector collector_;
     StudyTree tree_;
     std::shared_ptr<const StudyTree> shown_;
@@ -195,7 +196,7 @@ private:
     Clock::duration grouping_{0};
 };
 
-/// The DICOMDIR of a folder; empty where there is none.
+/// Returns the DICOMDIR of a folder; empty if there is none.
 std::string directoryIn(const std::string& folder)
 {
     std::error_code failed;

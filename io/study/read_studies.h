@@ -11,25 +11,25 @@
 
 namespace angiopose::io {
 
-/// Which files are read: those that a DICOMDIR lists where there is one, or all of the folder.
+/// Which files are read: those that a DICOMDIR lists, if there is one, or all files of the folder.
 enum class StudyReach { Listed, AllFiles };
 
 struct StudyProgress {
     std::size_t read = 0;
-    std::size_t found = 0;   ///< grows while folders are looked through, when nothing is read yet
-    std::shared_ptr<const StudyTree> tree;   ///< of what was read so far; null at first
+    std::size_t found = 0;   ///< grows while folders are searched, before any file is read
+    std::shared_ptr<const StudyTree> tree;   ///< content read so far; null at first
 };
 
 using StudyObserver = std::function<core::Verdict(const StudyProgress&)>;
 
-/// What lies in a folder, on a disc, or is listed by a DICOMDIR (the file or its folder). Only headers are read.
-/// Damaged files are named and passed by; Stop keeps what was found. Fails when the folder itself cannot be read.
+/// Lists the content of a folder or disc, or of a DICOMDIR (the file or its folder). Reads only headers. Reports
+/// damaged files and skips them; Stop keeps what was found. Fails if the folder itself cannot be read.
 core::Result<StudyTree> readStudies(const std::string& place, StudyReach reach, const StudyObserver& observe = {});
 
-/// What lies in any of these folders, as if in one; at least one of them.
+/// Lists the content of several folders as if they were one; needs at least one folder.
 core::Result<StudyTree> readSeriesFolders(const std::vector<std::string>& folders, const StudyObserver& observe = {});
 
-/// True for a file named DICOMDIR.
+/// Returns true for a file named DICOMDIR.
 bool isDicomDirectory(const std::string& path);
 
 }   // namespace angiopose::io

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t headBytes = std::size_t{1} << 20;
 constexpr std::size_t maxPictureBytes = std::size_t{512} << 20;
-constexpr double lowestHu = -250.0, highestHu = 650.0;   // soft tissue to contrast medium
+constexpr double lowestHu = -250.0, highestHu = 650.0;   // from soft tissue to contrast agent
 constexpr std::size_t wholeFile = std::numeric_limits<std::size_t>::max();
 
 struct Range {
@@ -26,7 +26,7 @@ struct Range {
     double high = 1.0;
 };
 
-/// Bytes of the file up to the end of a plain frame; all where that cannot be told.
+/// Returns how many bytes of the file reach to the end of an uncompressed frame; the whole file if that is unknown.
 std::size_t bytesUpTo(const DicomFile& file, const PixelLayout& layout, std::string_view start, int frame)
 {
     const auto pixels = file.pixels.find(pixelDataTag);
@@ -39,7 +39,7 @@ std::size_t bytesUpTo(const DicomFile& file, const PixelLayout& layout, std::str
     return begin + (bits * (static_cast<std::size_t>(frame) + 1) + 7) / 8;
 }
 
-/// How a frame was stored.
+/// A decoded frame and its photometric interpretation.
 struct ReadFrame {
     core::ImageF image;
     bool isInverted = false;   ///< low values are white
@@ -56,7 +56,7 @@ core::Result<ReadFrame> decoded(const DicomFile& file, const PixelLayout& layout
                  : image.error();
 }
 
-/// One frame (`wanted`, or the middle one), of whose file no more than needed is read.
+/// Reads one frame (`wanted`, or the middle one), and no more of its file than needed.
 core::Result<ReadFrame> readFrame(const std::string& path, std::optional<int> wanted, const ReadObserver& observe)
 {
     for (std::size_t size = headBytes;;) {
@@ -86,13 +86,13 @@ core::Result<ReadFrame> readFrame(const std::string& path, std::optional<int> wa
             continue;
         }
         if (needed != wholeFile) {
-            layout.frames = frame + 1;   // the others are not there
+            layout.frames = frame + 1;   // later frames were not read
         }
         return decoded(parsed.value(), layout, path, frame);
     }
 }
 
-/// Each pixel the mean of those it stands for.
+/// Downsamples by averaging blocks of pixels.
 core::ImageF shrunk(const core::ImageF& image, int sidePx)
 {
     const int step = std::max(1, (std::max(image.width, image.height) + sidePx - 1) / sidePx);
@@ -127,7 +127,7 @@ core::Result<core::ImageF> seriesPicture(const DicomSeries& series, int sidePx, 
     }
     const SliceRecord& middle = series.slices[series.slices.size() / 2];
     const bool isInHu = series.identity.modality == "CT" && !series.isAngiogram;
-    // A run, or a file of many frames that do not say where they lie, is one slice here.
+    // A run, or a multi-frame file without frame positions, is a single slice here.
     const std::optional<int> frame = series.slices.size() > 1 ? std::optional(middle.frame) : std::nullopt;
     const auto read = readFrame(middle.path, frame, observe);
     if (!read) {
@@ -138,7 +138,8 @@ core::Result<core::ImageF> seriesPicture(const DicomSeries& series, int sidePx, 
     const Range ofVessels = isInHu && middle.slope > 0.0 ? Range{(lowestHu - middle.intercept) / middle.slope,
                                                                  (highestHu - middle.intercept) / middle.slope}
                                                          : there;
-    const Range range = there.high > ofVessels.low ? ofVessels : there;   // where there is air alone
+    const Range range =
+        there.high > ofVessels.low ? ofVessels : there;   // falls back to the range present if the slice shows only air
     const auto low = static_cast<float>(range.low);
     const auto width = static_cast<float>(std::max(range.high - range.low, 1e-6));
     for (float& pixel : picture.pixels) {

@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// A small picture of a series, 0 black to 1 white, no side longer than `sidePx`: the middle slice with a window that
-/// shows vessels, or the middle frame of a run. Of the files only that far is read.
+/// Returns a thumbnail of a series, 0 black to 1 white, no side longer than `sidePx`: the middle slice with a window
+/// for vessels, or the middle frame of a run. Reads no more of the files than needed.
 core::Result<core::ImageF> seriesPicture(const DicomSeries& series, int sidePx, const ReadObserver& observe = {});
 
 }   // namespace angiopose::io

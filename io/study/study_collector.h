@@ -10,17 +10,17 @@
 
 namespace angiopose::io {
 
-/// Puts headers together as patients, studies and series; the grouping into volumes and runs is `groupSlices`.
+/// Groups headers into patients, studies and series; `groupSlices` groups them into volumes and runs.
 class StudyCollector {
 public:
     void add(StudyFile file);
     void addMissing(const ListedFile& file) { missing_.push_back(file); }
 
-    /// Of all that was added so far. Counts of files are the caller's.
+    /// Returns the tree of everything added so far. The caller fills in the file counts.
     StudyTree tree() const;
 
 private:
-    /// What a series is told by beside its images.
+    /// Attributes that describe a series besides its images.
     struct Facts {
         std::string studyDescription, bodyPart, imageType, transferSyntax;
         int frames = 1;
@@ -36,7 +36,7 @@ private:
     std::string studyDescriptionOf(const StudySeries& series) const;
 
     std::vector<DicomImages> images_;
-    std::vector<DicomImages> withoutImage_;   ///< reports and the like, each with the path of its file
+    std::vector<DicomImages> withoutImage_;   ///< objects without an image, such as reports, each with its file path
     std::map<std::string, Facts> facts_;   ///< by path
     std::vector<ListedFile> missing_;
 };

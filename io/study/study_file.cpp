@@ -11,12 +11,12 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t firstBytes = std::size_t{64} << 10;   // holds the header of nearly every slice and run
+constexpr std::size_t firstBytes = std::size_t{64} << 10;   // covers the header of nearly every slice and run
 constexpr std::size_t growth = 4;
 constexpr std::size_t maxHeaderBytes = std::size_t{64} << 20;
 constexpr std::string_view deflatedSyntax = "1.2.840.10008.1.2.1.99";
 
-/// Whether the file holds all the plain pixels that its header declares.
+/// Reports a file that is too short for the uncompressed pixels that its header declares.
 std::optional<core::Message> findCut(const DicomFile& file, const FileStart& start)
 {
     const auto pixels = file.pixels.find(pixelDataTag);
@@ -53,7 +53,7 @@ StudyFile studyFileOf(const DicomFile& file, const FileStart& start, const std::
     return result;
 }
 
-/// A DICOM file inside a gzip archive is known only when it is unpacked.
+/// Reads a gzip archive, which must be unpacked to recognize a DICOM file in it.
 std::optional<StudyFile> readPacked(const std::string& path)
 {
     const auto input = openDicom(path);
@@ -97,7 +97,7 @@ core::Result<std::optional<StudyFile>> readStudyFile(const std::string& path)
         if (parsed && (isLast || !parsed.value().pixels.empty())) {
             return std::optional(studyFileOf(parsed.value(), start, path));
         }
-        if (isLast) {   // a few bytes may look like a data set by chance
+        if (isLast) {   // a few bytes may resemble a data set by chance
             return isSayingDicom(start.bytes) ? core::Result<std::optional<StudyFile>>(parsed.error())
                                               : std::optional<StudyFile>();
         }

@@ -8,10 +8,10 @@
 
 namespace angiopose::io {
 
-/// What the header of one DICOM file says for a list of studies.
+/// The header data of one DICOM file for a list of studies.
 struct StudyFile {
     std::string path;
-    DicomImages images;   ///< with `damage` where the file ends too early
+    DicomImages images;   ///< with `damage` if the file is truncated
     std::string studyDescription;
     std::string bodyPart;
     std::string imageType;   ///< "ORIGINAL\PRIMARY\LOCALIZER"

@@ -11,26 +11,26 @@
 
 namespace angiopose::io {
 
-/// What a series can be in a case.
+/// The role that a series can have in a case.
 enum class SeriesUse { Vessels, View, None };
 
-/// One thing that can be opened, or that is there and cannot.
+/// A series, volume or run that can be opened, or is listed with the reason why it cannot.
 struct StudySeries {
     DicomSeries series;
     SeriesUse use = SeriesUse::None;
-    std::optional<core::Message> reason;   ///< why it is of no use here
+    std::optional<core::Message> reason;   ///< reason why it cannot be used here
     std::string bodyPart;
-    int imageCount = 0;   ///< slices of a volume, frames of a run, files of anything else
-    double frameTimeMs = 0.0;   ///< 0: not known
-    /// From where it opens: of a volume the deepest folder that holds its whole series, of a run its file.
+    int imageCount = 0;   ///< slices of a volume, frames of a run, files of any other series
+    double frameTimeMs = 0.0;   ///< 0: unknown
+    /// Path to open: for a volume the deepest folder that holds its whole series, for a run its file.
     std::string place;
-    std::size_t missingFiles = 0;   ///< that the DICOMDIR lists and that are not there
+    std::size_t missingFiles = 0;   ///< files that the DICOMDIR lists and that do not exist
 };
 
 struct Study {
-    core::StudyIdentity identity;   ///< of one of its files
+    core::StudyIdentity identity;   ///< identity from one of its files
     std::string description;
-    std::vector<StudySeries> series;   ///< by number
+    std::vector<StudySeries> series;   ///< sorted by number
 };
 
 struct StudyPatient {
@@ -43,25 +43,25 @@ struct DamagedFile {
     core::Message reason;
 };
 
-/// What a DICOMDIR said, checked against the files beside it.
+/// Comparison of a DICOMDIR with the files on the disc.
 struct DirectoryCheck {
-    std::optional<core::Message> damage;   ///< it was of no use: the files were looked through
-    std::size_t series = 0;   ///< that it lists
+    std::optional<core::Message> damage;   ///< reason why it is unusable; the files were searched instead
+    std::size_t series = 0;   ///< series that it lists
     std::size_t files = 0;
     std::size_t missingFiles = 0;
-    std::size_t unlistedFiles = 0;   ///< that may be images, unread
+    std::size_t unlistedFiles = 0;   ///< possible images not listed, unread
 };
 
-/// What lies in a folder or on a disc.
+/// The content of a folder or disc.
 struct StudyTree {
-    std::vector<StudyPatient> patients;   ///< by name
+    std::vector<StudyPatient> patients;   ///< sorted by name
     std::size_t foundFiles = 0;
     std::size_t readFiles = 0;
-    std::size_t otherFiles = 0;   ///< no DICOM
-    std::vector<DamagedFile> damaged;   ///< among them some that were read in part
+    std::size_t otherFiles = 0;   ///< files that are not DICOM
+    std::vector<DamagedFile> damaged;   ///< including files read in part
     std::optional<DirectoryCheck> directory;
-    bool isStopped = false;   ///< there may be more
-    bool isCutOff = false;   ///< of the folder not all could be listed
+    bool isStopped = false;   ///< stopped by the user: the list may be incomplete
+    bool isCutOff = false;   ///< the folder has more files than could be listed
 };
 
 }   // namespace angiopose::io

@@ -38,7 +38,7 @@ bool writeAll(int file, std::string_view content)
     return true;
 }
 
-/// Permissions of the file that is replaced, or what a newly created file would get.
+/// Returns the permissions of the file to be replaced, or the default ones of a new file.
 mode_t permissionsFor(const std::string& path)
 {
     struct stat status {};
@@ -50,7 +50,7 @@ mode_t permissionsFor(const std::string& path)
     return 0666 & ~mask;
 }
 
-/// The rename itself must survive a power cut too.
+/// Flushes the folder, since the rename itself must survive a power failure too.
 void flushFolder(const std::filesystem::path& folder)
 {
     const int handle = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -95,7 +95,7 @@ AtomicFile::~AtomicFile()
 core::Result<AtomicFile> AtomicFile::create(const std::string& path)
 {
     std::error_code unresolved;
-    // Through a link: the file it points to is replaced, not the link.
+    // Resolves links: the file that a link points to is replaced, not the link.
     const std::filesystem::path target = std::filesystem::weakly_canonical(path, unresolved);
     if (unresolved || std::filesystem::is_directory(target, unresolved)) {
         return fileError(path, says::fileNoPlace());
@@ -106,7 +106,7 @@ core::Result<AtomicFile> AtomicFile::create(const std::string& path)
     if (file < 0) {
         return writeError(path);
     }
-    ::flock(file, LOCK_EX | LOCK_NB);   // tells others that it is no leftover
+    ::flock(file, LOCK_EX | LOCK_NB);   // shows other processes that it is not a leftover
     return AtomicFile(path, target.string(), std::move(temporary), file);
 }
 

@@ -5,7 +5,7 @@
 
 namespace angiopose::io {
 
-/// Bytes as letters, for files of text (RFC 4648, without line breaks).
+/// Encodes bytes as Base64 (RFC 4648, without line breaks).
 std::string base64(std::string_view bytes);
 
 }   // namespace angiopose::io

@@ -16,14 +16,14 @@ constexpr auto longestTurnWait = std::chrono::seconds(2);
 
 CaseLock::CaseLock(const std::string& casePath) : path_(lockPathOf(casePath))
 {
-    constexpr int tries = 3;   // each is lost only where another program removes its lock at that moment
+    constexpr int tries = 3;   // an attempt fails only if another program removes its lock at that moment
     for (int i = 0; i < tries && !file_.isOpen(); ++i) {
         HeldFile file(path_, HeldFile::Way::Write);
         if (!file.isOpen() || file.holdAlone() != HeldFile::Held::Mine) {
             return;
         }
         if (file.isStillAt(path_)) {
-            file.setText(lockText());   // on a full drive it stays without a name
+            file.setText(lockText());   // stays empty on a full drive
             file_ = std::move(file);
         }
     }
@@ -42,7 +42,8 @@ CaseLock::~CaseLock()
 {
     if (file_.isOpen()) {
         std::error_code ignored;
-        std::filesystem::remove(path_, ignored);   // while it is held: nobody takes over what goes
+        std::filesystem::remove(
+            path_, ignored);   // removed while still held, so that nobody takes over a file about to vanish
     }
 }
 

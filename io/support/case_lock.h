@@ -8,12 +8,12 @@
 
 namespace angiopose::io {
 
-/// Says to other programs that a case is open: a hidden file beside it (FORMATS §2) that the system frees when the
-/// program ends, however it ends. It keeps nobody from anything.
+/// Marks a case as open for other programs: a hidden file next to it (FORMATS §2), released by the system however the
+/// program ends. The lock is advisory and blocks nobody.
 class CaseLock {
 public:
     CaseLock() = default;
-    /// Holds nothing where somebody else has the case open, or the folder cannot be written.
+    /// Holds nothing if another program has the case open, or the folder is not writable.
     explicit CaseLock(const std::string& casePath);
     CaseLock(CaseLock&& other) noexcept;
     CaseLock& operator=(CaseLock&& other) noexcept;
@@ -26,11 +26,11 @@ private:
     HeldFile file_;
 };
 
-/// Who else has a case open: another program, or another `CaseLock` of this one. Nobody where a lock is stale.
+/// Returns who else has a case open: another program, or another `CaseLock` of this one. Ignores stale locks.
 std::optional<LockHolder> holderOf(const std::string& casePath);
 
-/// While it lives no other `FolderTurn` of the folder does, in this program or another: waits for it, two seconds at
-/// most. Without effect where the file system knows no such locks.
+/// Exclusive access to a folder, across programs: the constructor waits for its turn, at most two seconds. Has no
+/// effect if the file system does not support such locks.
 class FolderTurn {
 public:
     explicit FolderTurn(const std::string& folder);

@@ -11,8 +11,8 @@
 
 namespace angiopose::io {
 
-/// Takes a text apart into its trimmed lines, leaving out empty ones and comments (`#`), and counts all of them.
-///   for (TextLines lines(text); lines.next();) use(lines.line(), lines.number());
+/// Iterates over the trimmed lines of a text, skipping empty lines and comments (`#`) but counting all of them. for
+/// (TextLines lines(text); lines.next();) use(lines.line(), lines.number());
 class TextLines {
 public:
     explicit TextLines(std::string_view text) : rest_(text) {}
@@ -32,7 +32,7 @@ public:
     }
 
     std::string_view line() const { return line_; }
-    int number() const { return number_; }   ///< in the file, from 1
+    int number() const { return number_; }   ///< line number in the file, from 1
 
 private:
     std::string_view rest_;
@@ -40,28 +40,28 @@ private:
     int number_ = 0;
 };
 
-/// A comma-separated table with a header row (lower-cased names). Every row has as many cells as the header. A comma
-/// within quotes is part of its cell; quotes doubled in it stay doubled.
+/// A comma-separated table with a header row (names in lower case). Every row has as many cells as the header. A quoted
+/// comma is part of its cell; doubled quotes stay doubled.
 struct CsvTable {
-    std::string path;   ///< where it was read, for messages
+    std::string path;   ///< file it was read from, for messages
     std::vector<std::string> columns;
-    std::vector<std::vector<std::string_view>> rows;   ///< cells point into the parsed text
-    std::vector<int> lineOfRow;   ///< line in the file, from 1, for messages
-    bool hasHeader = true;   ///< false: the first line was numbers; `columns` is empty
+    std::vector<std::vector<std::string_view>> rows;   ///< cells are views into the parsed text
+    std::vector<int> lineOfRow;   ///< line number in the file, from 1, for messages
+    bool hasHeader = true;   ///< false: the first line held numbers; `columns` is empty
 
     std::optional<std::size_t> column(std::string_view name) const;
 };
 
-/// Parses UTF-8 text. Fails, naming the line, on ragged rows and on text that is no table.
+/// Parses UTF-8 text. Fails, naming the line, on ragged rows and on text that is not a table.
 core::Result<CsvTable> parseCsv(std::string_view text, const std::string& path);
 
-/// One cell as it is written: quoted where it has to be.
+/// Returns the text of one cell, quoted if necessary.
 std::string csvCell(std::string_view text);
 
-/// The finite number in a cell; fails naming line and column.
+/// Returns the finite number in a cell; fails, naming line and column.
 core::Result<double> numberAt(const CsvTable& table, std::size_t row, std::size_t column);
 
-/// The branch number in a cell; fails naming the line.
+/// Returns the branch number in a cell; fails, naming the line.
 core::Result<int> branchAt(const CsvTable& table, std::size_t row, std::size_t column);
 
 }   // namespace angiopose::io

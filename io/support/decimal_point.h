@@ -5,8 +5,8 @@
 
 namespace angiopose::io {
 
-/// While it lives, libraries that parse numbers by `strtod` or `sscanf` take "." for the decimal point in this thread,
-/// whatever the locale of the program around them, which it leaves as it is.
+/// Makes libraries that parse numbers with `strtod` or `sscanf` use "." as the decimal point in this thread during its
+/// lifetime, without changing the locale of the program.
 class DecimalPoint {
 public:
     DecimalPoint() : before_(uselocale(plain())) {}

@@ -6,13 +6,13 @@
 
 namespace angiopose::io {
 
-/// The one shape of every message about a file: which file, the problem, the remedy.
+/// Builds a file error in its standard form: file, problem, remedy.
 inline core::Error fileError(std::string_view path, const core::Message& problemAndRemedy)
 {
     return problemAndRemedy.about(path);
 }
 
-/// What kept a file from being read or written, told of that file; Stop stays Stop.
+/// Adds the file name to an error of reading or writing; a Stop remains a Stop.
 inline core::Error fileError(std::string_view path, const core::Error& error)
 {
     return error.about(path);

@@ -2,8 +2,8 @@
 
 namespace angiopose::io {
 
-/// Writing beyond the limit for the size of files (`ulimit -f`) becomes an error like any other instead of a signal
-/// that ends the program without a word. For the start of a program.
+/// Turns writing beyond the file-size limit (`ulimit -f`) into an ordinary error instead of a signal that ends the
+/// program silently. To be called at program start.
 void reportFileSizeLimit();
 
 }   // namespace angiopose::io

@@ -14,7 +14,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Why this is no file to read. Asked before opening: opening a pipe would wait for ever.
+/// Returns why the path is not a readable file. Called before opening, since opening a pipe would block forever.
 std::optional<core::Message> findObstacle(const std::string& path)
 {
     const FileFacts facts = factsOf(path);

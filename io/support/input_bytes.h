@@ -10,12 +10,12 @@
 
 namespace angiopose::io {
 
-/// Has the system read the first `size` bytes of a mapped file, and says why it cannot: a scratched disc, a drive that
-/// went away, a file that another program cut short. To look at such bytes would end the program. Linux before 5.14
-/// does not know the question, and nothing is said.
+/// Makes the system read the first `size` bytes of a mapped file, and returns why it cannot: a scratched disc, a
+/// disconnected drive, a file truncated by another program. Accessing such bytes would crash the program. Linux before
+/// 5.14 lacks this call; then returns nullopt.
 std::optional<core::Message> findReadError(const char* mapping, std::size_t size);
 
-/// Content of a whole file, read-only: mapped from disk, or owned when it had to be unpacked.
+/// Content of a whole file, read-only: memory-mapped, or owned if it had to be unpacked.
 class InputBytes {
 public:
     InputBytes() = default;
@@ -33,24 +33,25 @@ private:
     std::string owned_;
 };
 
-/// Opens an input and has the system read all of it, so that a drive that cannot is told of here and not by a signal
-/// in the middle of a reader. Fails, saying what to do, on a missing, unreadable or empty file, a folder, a device, a
-/// read error, and on a Git LFS pointer in place of the file itself.
+/// Opens an input and makes the system read all of it, so that a failing drive gives an error here and not a signal in
+/// the middle of a reader. Fails, with a remedy, on a missing, unreadable or empty file, a folder, a device, a read
+/// error, and a Git LFS pointer instead of the file itself.
 core::Result<InputBytes> openInput(const std::string& path);
 
-/// As `openInput`, for whoever looks at the first `startBytes` alone: what lies behind them is not read, and to look
-/// there ends the program where the drive cannot read it.
+/// Opens an input like `openInput` for callers that access only the first `startBytes`. Bytes behind them are not read
+/// in advance; accessing those crashes the program if the drive cannot read them.
 core::Result<InputBytes> openInputStart(const std::string& path);
 
 constexpr std::size_t startBytes = std::size_t{1} << 20;
 
-/// Also of a place that cannot be looked at: that is none.
+/// Returns whether the path is a folder; false also for an inaccessible path.
 bool isFolder(const std::string& path);
 
-/// Lower-case extension with its dot, ".nii.gz" as one; empty when there is none.
+/// Returns the lower-case extension with its dot, ".nii.gz" as one; empty if there is none.
 std::string extensionOf(const std::string& path);
 
-/// A known format by its first bytes ("a NIfTI volume", "a gzip archive", …); null when not recognised.
+/// Returns the name of a known format by its first bytes ("a NIfTI volume", "a gzip archive", …); null if not
+/// recognized.
 const core::MessageKind<0>* describeContent(std::string_view content);
 
 }   // namespace angiopose::io

@@ -7,16 +7,17 @@
 
 namespace angiopose::io {
 
-/// The same JSON, indented, with arrays of numbers on one line; doubles restore to the last bit.
+/// Returns the same JSON, indented, with arrays of numbers on one line; doubles are restored to the last bit.
 std::string prettyJson(std::string_view json);
 
-/// Checks that `text` is JSON that can be worked on; fails with the line of the first mistake, or on absurd nesting.
+/// Checks that `text` is usable JSON; fails with the line of the first error, or on excessive nesting.
 core::Status checkJson(std::string_view text, const std::string& path);
 
-/// What `json` has and `known` (an object of keys, nested objects for nested keys) does not mention; "" when nothing.
+/// Returns the members of `json` that `known` (an object of keys, nested objects for nested keys) does not mention; ""
+/// if none.
 std::string unknownKeys(std::string_view json, std::string_view known);
 
-/// `json` with the keys of `extra` that it does not have itself, at every level.
+/// Returns `json` with the keys of `extra` that it lacks, at every level.
 std::string withExtraKeys(std::string_view json, std::string_view extra);
 
 }   // namespace angiopose::io

@@ -4,7 +4,7 @@
 
 namespace angiopose::io {
 
-/// The time on the clock here, to the second, as DICOM writes it.
+/// The local time, to the second, in DICOM format.
 struct LocalTime {
     std::string date;   ///< yyyymmdd
     std::string time;   ///< hhmmss

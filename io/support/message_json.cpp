@@ -98,7 +98,7 @@ core::Severity severityOf(const std::string& text)
     return core::Severity::Warning;
 }
 
-/// One that this version does not have, or not so, keeps its English sentence.
+/// Restores a message; one that this version does not have, or has with other arguments, keeps its English sentence.
 core::Message messageOf(const MessageJson& json)
 {
     const core::Severity severity = severityOf(json.value("severity", std::string()));
@@ -115,7 +115,7 @@ core::Message messageOf(const MessageJson& json)
     return subject.empty() ? message : message.about(subject);
 }
 
-/// Names of files need not be UTF-8.
+/// Replaces invalid bytes, since file names need not be UTF-8.
 std::string textOf(const MessageJson& json)
 {
     return json.dump(-1, ' ', false, MessageJson::error_handler_t::replace);
@@ -126,7 +126,7 @@ std::string textOf(const MessageJson& json)
 std::string_view lasting(const std::string& text)
 {
     static std::mutex mutex;
-    static std::set<std::string> texts;   // whose nodes stay where they are
+    static std::set<std::string> texts;   // a set's nodes keep their addresses
     const std::lock_guard lock(mutex);
     return *texts.insert(text).first;
 }

@@ -8,21 +8,21 @@
 
 namespace angiopose::io {
 
-/// The same text, ended by a zero and there until the program ends: for names that the program itself has as literals.
-/// Called from any thread.
+/// Returns a zero-terminated copy of the text that lives until the program ends, as for names that are literals.
+/// Thread-safe.
 std::string_view lasting(const std::string& text);
 
-/// `{"id", "severity", "text", "subject", "arguments"}` for programs: `text` is the English sentence, `subject` the
-/// file or key it is about, where there is one; numbers are `{"value", "unit", "decimals"}`.
+/// Returns `{"id", "severity", "text", "subject", "arguments"}` for other programs: `text` is the English sentence,
+/// `subject` the file or key concerned, if any; numbers are `{"value", "unit", "decimals"}`.
 std::string messageJson(const core::Message& message);
 
-/// An array of them.
+/// Returns an array of such messages.
 std::string messagesJson(const core::Messages& messages);
 
-/// Messages as messagesJson wrote them; throws std::exception where they are not.
+/// Parses messages written by messagesJson; throws std::exception on anything else.
 core::Messages messagesFrom(std::string_view json);
 
-/// The English sentences alone.
+/// Returns only the English sentences.
 std::vector<std::string> sentencesOf(const core::Messages& messages);
 
 }   // namespace angiopose::io

@@ -6,17 +6,17 @@
 
 namespace angiopose::io {
 
-/// A number written with `.` in any locale, surrounding blanks allowed; nothing unless all of `text` is the number.
-/// "nan" and "inf" are numbers here: the caller decides what they mean.
+/// Parses a number written with `.` in any locale, with optional surrounding blanks; nullopt unless the whole text is a
+/// number. Accepts "nan" and "inf", which the caller must handle.
 std::optional<double> parseNumber(std::string_view text);
 std::optional<int> parseInteger(std::string_view text);
 
-/// The shortest text that restores the same double, with `.` in any locale.
+/// Returns the shortest text that restores the same double, with `.` in any locale.
 std::string toText(double value);
 
 std::string_view trimmed(std::string_view text);
 
-/// ASCII letters in lower case, all else as it is.
+/// Returns the text with ASCII letters in lower case.
 std::string lowered(std::string_view text);
 
 }   // namespace angiopose::io

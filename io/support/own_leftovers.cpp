@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view temporaryMark = ".angiopose-";
 constexpr std::string_view lockEnding = ".angiopose-lock";
-constexpr std::size_t longestStem = 180;   // of 255 bytes that a name may have
+constexpr std::size_t longestStem = 180;   // of the 255 bytes allowed in a name
 
-/// Eight digits that differ between machines that share a folder.
+/// Returns eight digits that distinguish machines sharing a folder.
 std::string machineTag()
 {
     std::uint32_t hash = 2166136261U;   // FNV-1a
@@ -39,14 +39,14 @@ bool isLockName(const fs::path& path)
     return name.starts_with('.') && name.ends_with(lockEnding);
 }
 
-/// The process of this machine that made a temporary file; 0: none.
+/// Returns the id of the process on this machine that created a temporary file; 0: none.
 int makerOf(std::string_view name, std::string_view tag)
 {
     const std::size_t at = name.rfind(temporaryMark);
     if (!name.starts_with('.') || at == std::string_view::npos || at == 0) {
         return 0;
     }
-    name.remove_prefix(at + temporaryMark.size());   // tag-process-XXXXXX
+    name.remove_prefix(at + temporaryMark.size());   // format: tag-process-XXXXXX
     constexpr std::size_t randomLetters = 6;
     if (!name.starts_with(tag) || name.size() < tag.size() + randomLetters + 3 || name[tag.size()] != '-' ||
         name[name.size() - randomLetters - 1] != '-') {
@@ -56,14 +56,14 @@ int makerOf(std::string_view name, std::string_view tag)
     return process && *process > 0 ? *process : 0;
 }
 
-/// Of a lock: its process is one of this machine and dead.
+/// Returns whether a lock names a process of this machine that no longer runs.
 bool isOfTheDead(const HeldFile& lockFile)
 {
     const auto holder = parseLock(lockFile.text());
     return holder && holder->machine == machineName() && !isAlive(holder->process);
 }
 
-/// True, and the file gone, where nobody holds it.
+/// Removes a file that nobody holds; returns true if it did.
 bool removeUnheld(const fs::path& path)
 {
     const HeldFile file(path.string(), HeldFile::Way::Read);
@@ -102,7 +102,7 @@ std::string temporaryPatternFor(const std::string& target)
 std::string lockPathOf(const std::string& casePath)
 {
     std::error_code unresolved;
-    fs::path path = fs::weakly_canonical(casePath, unresolved);   // one lock, by whatever links it is opened
+    fs::path path = fs::weakly_canonical(casePath, unresolved);   // one lock for the case, whichever link opens it
     path = unresolved ? fs::path(casePath) : path;
     return (path.parent_path() / ("." + path.filename().string() + std::string(lockEnding))).string();
 }

@@ -6,28 +6,29 @@
 
 namespace angiopose::io {
 
-/// Pattern for mkstemp of a hidden temporary file beside `target`. It tells whose it is: this machine's and this
-/// process's.
+/// Returns the mkstemp pattern of a hidden temporary file next to `target`; it identifies this machine and this
+/// process.
 std::string temporaryPatternFor(const std::string& target);
 
-/// Removes temporary files and locks (case_lock.h) that processes of this machine left in `folder` when they were
-/// killed. Files of living processes, of other machines and of other programs stay. How many went.
+/// Removes temporary files and locks (case_lock.h) that killed processes of this machine left in `folder`. Keeps files
+/// of running processes, other machines and other programs. Returns how many it removed.
 int removeLeftovers(const std::string& folder);
 
-/// The same, once for every folder that this process writes to.
+/// Removes such leftovers once for every folder that this process writes to.
 void removeLeftoversOnce(const std::string& folder);
 
-/// Who a lock names.
+/// The holder that a lock names.
 struct LockHolder {
     int process = 0;
     std::string machine;
 };
 
-/// What a lock of this process holds, and what a lock says; nothing where it is none, or is being written.
+/// Writes and parses the content of a lock: `lockText` for this process, `parseLock` for any; nullopt if it is not a
+/// lock, or is still being written.
 std::string lockText();
 std::optional<LockHolder> parseLock(std::string_view text);
 
-/// The lock of a case file, hidden beside it.
+/// Returns the path of a case file's lock, hidden next to it.
 std::string lockPathOf(const std::string& casePath);
 
 }   // namespace angiopose::io

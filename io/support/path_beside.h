@@ -7,16 +7,16 @@
 
 namespace angiopose::io {
 
-/// What a file of a case is called after the case.
+/// The name of a file stored next to a case file and derived from its name.
 struct NameBeside {
-    std::optional<std::size_t> otherView;   ///< of one of the case's other views, counted from 0; none: of the case
+    std::optional<std::size_t> otherView;   ///< index of another view of the case, from 0; none: the case itself
     std::string kind;   ///< "curves"
     std::string extension;   ///< "csv"
 };
 
-/// Where such a file goes: `<case>.<kind>.<extension>`, of another view `<case>.view-2.<kind>.<extension>` and on, with
-/// a number where that is somebody else's. `own`: the one that the case names already, which may be written over, if it
-/// has such a name: a case file may name any file.
+/// Returns the path of such a file: `<case>.<kind>.<extension>`, for another view `<case>.view-2.<kind>.<extension>`
+/// and so on, with a number appended if that file belongs to somebody else. `own`: the path that the case already
+/// names; it is overwritten only if it has such a name, since a case file may name any file.
 std::filesystem::path pathBeside(const std::filesystem::path& casePath, const NameBeside& name,
                                  const std::filesystem::path& own);
 

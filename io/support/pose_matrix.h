@@ -10,8 +10,8 @@ namespace angiopose::io {
 
 using MatrixRows = std::vector<std::vector<double>>;
 
-/// A pose from the rows of a 4×4 matrix. Rotations rounded in the file (off by up to 1e-3) become the nearest rotation,
-/// exact ones stay to the last bit. Fails on other shapes, NaN, reflections and anything that is not rigid.
+/// Builds a pose from the rows of a 4×4 matrix. Rotations rounded in the file (off by up to 1e-3) become the nearest
+/// rotation; exact ones are unchanged to the last bit. Fails on other shapes, NaN, reflections and non-rigid matrices.
 core::Result<core::RigidTransform> poseFromRows(const MatrixRows& rows);
 
 MatrixRows rowsOf(const core::RigidTransform& pose);

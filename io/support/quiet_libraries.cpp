@@ -1,7 +1,7 @@
 #include "io/support/quiet_libraries.h"
 
 #include <dcmtk/config/osconfig.h>
-// DCMTK's macros first.
+// DCMTK's macros must come first.
 #include <dcmtk/oflog/oflog.h>
 #include <itkObject.h>
 #include <nifti2_io.h>
@@ -16,7 +16,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Swallows what VTK would print.
+/// Discards VTK's output.
 class SilentWindow : public vtkOutputWindow {
 public:
     static SilentWindow* New();
@@ -32,7 +32,7 @@ void quietLibraries()
     std::call_once(once, [] {
         const vtkNew<SilentWindow> window;
         vtkOutputWindow::SetInstance(window);
-        vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);   // errors go there before the window
+        vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);   // errors go to the logger before the window
         itk::Object::SetGlobalWarningDisplay(false);
         OFLog::configure(OFLogger::OFF_LOG_LEVEL);
         nifti_set_debug_level(0);

@@ -9,8 +9,8 @@
 
 namespace angiopose::io {
 
-/// Called several times a second while a large input is read, with the fraction done (0…1, never decreasing).
-/// Its Stop ends the reading; what was read is dropped.
+/// Called several times per second while a large input is read, with the fraction done (0…1, never decreasing).
+/// Returning Stop ends the reading and discards what was read.
 using ReadObserver = std::function<core::Verdict(double fraction)>;
 
 inline bool isStopRequested(const ReadObserver& observe, double fraction)
@@ -18,13 +18,13 @@ inline bool isStopRequested(const ReadObserver& observe, double fraction)
     return observe && observe(fraction) == core::Verdict::Stop;
 }
 
-/// The outcome of a reading that was stopped.
+/// Returns the outcome of reading that was stopped.
 inline core::Stopped stoppedReading(const std::string& path)
 {
     return {says::readingStopped().about(path)};
 }
 
-/// The same observer for a part of the work that goes from `first` to `last`.
+/// Returns an observer for the part of the work from `first` to `last`.
 inline ReadObserver partOf(const ReadObserver& observe, double first, double last)
 {
     if (!observe) {

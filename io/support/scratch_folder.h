@@ -7,7 +7,8 @@
 
 namespace angiopose::io {
 
-/// A folder for what goes into one file, beside that file, where there is room for it; gone with this.
+/// A temporary folder for the parts of one file, created next to that file, where there is enough space; removed with
+/// the object.
 class ScratchFolder {
 public:
     explicit ScratchFolder(const std::string& besideFile);

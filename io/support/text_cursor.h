@@ -6,16 +6,16 @@
 
 namespace angiopose::io {
 
-/// Walks through the words of a file.
+/// Reads a file word by word.
 class TextCursor {
 public:
     explicit TextCursor(std::string_view content) : rest_(content) {}
 
     bool isAtEnd() const;
-    std::size_t left() const { return rest_.size(); }   ///< bytes
+    std::size_t left() const { return rest_.size(); }   ///< remaining bytes
 
     std::string_view line();   ///< up to the next line end, trimmed
-    std::string_view word();   ///< between blanks; empty at the end
+    std::string_view word();   ///< next word, delimited by blanks; empty at the end
     std::optional<Eigen::Vector3d> point();   ///< the next three words
 
 private:

@@ -10,7 +10,7 @@ namespace {
 
 using Segment = std::pair<std::size_t, std::size_t>;
 
-/// Segments of one id and name as a graph over point indices.
+/// Segments with the same id and name as a graph over point indices.
 class SegmentGraph {
 public:
     SegmentGraph(const std::set<Segment>& segments, const std::set<std::size_t>& meetings)
@@ -32,7 +32,7 @@ public:
                 }
             }
         }
-        while (!unused_.empty()) {   // what is left are closed loops
+        while (!unused_.empty()) {   // the remaining segments form closed loops
             const Segment first = *unused_.begin();
             follow(first.first, first.second, result);
         }
@@ -72,7 +72,7 @@ LineSet chainSegments(const LineSet& set)
     if (!onlySegments) {
         return set;
     }
-    std::map<std::pair<int, std::size_t>, std::set<Segment>> segmentsOf;   // by id and first line of that name
+    std::map<std::pair<int, std::size_t>, std::set<Segment>> segmentsOf;   // by id and by the first line with that name
     std::map<std::string_view, std::size_t> firstOfName;
     for (std::size_t i = 0; i < set.lines.size(); ++i) {
         const std::string_view name = set.names.empty() ? std::string_view() : set.names[i];

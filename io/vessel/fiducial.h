@@ -9,7 +9,7 @@
 
 namespace angiopose::io {
 
-/// A named place in the patient, as 3D Slicer exchanges it.
+/// A named point in the patient, as exchanged with 3D Slicer.
 struct Fiducial {
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm
     std::string name;

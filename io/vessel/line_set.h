@@ -11,38 +11,39 @@
 
 namespace angiopose::io {
 
-/// Poly-lines as files hold them, before they become branches.
+/// Polylines as stored in files, before they become branches.
 struct LineSet {
     std::vector<Eigen::Vector3d> points;   ///< as in the file
     std::vector<double> radius;   ///< one per point, or empty
     std::vector<std::vector<std::size_t>> lines;   ///< indices into `points`
-    std::vector<int> ids;   ///< one per line, may repeat; or empty
+    std::vector<int> ids;   ///< one per line, not necessarily unique; or empty
     std::vector<std::string> names;   ///< one per line, or empty
     core::Messages warnings;
-    std::set<std::size_t> meetings;   ///< points that end branches, though no more than two lines may meet there
-    bool hasSurface = false;   ///< polygons were there too
+    std::set<std::size_t> meetings;   ///< points at which branches end, even if only two lines meet there
+    bool hasSurface = false;   ///< the file also contained polygons
 };
 
-/// A tree, and what its reader noticed.
+/// A tree, and the observations of its reader.
 struct ReadTree {
     core::VesselTree tree;
     core::Messages warnings;
-    bool isUnitStated = false;   ///< by the file
+    bool isUnitStated = false;   ///< the file states its unit
 };
 
-/// More points than this are no centreline.
+/// Limits above which a file is not accepted as centerlines.
 inline constexpr std::size_t maxCenterlinePoints = 200'000;
 inline constexpr std::size_t maxCenterlineBranches = 5'000;
 
-/// Branches of a line set in LPS mm: lines that leap cut or turned round, two-point segments chained, shared trunks
-/// once, ids kept where they are unique. Fails on indices out of range, NaN, no lines, or what findProblem(tree) says.
+/// Converts a line set in LPS mm to branches: cuts lines at leaps or rotates their point order, chains two-point
+/// segments, keeps shared trunks once, and keeps unique ids. Fails on indices out of range, NaN, no lines, or a problem
+/// reported by findProblem(tree).
 core::Result<ReadTree> treeFromLines(LineSet set, const std::string& path);
 
-/// Joins segments of two points into the longest runs without a bifurcation or meeting; longer lines stay as they are.
-/// Lines of different ids or names are never joined.
+/// Joins two-point segments into the longest chains without a bifurcation or meeting point; longer lines are unchanged.
+/// Never joins lines of different ids or names.
 LineSet chainSegments(const LineSet& set);
 
-/// A name as every format can hold it: one line, its control characters blanks, none at its ends.
+/// Returns a name that every format can store: one line, control characters replaced by blanks, trimmed.
 std::string branchName(std::string_view text);
 
 }   // namespace angiopose::io

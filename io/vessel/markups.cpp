@@ -16,8 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// How the control points of one of Slicer's markups become LPS mm: the unit as a word or as [code, scheme, meaning],
-/// the axes in any case. Fails, naming it, on a unit or axes that are others.
+/// Returns how the control points of a Slicer markup become LPS mm; accepts the unit as a word or as [code, scheme,
+/// meaning], and the axes in any case. Fails on an unsupported unit or axes, naming them.
 core::Result<CoordinateRule> ruleOf(const Json& markup, const std::string& path)
 {
     const std::string system = markup.value("coordinateSystem", "LPS");
@@ -39,7 +39,7 @@ core::Result<CoordinateRule> ruleOf(const Json& markup, const std::string& path)
     return rule;
 }
 
-/// Nothing where the point is not placed. Throws where it is no point.
+/// Returns the point, or nullopt if it is not placed. Throws if the JSON is not a point.
 std::optional<Eigen::Vector3d> placedPoint(const Json& control, const CoordinateRule& rule)
 {
     const auto position = control.find("position");
@@ -51,7 +51,7 @@ std::optional<Eigen::Vector3d> placedPoint(const Json& control, const Coordinate
     return rule({numbers.at(0), numbers.at(1), numbers.at(2)});
 }
 
-/// `markups` as a file of Slicer.
+/// Returns `markups` as a Slicer file.
 std::string markupsFile(Json markups)
 {
     Json root;
@@ -68,7 +68,7 @@ bool isCurve(const Json& markup)
     return type == "Curve" || type == "ClosedCurve" || type == "Line";
 }
 
-/// Returns how many of its points are not placed.
+/// Appends a curve, and returns how many of its points are not placed.
 std::size_t appendCurve(const Json& markup, const CoordinateRule& rule, LineSet& set)
 {
     std::vector<std::size_t> line;
@@ -119,7 +119,7 @@ core::Result<LineSet> parseMarkups(std::string_view json, const std::string& pat
             set.warnings.push_back(says::markupsNotPlaced(notPlaced));
         }
         return set;
-    } catch (const std::exception&) {   // missing keys, wrong kinds, too few coordinates
+    } catch (const std::exception&) {   // missing keys, wrong types, too few coordinates
         return fileError(path, says::markupsNone());
     }
 }
@@ -163,7 +163,7 @@ core::Result<std::vector<Fiducial>> parseFiducialMarkups(std::string_view json, 
             }
             appendFiducials(markup, rule.value(), fiducials);
         }
-    } catch (const std::exception&) {   // missing keys, wrong kinds, too few coordinates
+    } catch (const std::exception&) {   // missing keys, wrong types, too few coordinates
         fiducials.clear();
     }
     return fiducials.empty() ? core::Result<std::vector<Fiducial>>(fileError(path, says::fiducialsNone())) : fiducials;

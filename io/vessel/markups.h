@@ -7,10 +7,10 @@
 
 namespace angiopose::io {
 
-/// Curves of a Slicer markups file (`.mrk.json`), one line each, turned to LPS.
+/// Parses the curves of a Slicer markups file (`.mrk.json`) as one line each, converted to LPS.
 core::Result<LineSet> parseMarkups(std::string_view json, const std::string& path);
 
-/// The tree as Slicer markups, one open curve per branch, LPS; radii have no place there.
+/// Returns the tree as Slicer markups, one open curve per branch, LPS; the format cannot store radii.
 std::string markupsText(const core::VesselTree& tree);
 
 }   // namespace angiopose::io

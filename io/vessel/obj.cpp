@@ -7,7 +7,8 @@
 namespace angiopose::io {
 namespace {
 
-/// "12/3/4" → point 12 (from 1), "-1" → the last one so far; a number out of range stays so, to be found later.
+/// Parses "12/3/4" as point 12 (from 1) and "-1" as the last point so far; leaves a number out of range for a later
+/// check.
 std::size_t pointIndex(std::string_view word, std::size_t pointCount)
 {
     const int index = parseInteger(word.substr(0, word.find('/'))).value_or(0);

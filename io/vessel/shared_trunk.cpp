@@ -15,7 +15,8 @@ constexpr std::size_t chunkSegments = 32;
 
 using core::VesselBranch;
 
-/// Nearest point of an ordered curve within sharedDistanceMm; boxes around runs of segments keep it fast.
+/// Finds the nearest segment of a polyline within sharedDistanceMm; bounding boxes of groups of segments speed up the
+/// search.
 class CurveIndex {
 public:
     explicit CurveIndex(const std::vector<Eigen::Vector3d>& points) : points_(&points)
@@ -29,7 +30,7 @@ public:
         }
     }
 
-    /// Index of the segment that passes nearest to `point`, when one passes near enough.
+    /// Returns the index of the segment nearest to `point`, if one is near enough.
     std::optional<std::size_t> segmentNear(const Eigen::Vector3d& point) const
     {
         double best = sharedDistanceMm * sharedDistanceMm;
@@ -63,7 +64,7 @@ private:
     std::vector<Eigen::AlignedBox3d> boxes_;
 };
 
-/// Where a line leaves or joins a line kept before it: cut the earlier one there.
+/// The point at which a line leaves or joins an earlier line, which is cut there.
 struct Cut {
     std::size_t line;
     std::size_t point;
@@ -74,7 +75,7 @@ struct Run {
     std::size_t last;
 };
 
-/// Which earlier line, and where, a point lies on.
+/// The earlier line and the position on it that a point coincides with.
 struct Contact {
     std::size_t line;
     std::size_t point;
@@ -102,7 +103,7 @@ double runLengthMm(const VesselBranch& line, const Run& run)
     return length;
 }
 
-/// Touching or crossing another line is not sharing: forget contacts that do not last.
+/// Removes contacts that are too short: touching or crossing another line is not sharing.
 void dropShortContacts(const VesselBranch& line, std::vector<std::optional<Contact>>& contacts)
 {
     for (std::size_t first = 0; first < contacts.size();) {
@@ -118,7 +119,7 @@ void dropShortContacts(const VesselBranch& line, std::vector<std::optional<Conta
     }
 }
 
-/// The stretches of a line that no earlier line covers, each reaching one point into its neighbours.
+/// Returns the stretches of a line that no earlier line covers, each extended by one point at both ends.
 std::vector<Run> ownRuns(const std::vector<std::optional<Contact>>& contacts, std::vector<Cut>& cuts)
 {
     std::vector<Run> runs;
@@ -155,7 +156,7 @@ VesselBranch piece(const VesselBranch& line, const Run& run)
     return part;
 }
 
-/// Cuts one kept run at the bifurcations found on it, unless that would leave a stub.
+/// Cuts one of these stretches at the bifurcations on it, unless that would leave a stub.
 void appendPieces(const VesselBranch& line, Run run, std::vector<std::size_t> cuts, std::vector<VesselBranch>& pieces)
 {
     std::sort(cuts.begin(), cuts.end());

@@ -16,7 +16,7 @@ namespace angiopose::io {
 namespace {
 
 constexpr std::size_t headBytes = 8192;
-constexpr std::size_t longestLine = 200;   // more would be no words, and deep for std::regex
+constexpr std::size_t longestLine = 200;   // longer lines are not prose, and recurse deeply in std::regex
 
 struct StatedUnit {
     double unitMm = 1.0;
@@ -37,7 +37,7 @@ double mmOf(const std::ssub_match& found)
     return lengthUnitMm(found.str()).value_or(0.0);
 }
 
-/// "1 unit = 10 mm", "Units: inches", "UNITS=mm", "1000 units are 1 m".
+/// Recognizes "1 unit = 10 mm", "Units: inches", "UNITS=mm", "1000 units are 1 m".
 std::optional<StatedUnit> unitNamed(const std::string& line)
 {
     static const std::regex form("(?:" + number +
@@ -52,7 +52,7 @@ std::optional<StatedUnit> unitNamed(const std::string& line)
     return StatedUnit{valueOf(found[2], 1.0) * unitMm / valueOf(found[1], 1.0), found.str()};
 }
 
-/// "10 mm per unit", "unitMm = 10".
+/// Recognizes "10 mm per unit", "unitMm = 10".
 std::optional<StatedUnit> unitCounted(const std::string& line)
 {
     static const std::regex form(number + R"(\s*)" + unitName +
@@ -67,7 +67,7 @@ std::optional<StatedUnit> unitCounted(const std::string& line)
                             : StatedUnit{valueOf(found[4], 1.0) * mmOf(found[3]), found.str()};
 }
 
-/// "all coordinates are in cm", "points (mm)".
+/// Recognizes "all coordinates are in cm", "points (mm)".
 std::optional<StatedUnit> unitOfLengths(const std::string& line)
 {
     static const std::regex form(
@@ -91,7 +91,7 @@ std::optional<StatedUnit> unitIn(const std::string& line)
     return std::nullopt;
 }
 
-/// "SPACE=RAS", "coordinate system: LPS": the directions of the axes, in capitals.
+/// Returns the directions of the axes in capitals, from "SPACE=RAS" or "coordinate system: LPS".
 std::string axesIn(const std::string& line)
 {
     static const std::regex form(

@@ -9,18 +9,18 @@
 
 namespace angiopose::io {
 
-/// Length in mm of a unit by its symbol or English name, in any case; nothing for other words.
+/// Returns the length in mm of a unit by its symbol or English name, case-insensitive; nullopt for other words.
 std::optional<double> lengthUnitMm(std::string_view word);
 
-/// What a table, mesh or VTK file says about itself in words: comments, titles, the head of an STL.
+/// Returns the descriptive text of a table, mesh or VTK file: comments, titles, the header of an STL.
 std::string headerText(std::string_view content);
 
-/// How coordinates of a file become patient LPS, mm.
+/// Conversion of a file's coordinates to patient LPS, mm.
 struct CoordinateRule {
     double unitMm = 1.0;
-    bool isUnitStated = false;   ///< by the file
+    bool isUnitStated = false;   ///< the file states its unit
     bool isRas = false;
-    core::Messages notes;   ///< on a unit that the file states
+    core::Messages notes;   ///< about a unit that the file states
 
     Eigen::Vector3d operator()(const Eigen::Vector3d& point) const
     {
@@ -28,8 +28,8 @@ struct CoordinateRule {
     }
 };
 
-/// By what the header states; `askedUnitMm` above 0 goes before it. Fails on a unit that is none, and on axes that are
-/// neither LPS nor RAS.
+/// Derives the rule from the header; `askedUnitMm` above 0 takes precedence. Fails on an unknown unit, and on axes that
+/// are neither LPS nor RAS.
 core::Result<CoordinateRule> coordinateRule(std::string_view header, double askedUnitMm, const std::string& path);
 
 }   // namespace angiopose::io

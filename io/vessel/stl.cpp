@@ -21,13 +21,13 @@ std::uint32_t declaredTriangles(std::string_view content)
     return count;
 }
 
-/// How many the bytes have room for.
+/// Returns how many triangles fit into the content.
 std::size_t heldTriangles(std::string_view content)
 {
     return (content.size() - headSize) / triangleSize;
 }
 
-/// Binary files may begin with "solid" too, but have zeros in what would be text.
+/// Returns true for ASCII STL. Binary files may also begin with "solid", but contain zero bytes in what would be text.
 bool isText(std::string_view content)
 {
     const std::string head = lowered(content.substr(0, 512));
@@ -39,7 +39,7 @@ VtkLines parseBinary(std::string_view content)
     VtkLines surface;
     const std::uint32_t count = declaredTriangles(content);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const char* corners = content.data() + headSize + std::size_t{i} * triangleSize + 12;   // after the normal
+        const char* corners = content.data() + headSize + std::size_t{i} * triangleSize + 12;   // skips the normal
         for (std::size_t k = 0; k < 3; ++k) {
             float point[3];
             std::memcpy(point, corners + 12 * k, sizeof point);
@@ -50,7 +50,7 @@ VtkLines parseBinary(std::string_view content)
     return surface;
 }
 
-/// "vertex x y z" wherever it occurs; three make a triangle. Nothing when one of them is damaged.
+/// Parses every "vertex x y z"; three make a triangle. Returns nullopt if one of them is damaged.
 std::optional<VtkLines> parseText(std::string_view content)
 {
     VtkLines surface;

@@ -32,12 +32,12 @@ std::optional<SwcRow> parseRow(std::string_view line)
     return row;
 }
 
-constexpr double touchMm = 1.5;   // as nodes join branches (core/vessel/vessel_tree.h)
-constexpr double longestGapMm = 10.0;   // bifurcations are that wide where centrelines begin at their rims
+constexpr double touchMm = 1.5;   // as in the branch joining of core/vessel/vessel_tree.h
+constexpr double longestGapMm = 10.0;   // width of a bifurcation whose centerlines begin at its rim
 constexpr int meetingType = 5;
-constexpr std::string_view meetingNote = "type 5 where branches meet";   // others may mean something else by it
+constexpr std::string_view meetingNote = "type 5 where branches meet";   // other programs may use type 5 differently
 
-/// Where a branch end can hang: the nearest row that is written.
+/// Attachment point of a branch end: the nearest row already written.
 struct Hook {
     int row = -1;
     double distanceMm = std::numeric_limits<double>::max();
@@ -50,7 +50,7 @@ struct Hook {
     }
 };
 
-/// A branch to be written.
+/// A branch not written yet.
 struct PendingBranch {
     core::VesselBranch branch;
     Hook front;
@@ -66,12 +66,12 @@ struct PendingBranch {
     }
 };
 
-/// A row to be written; its id is its place, from 1.
+/// A row to be written; its id is its position, from 1.
 struct WrittenRow {
     Eigen::Vector3d point;
     double radiusMm = 0.0;
     int parent = -1;
-    bool isMeeting = false;   ///< of branches
+    bool isMeeting = false;   ///< a point where branches meet
 };
 
 std::string textOf(const std::vector<WrittenRow>& rows)
@@ -86,7 +86,7 @@ std::string textOf(const std::vector<WrittenRow>& rows)
     return text;
 }
 
-/// Whether the way from the last point to `place` goes on as the curve ends, by 60° at most.
+/// Returns whether `place` continues the end of the curve within 60°.
 bool pointsTo(const std::vector<Eigen::Vector3d>& curve, const Eigen::Vector3d& place)
 {
     constexpr double minAgreement = 0.5;
@@ -105,7 +105,8 @@ public:
         }
     }
 
-    /// What shares a point with what is written comes first, then what touches it, then the next piece.
+    /// Writes first the branches that share a point with written rows, then those that touch them, then the next
+    /// separate part.
     std::string run()
     {
         leadToForks();
@@ -120,7 +121,8 @@ public:
     }
 
 private:
-    /// Where branches begin together and none leads there, a gap was left: an end near by leads on to them.
+    /// Closes gaps at bifurcations: if several branches begin at one place and none reaches it, extends a nearby branch
+    /// end to it.
     void leadToForks()
     {
         for (std::size_t i = 0; i < pending_.size(); ++i) {
@@ -149,7 +151,7 @@ private:
         }
     }
 
-    /// Whether a branch comes near, of those that `isOwn` is not true of.
+    /// Returns whether any branch for which `isOwn` is false passes near the place.
     template <class IsOwn>
     bool isReached(const Eigen::Vector3d& place, const IsOwn& isOwn) const
     {
@@ -197,7 +199,7 @@ core::Result<LineSet> parseSwc(std::string_view text, const std::string& path)
     LineSet set;
     const bool saysMeetings = text.substr(0, text.find('\n')).find(meetingNote) != std::string_view::npos;
     std::unordered_map<long, std::size_t> indexOfId;
-    std::vector<std::pair<long, int>> parents;   // of each point, with its line in the file
+    std::vector<std::pair<long, int>> parents;   // per point: its parent, and its line in the file
     for (TextLines lines(text); lines.next();) {
         const auto row = parseRow(lines.line());
         if (!row || !(std::abs((*row)[0]) < 1e9) || !(std::abs((*row)[6]) < 1e9)) {

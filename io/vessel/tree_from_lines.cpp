@@ -58,7 +58,7 @@ double stepMm(const LineSet& set, const std::vector<std::size_t>& line, std::siz
     return (set.points[line[next]] - set.points[line[next - 1]]).norm();
 }
 
-/// Steps of a line that are a leap, judged by its usual one; by the index of the point they lead to.
+/// Steps of a line that are much longer than its median step, by the index of the point they lead to.
 struct Leaps {
     std::vector<std::size_t> at;
     double usualMm = 0.0;
@@ -71,7 +71,7 @@ Leaps leapsOf(const LineSet& set, const std::vector<std::size_t>& line)
     std::vector<double> steps;
     for (std::size_t i = 1; i < line.size(); ++i) {
         steps.push_back(stepMm(set, line, i));
-        if (!std::isfinite(steps.back())) {   // said later
+        if (!std::isfinite(steps.back())) {   // reported later
             return {};
         }
     }
@@ -90,8 +90,8 @@ Leaps leapsOf(const LineSet& set, const std::vector<std::size_t>& line)
     return leaps;
 }
 
-/// A line whose beginning stands behind its end is turned round; others are cut where they leap, since they join what
-/// does not belong together. Segments of two points are what the file says.
+/// Repairs leaps: rotates the point order of a line whose start is stored after its end, and cuts other lines at their
+/// leaps, which join separate vessels. Two-point segments are unchanged.
 void mendLeaps(LineSet& set)
 {
     constexpr double joiningSteps = 3.0;
@@ -134,7 +134,7 @@ void mendLeaps(LineSet& set)
     }
 }
 
-/// The file's ids where each names one branch, otherwise 1…n in file order.
+/// Uses the file's ids if each names one branch, otherwise 1…n in file order.
 void numberBranches(std::vector<VesselBranch>& branches, bool hasIds)
 {
     std::set<int> seen;
@@ -166,7 +166,7 @@ core::Result<ReadTree> treeFromLines(LineSet set, const std::string& path)
     core::VesselTree tree;
     for (std::size_t i = 0; i < set.lines.size(); ++i) {
         VesselBranch branch = branchOf(set, i);
-        if (branch.pointsInPatient.size() > 1 && branch.lengthMm() != 0.0) {   // NaN stays, to be reported
+        if (branch.pointsInPatient.size() > 1 && branch.lengthMm() != 0.0) {   // NaN is kept, to be reported
             branch.id = set.ids.empty() ? static_cast<int>(i) + 1 : set.ids[i];
             tree.branches.push_back(std::move(branch));
         }

@@ -6,14 +6,15 @@
 
 namespace angiopose::io {
 
-/// CSV `x,y,z[,radius][,branch][,label]` (mm, LPS), columns in any order; three bare columns of numbers are x, y, z.
-/// Rows of one branch follow each other along it.
+/// Parses CSV `x,y,z[,radius][,branch][,label]` (mm, LPS), columns in any order; three columns of numbers without a
+/// header are x, y, z. The rows of a branch are consecutive, in order along it.
 core::Result<LineSet> parseTreeTable(std::string_view text, const std::string& path);
 
-/// Whether a table that begins so is one of points in space: it names a column z, or has three bare columns of numbers.
+/// Returns whether a table with this beginning holds 3-D points: it names a column z, or has three columns of numbers
+/// without a header.
 bool isTreeTable(std::string_view head);
 
-/// CSV `x,y,z,radius,branch`; `nan` radius where unknown, the column left out when none is known.
+/// Returns CSV `x,y,z,radius,branch`; an unknown radius is `nan`, and the column is omitted if none is known.
 std::string treeTable(const core::VesselTree& tree);
 
 }   // namespace angiopose::io

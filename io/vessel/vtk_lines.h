@@ -11,24 +11,25 @@
 
 namespace angiopose::io {
 
-/// Indices of points; beyond all of them where the file's own is.
+/// Point indices; an index out of range stays out of range.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Cuts a polygon into triangles that share its first corner.
+/// Splits a polygon into triangles that share its first corner.
 void addFan(const std::vector<std::size_t>& corners, std::vector<Triangle>& triangles);
 
-/// What a VTK file says about lines, before radius and ids are picked from its arrays.
+/// The lines of a VTK file, before radius and ids are picked from its arrays.
 struct VtkLines {
     LineSet set;
     std::vector<std::size_t> cellOfLine;   ///< index of each line among all cells
     std::map<std::string, std::vector<double>> pointArrays;   ///< one-component arrays by name
     std::map<std::string, std::vector<double>> cellArrays;
-    std::vector<std::string> cellNames;   ///< of all cells, or empty
-    std::string header;   ///< field data that say something in words, "name = words", a line each
-    std::vector<Triangle> triangles;   ///< of triangles, quads, polygons and strips: a surface
+    std::vector<std::string> cellNames;   ///< names of all cells, or empty
+    std::string header;   ///< textual field data, one "name = words" per line
+    std::vector<Triangle> triangles;   ///< from triangles, quads, polygons and strips: a surface
 };
 
-/// Picks radius and ids: `Radius`, `MaximumInscribedSphereRadius`; `GroupIds`, `CenterlineIds`, `branch`.
+/// Picks the arrays of radius (`Radius`, `MaximumInscribedSphereRadius`) and ids (`GroupIds`, `CenterlineIds`,
+/// `branch`).
 LineSet lineSetOf(VtkLines lines);
 
 }   // namespace angiopose::io

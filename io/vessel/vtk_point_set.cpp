@@ -18,7 +18,7 @@ namespace {
 
 using PointIds = std::vector<std::size_t>;
 
-/// False when offsets go astray, which no reader of VTK checks.
+/// Returns false if offsets are inconsistent, which VTK's readers do not check.
 bool hasSoundOffsets(vtkCellArray* array)
 {
     vtkDataArray* offsets = array->GetOffsetsArray();
@@ -34,7 +34,7 @@ bool hasSoundOffsets(vtkCellArray* array)
     return true;
 }
 
-/// Calls `use` with the point ids of each cell; false when the cells are damaged.
+/// Calls `use` with the point ids of each cell; returns false if the cells are damaged.
 template <class Use>
 bool eachCell(vtkCellArray* array, const Use& use)
 {
@@ -44,7 +44,7 @@ bool eachCell(vtkCellArray* array, const Use& use)
     const vtkNew<vtkIdList> ids;
     for (vtkIdType i = 0; array && i < array->GetNumberOfCells(); ++i) {
         array->GetCellAtId(i, ids);
-        use(PointIds(ids->begin(), ids->end()));   // negative becomes out of range, found later
+        use(PointIds(ids->begin(), ids->end()));   // a negative id becomes out of range, to be found later
     }
     return true;
 }
@@ -55,7 +55,7 @@ void addLine(PointIds ids, std::size_t cell, VtkLines& lines)
     lines.cellOfLine.push_back(cell);
 }
 
-/// Every second triangle of a strip is turned round.
+/// Adds the triangles of a strip, reversing every second one.
 void addStrip(const PointIds& ids, VtkLines& lines)
 {
     lines.set.hasSurface = true;
@@ -73,7 +73,7 @@ void addPolygon(const PointIds& ids, VtkLines& lines)
 
 bool addCells(vtkPolyData* data, VtkLines& lines)
 {
-    // Cell data counts vertices first, then lines.
+    // Cell data list vertices first, then lines.
     auto cell = static_cast<std::size_t>(data->GetNumberOfVerts());
     return eachCell(data->GetLines(), [&](PointIds ids) { addLine(std::move(ids), cell++, lines); }) &&
            eachCell(data->GetPolys(), [&](const PointIds& ids) { addPolygon(ids, lines); }) &&
@@ -116,7 +116,7 @@ std::map<std::string, std::vector<double>> scalarArrays(vtkFieldData* data)
     return arrays;
 }
 
-/// Slicer notes the axes there, others their unit.
+/// Slicer stores the axes in field data, other programs their unit.
 std::string headerIn(vtkFieldData* data)
 {
     constexpr std::size_t longest = 80;

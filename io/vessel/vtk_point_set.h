@@ -8,7 +8,7 @@ class vtkPointSet;
 
 namespace angiopose::io {
 
-/// What VTK read, poly-data or an unstructured grid, as ours; nothing when its cells are damaged.
+/// Converts VTK poly-data or an unstructured grid; nullopt if its cells are damaged.
 std::optional<VtkLines> linesOf(vtkPointSet* data);
 
 }   // namespace angiopose::io

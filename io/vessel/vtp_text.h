@@ -6,8 +6,8 @@
 
 namespace angiopose::io {
 
-/// The tree as a VTP file: one poly-line per branch, `Radius` per point, `GroupIds` and `Name` per line, LPS noted.
-/// Doubles are stored as they are.
+/// Returns the tree as a VTP file: one polyline per branch, `Radius` per point, `GroupIds` and `Name` per line, marked
+/// as LPS. Doubles are stored exactly.
 std::string vtpText(const core::VesselTree& tree);
 
 }   // namespace angiopose::io

@@ -20,13 +20,13 @@
 namespace angiopose::io {
 namespace {
 
-/// RAS millimetres from voxel indices.
+/// RAS coordinates in mm from voxel indices.
 using NiftiMap = Eigen::Matrix<double, 3, 4>;
 
 constexpr std::size_t longestName = 80;
-constexpr std::uint64_t longestExtension = 1U << 20U;   // a table of some thousand labels
+constexpr std::uint64_t longestExtension = 1U << 20U;   // fits a table of several thousand labels
 
-/// The fields of either version that matter here.
+/// The fields of either version that are needed here.
 struct NiftiHeader {
     std::string version;
     std::array<std::int64_t, 8> dim{};
@@ -46,7 +46,7 @@ struct NiftiHeader {
     bool isSwapped = false;
 };
 
-/// Takes the fields out of the format's own structures, in this machine's byte order.
+/// Copies the fields from the format's own structures, in this machine's byte order.
 template <class Raw>
 NiftiHeader fieldsOf(const Raw& raw)
 {
@@ -84,10 +84,11 @@ Raw rawHeader(std::string_view head)
     return raw;
 }
 
-/// 1, 2, or 0 for Analyze, in either byte order; nothing for other content.
+/// Returns 1, 2, or 0 for Analyze, in either byte order; nullopt for other content.
 std::optional<int> versionOf(std::string_view head)
 {
-    if (head.size() < sizeof(nifti_1_header) || head.substr(128, 4) == "DICM") {   // its preamble may look like Analyze
+    if (head.size() < sizeof(nifti_1_header) ||
+        head.substr(128, 4) == "DICM") {   // a DICOM preamble may resemble Analyze
         return std::nullopt;
     }
     quietLibraries();
@@ -96,7 +97,7 @@ std::optional<int> versionOf(std::string_view head)
     return version >= 0 && isWhole ? std::optional(version) : std::nullopt;
 }
 
-/// The header of a NIfTI or Analyze file whose version is known.
+/// Returns the header of a NIfTI or Analyze file of known version.
 NiftiHeader headerOf(std::string_view head, int version)
 {
     const bool isSwapped = rawHeader<std::int32_t>(head) > 0xffff || rawHeader<std::int32_t>(head) < 0;
@@ -116,7 +117,7 @@ NiftiHeader headerOf(std::string_view head, int version)
         header = fieldsOf(raw);
         header.isPair = head.substr(344, 3) != "n+1";
     }
-    if (version == 0) {   // Analyze: what NIfTI added is something else there
+    if (version == 0) {   // Analyze uses the fields that NIfTI added for other purposes
         header.slope = 0.0;
         header.units = header.intent = header.qformCode = header.sformCode = 0;
         header.dataOffset = std::isfinite(header.dataOffset) ? std::abs(header.dataOffset) : 0.0;
@@ -161,7 +162,8 @@ std::optional<core::Message> findUnsupported(const NiftiHeader& header)
     return {};
 }
 
-/// Where voxels can begin at the earliest: behind the header, and in a single file behind its four bytes of extension.
+/// Returns the earliest possible offset of the voxels: behind the header and, in a single file, its four extension
+/// bytes.
 std::uint64_t minOffset(const NiftiHeader& header)
 {
     const bool isSecond = header.version == "NIfTI-2";
@@ -203,7 +205,7 @@ double largestDifference(const NiftiMap& a, const NiftiMap& b, const NiftiHeader
     return largest;
 }
 
-/// Which of the two maps places the voxels in the patient. Codes above 2 mean an atlas.
+/// Selects which of the two maps places the voxels in the patient. Codes above 2 denote an atlas.
 NiftiMap mapOf(const NiftiHeader& header, core::Messages& warnings)
 {
     const NiftiMap& qform = header.qform;
@@ -235,7 +237,7 @@ std::string sizeText(const Eigen::Vector3d& size)
     return rounded(size.x()) + " x " + rounded(size.y()) + " x " + rounded(size.z());
 }
 
-/// Where the header says the same twice, and otherwise: both values, and which of them counts.
+/// Warns if the header states the same property twice with different values: names both values and the one used.
 void findContradictions(const NiftiHeader& header, const NiftiMap& map, core::Messages& warnings)
 {
     const Eigen::Vector3d stated(header.pixdim[1], header.pixdim[2], header.pixdim[3]);
@@ -249,7 +251,7 @@ void findContradictions(const NiftiHeader& header, const NiftiMap& map, core::Me
     }
 }
 
-/// "scan.hdr" → "scan.img", also packed.
+/// Returns "scan.img" for "scan.hdr", also for compressed files.
 std::string pairedPath(const std::string& path)
 {
     std::filesystem::path base(path);
@@ -270,8 +272,8 @@ std::string_view textBetween(std::string_view text, std::string_view before, std
                                          : text.substr(start + before.size(), end - start - before.size());
 }
 
-/// The label table of Connectome Workbench, as TotalSegmentator writes it into an extension of the header:
-/// `<Label Key="1" …><![CDATA[aorta]]></Label>`, or the name without CDATA.
+/// Parses the label table of Connectome Workbench, as TotalSegmentator writes it into a header extension: `<Label
+/// Key="1" …><![CDATA[aorta]]></Label>`, or the name without CDATA.
 LabelNames labelTable(std::string_view text)
 {
     constexpr std::string_view opening = "<Label ";
@@ -339,7 +341,7 @@ core::Result<StoredVolume> parseNifti(std::string_view head, const std::string& 
     VoxelSource source{header.isPair ? pairedPath(path) : path, 0, false, skip};
     const auto content = openInputStart(source.path);
     source.isPacked = content && content.value().view().starts_with("\x1f\x8b");
-    source.isBigEndian = header.isSwapped;   // of this little-endian machine
+    source.isBigEndian = header.isSwapped;   // relative to this little-endian machine
     stored.voxels = voxelStream(stored, source);
     return stored;
 }

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t longestSegmentName = 80;
 constexpr std::size_t longestHeader = std::size_t{1} << 20;
-constexpr std::size_t longestField = 400;   // the library quotes what it cannot read into a buffer of fixed size
+constexpr std::size_t longestField = 400;   // the library quotes unreadable text into a fixed-size buffer
 
 struct FreeNrrd {
     void operator()(Nrrd* nrrd) const { nrrdNuke(nrrd); }
@@ -29,24 +29,25 @@ struct FreeNrrd {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// A header as ITK's NRRD library has read it.
+/// A header as read by ITK's NRRD library.
 struct NrrdHeader {
     std::unique_ptr<Nrrd, FreeNrrd> nrrd{nrrdNew()};
     std::unique_ptr<NrrdIoState, FreeNrrd> state{nrrdIoStateNew()};
-    std::string problem;   ///< the library's own words; empty when it could be read
+    std::string problem;   ///< the library's error text; empty on success
 };
 
-/// A header as the library gets it, and where it says that the data lie: the library would go there while it reads.
+/// The header text passed to the library, with the data file removed, since the library would open that file while
+/// reading.
 struct HeaderText {
     std::string text;
-    std::string dataFile;   ///< empty: after the header
+    std::string dataFile;   ///< empty: the data follow the header
     int lineSkip = 0;
     int byteSkip = 0;
-    std::size_t end = 0;   ///< in the file, behind the blank line
+    std::size_t end = 0;   ///< offset in the file behind the blank line
 };
 
-/// The value of a line that is the field `name`, written with blanks or without. Some writers give fields as key and
-/// value (":=").
+/// Returns the value of a line with the field `name`, spelled with or without blanks. Some writers store fields as key
+/// and value (":=").
 std::optional<std::string> fieldValue(std::string_view line, std::string_view name)
 {
     const std::size_t colon = std::min(line.find(':'), line.size());
@@ -59,8 +60,8 @@ std::optional<std::string> fieldValue(std::string_view line, std::string_view na
     return std::string(trimmed(line.substr(line.starts_with('=') ? 1 : 0)));
 }
 
-/// The lines up to the first blank one. What some writers get wrong is taken as meant: directions without a space, or
-/// between bars.
+/// Reads the lines up to the first blank one and corrects common writer errors: space directions without a `space`
+/// field, or with vectors between bars.
 HeaderText splitHeader(std::string_view content)
 {
     HeaderText header;
@@ -97,7 +98,7 @@ HeaderText splitHeader(std::string_view content)
     return header;
 }
 
-/// The deepest of the library's complaints, without the names of its functions.
+/// Returns the innermost error of the library, without its function names.
 std::string lastComplaint(const std::string& complaints)
 {
     const std::string_view all = trimmed(complaints);
@@ -108,7 +109,7 @@ std::string lastComplaint(const std::string& complaints)
 
 NrrdHeader parsedHeader(std::string text)
 {
-    static std::mutex oneAtATime;   // the library keeps its complaints in one place
+    static std::mutex oneAtATime;   // the library stores its errors in global state
     const std::lock_guard lock(oneAtATime);
     const DecimalPoint decimalPoint;
     NrrdHeader header;
@@ -146,14 +147,14 @@ bool hasDirection(const NrrdAxisInfo& axis)
            AIR_EXISTS(axis.spaceDirection[2]);
 }
 
-/// The axes of the array; a list of one element counts as none.
+/// The axes of the array; a list of one element does not count as an axis.
 struct NrrdAxes {
     std::vector<const NrrdAxisInfo*> all;
     std::vector<const NrrdAxisInfo*> ofSpace;
     bool haveDirections = false;
 };
 
-/// The three axes of space among those of the array.
+/// Finds the three spatial axes among those of the array.
 std::optional<core::Message> findAxes(const Nrrd& nrrd, NrrdAxes& axes)
 {
     if (nrrd.dim < 3) {
@@ -182,7 +183,7 @@ std::optional<core::Message> findAxes(const Nrrd& nrrd, NrrdAxes& axes)
     return looksLikeColor ? std::optional(says::volumeColorAxis(first)) : std::nullopt;
 }
 
-/// Signs that turn the space's axes into LPS; nothing for spaces that are not of the patient.
+/// Returns the signs that convert the axes of the space to LPS; nullopt for spaces that are not anatomical.
 std::optional<Eigen::Vector3d> lpsSignsOf(int space)
 {
     switch (space) {
@@ -202,13 +203,13 @@ std::string_view unitText(const char* unit)
     return unit ? unit : "";
 }
 
-/// Steps as the file's space gives them, or as plain spacings.
+/// Returns the voxel steps from the space directions of the file, or from plain spacings.
 AxesResult placedAxes(const Nrrd& nrrd, const NrrdAxes& axes, core::Messages& warnings)
 {
     Eigen::Matrix3d steps = Eigen::Matrix3d::Identity();
     bool isSizeAssumed = false;
     Eigen::Vector3i size;
-    Eigen::Vector3d unitMm = Eigen::Vector3d::Ones();   // of the space, for directions and origin
+    Eigen::Vector3d unitMm = Eigen::Vector3d::Ones();   // units of the space, for directions and origin
     for (int k = 0; k < 3 && nrrd.spaceDim == 3; ++k) {
         unitMm[k] = millimetersPer(unitText(nrrd.spaceUnits[k]), warnings);
     }
@@ -239,7 +240,7 @@ AxesResult placedAxes(const Nrrd& nrrd, const NrrdAxes& axes, core::Messages& wa
     return geometryFromSteps(size, turn.asDiagonal() * steps, turn.cwiseProduct(unitMm).cwiseProduct(origin));
 }
 
-/// Where the next `count` lines of a file end.
+/// Returns the offset behind the next `count` lines of a file.
 core::Result<std::uint64_t> afterLines(const std::string& path, std::size_t at, int count)
 {
     if (count == 0) {
@@ -256,7 +257,7 @@ core::Result<std::uint64_t> afterLines(const std::string& path, std::size_t at, 
     return std::uint64_t{at};
 }
 
-/// Fills in where the voxels lie; returns what is wrong.
+/// Fills in the location of the voxels; returns a problem, if any.
 std::optional<core::Message> findSource(const NrrdIoState& state, const HeaderText& header, VoxelSource& source)
 {
     if (state.encoding == nrrdEncodingBzip2) {
@@ -297,8 +298,8 @@ std::string keyValue(const Nrrd& nrrd, const std::string& key)
     return text;
 }
 
-/// The segments of 3D Slicer: `Segment3_LabelValue:=4`, `Segment3_Name:=Aorta`. An overlapping segment shares its value
-/// with another layer.
+/// Returns the segments of 3D Slicer: `Segment3_LabelValue:=4`, `Segment3_Name:=Aorta`. An overlapping segment shares
+/// its value with another layer.
 LabelNames slicerSegments(const Nrrd& nrrd)
 {
     LabelNames names;

@@ -7,10 +7,10 @@
 
 namespace angiopose::io {
 
-/// True for content that `openStored` understands, by the first bytes, packed ones unpacked.
+/// Returns true for content that `openStored` supports, by its first bytes, unpacked if compressed.
 bool isStoredVolume(const std::string& path);
 
-/// Header of a volume file by the library that knows its format; fails with file, problem and remedy.
+/// Reads the header of a volume file with the library for its format; fails with file, problem and remedy.
 core::Result<StoredVolume> openStored(const std::string& path);
 
 }   // namespace angiopose::io

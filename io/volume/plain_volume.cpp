@@ -32,7 +32,7 @@ std::string_view nameOf(PlainFormat format)
     return names[static_cast<int>(format)];
 }
 
-/// What a header says.
+/// The content of a header.
 struct PlainHeader {
     std::optional<core::Message> problem;
     Eigen::Vector3i size = Eigen::Vector3i::Zero();
@@ -40,7 +40,7 @@ struct PlainHeader {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     VoxelType type = VoxelType::Uint8;
     VoxelSource source;
-    bool isText = false;   ///< voxels as numbers between blanks
+    bool isText = false;   ///< voxels are numbers separated by blanks
     core::Messages warnings;
 };
 
@@ -63,8 +63,7 @@ std::optional<VoxelType> typeIn(const std::map<Key, VoxelType>& types, const Key
     return found == types.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// The value of "key = value" in the header of a MetaImage, which ends with the line of ElementDataFile; empty when
-/// absent.
+/// Returns the value of "key = value" in a MetaImage header, which ends with the ElementDataFile line; empty if absent.
 std::string metaValue(std::string_view content, std::string_view key)
 {
     std::string_view rest = content.substr(0, longestMetaHeader);
@@ -87,7 +86,7 @@ bool isYes(const std::string& text)
     return !text.empty() && (text.front() == 'T' || text.front() == 't' || text.front() == '1');
 }
 
-/// What cannot be read, and why.
+/// Returns why the file cannot be read; nullopt if it can.
 std::optional<core::Message> findMetaProblem(std::string_view content)
 {
     const std::string object = metaValue(content, "ObjectType");
@@ -117,7 +116,7 @@ std::optional<core::Message> findMetaProblem(std::string_view content)
                                                                              : std::nullopt;
 }
 
-/// Where the voxels of a MetaImage lie.
+/// Returns the location of a MetaImage's voxels.
 VoxelSource metaSource(std::string_view content, const std::string& path)
 {
     VoxelSource source{path};
@@ -136,8 +135,8 @@ VoxelSource metaSource(std::string_view content, const std::string& path)
     return source;
 }
 
-/// So many numbers, the value of the first of these keys that is there. Where none is, `numbers` stays as it is; false
-/// where they are no numbers.
+/// Reads as many numbers as `numbers` holds from the value of the first key present. Leaves `numbers` unchanged if none
+/// is present; returns false if the value is not numeric.
 bool readNumbers(std::string_view content, std::initializer_list<std::string_view> keys, std::span<double> numbers)
 {
     for (const std::string_view key : keys) {

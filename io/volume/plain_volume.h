@@ -9,13 +9,13 @@
 
 namespace angiopose::io {
 
-/// Volumes with a short header: MetaImage (.mha, or .mhd with its voxels beside it), legacy VTK images, GIPL.
+/// Volume formats with a short header: MetaImage (.mha, or .mhd with a separate voxel file), legacy VTK images, GIPL.
 enum class PlainFormat { MetaImage, VtkImage, Gipl };
 
-/// By the first bytes, and the extension where these do not decide.
+/// Determines the format by the first bytes, and by the extension if these are ambiguous.
 std::optional<PlainFormat> plainFormatOf(std::string_view content, const std::string& path);
 
-/// The header of such a volume (`content`: the whole file), patient LPS; one without orientation says so in a warning.
+/// Reads the header of such a volume (`content`: the whole file), patient LPS; one without orientation gives a warning.
 core::Result<StoredVolume> openPlainVolume(PlainFormat format, std::string_view content, const std::string& path);
 
 }   // namespace angiopose::io

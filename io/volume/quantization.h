@@ -15,12 +15,12 @@ namespace angiopose::io {
 inline constexpr double lowestStored = -32768.0;
 inline constexpr double storedLevels = 65535.0;
 
-/// What a first pass over values of a wide type finds.
+/// Result of a first pass over values of a wide type.
 struct ValueRange {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
-    bool isWhole = true;   ///< every finite value is a whole number, but for the rounding of floats
-    std::size_t missing = 0;   ///< NaN or infinite
+    bool isWhole = true;   ///< every finite value is a whole number, up to float rounding
+    std::size_t missing = 0;   ///< number of NaN or infinite values
 
     void add(double value)
     {
@@ -35,7 +35,7 @@ struct ValueRange {
     }
 };
 
-/// How values become 16-bit voxels: value = scale · voxel + offset.
+/// Conversion of values to 16-bit voxels: value = scale · voxel + offset.
 struct Quantization {
     double scale = 1.0;
     double offset = 0.0;
@@ -49,7 +49,7 @@ struct Quantization {
     }
 };
 
-/// Keeps whole numbers that span no more than 16 bit; spreads others over the 65536 levels.
+/// Keeps whole numbers that span at most 16 bits; spreads other values over the 65536 levels.
 inline Quantization quantizationOf(const ValueRange& range)
 {
     if (range.isWhole && range.low >= lowestStored && range.high <= lowestStored + storedLevels) {

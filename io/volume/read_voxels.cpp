@@ -25,8 +25,8 @@ core::Error tooLarge(const StoredVolume& stored)
     return fileError(stored.path, says::volumeLargerThanMemory());
 }
 
-/// Reads voxels of up to 16 bit straight into the memory of `place`, where they are then widened from the last to the
-/// first: `convert(value)` gives what stays there.
+/// Reads voxels of up to 16 bits directly into the memory of `place`, then widens them there from the last to the first
+/// with `convert(value)`.
 template <class T, class Level, class Convert>
 core::Status readInPlace(const StoredVolume& stored, std::vector<Level>& place, const ReadObserver& observe,
                          const Convert& convert)
@@ -44,7 +44,7 @@ core::Status readInPlace(const StoredVolume& stored, std::vector<Level>& place, 
     return core::Done{};
 }
 
-/// The voxels as they are stored, for types that have to be looked through before they become 16 bit.
+/// Reads the voxels as stored, for types whose range must be determined before conversion to 16 bits.
 template <class T>
 core::Result<std::unique_ptr<T[]>> readApart(const StoredVolume& stored, const ReadObserver& observe)
 {
@@ -137,8 +137,7 @@ core::Result<core::Volume> readWide(const StoredVolume& stored, const ReadObserv
     return volume;
 }
 
-/// The label that a value is, once slope and intercept are applied, but for the rounding of floats; below 0 where it is
-/// none.
+/// Returns the label for a value after slope and intercept, up to float rounding; negative if it is not a label.
 double labelOf(double value)
 {
     const double label = std::round(value);

@@ -28,7 +28,7 @@ constexpr std::string_view nameOf(VoxelType type)
     return names[static_cast<int>(type)];
 }
 
-/// Runs `work` with a value of the C++ type that `type` names.
+/// Calls `work` with a value of the C++ type for `type`.
 template <class Work>
 auto withType(VoxelType type, const Work& work)
 {
@@ -56,7 +56,7 @@ auto withType(VoxelType type, const Work& work)
     }
 }
 
-/// Hands out the voxels of an opened volume as they are stored, in this machine's byte order.
+/// Reads the voxels of an opened volume as stored, in this machine's byte order.
 class VoxelReader {
 public:
     VoxelReader() = default;
@@ -64,24 +64,24 @@ public:
     VoxelReader& operator=(const VoxelReader&) = delete;
     virtual ~VoxelReader() = default;
 
-    /// The gate: fails when the file cannot hold what its header declares. Reads no voxel and takes no memory.
+    /// Fails if the file cannot hold what its header declares. Reads no voxels and allocates no memory for them.
     virtual core::Status check() const = 0;
-    /// All voxels, from the first to the last.
+    /// Reads all voxels, from the first to the last.
     virtual core::Status read(char* voxels, const ReadObserver& observe) const = 0;
 };
 
 using LabelNames = std::map<int, std::string>;
 
-/// What the header of a volume file says: value = stored · slope + intercept.
+/// The header of a volume file: value = stored · slope + intercept.
 struct StoredVolume {
-    std::string path;   ///< the file that was opened, for messages
+    std::string path;   ///< the opened file, for messages
     std::string format;   ///< "NIfTI-1", …
     core::VolumeGeometry geometry;   ///< patient LPS
     VoxelType type = VoxelType::Int16;
     double slope = 1.0;
     double intercept = 0.0;
-    bool isDeclaredLabels = false;   ///< the header says that values are labels
-    LabelNames labelNames;   ///< what it calls them; empty where nothing is named
+    bool isDeclaredLabels = false;   ///< the header declares the values as labels
+    LabelNames labelNames;   ///< label names from the header; empty if there are none
     core::Messages warnings;
     std::shared_ptr<const VoxelReader> voxels;
 };

@@ -7,16 +7,16 @@
 
 namespace angiopose::io {
 
-/// The range of values that the 65536 levels are spread over: all of `range`, but where that is more than a thousand
-/// times what nearly all values span, a few far beyond (a single 1e38 in a scan) are left out of it. `valueAt(i)` gives
-/// the i-th of `count` values.
+/// Returns the range of values to spread over the 65536 levels: all of `range`, unless it is more than a thousand times
+/// what nearly all values span; then far outliers (a single 1e38 in a scan) are excluded. `valueAt(i)` returns the i-th
+/// of `count` values.
 template <class ValueAt>
 ValueRange usefulRange(const ValueRange& range, std::size_t count, const ValueAt& valueAt)
 {
     constexpr std::size_t sampleSize = 200'000;
     constexpr std::size_t minSample = 100;
-    constexpr double farBeyond = 1000.0;   // nearly all would share 65 levels
-    constexpr double margin = 10.0;   // of what nearly all span, on both sides: metal and bright vessels stay
+    constexpr double farBeyond = 1000.0;   // beyond it, nearly all values would share 65 levels
+    constexpr double margin = 10.0;   // in multiples of that span, on both sides: keeps metal and bright vessels
     if (range.high - range.low <= storedLevels) {
         return range;
     }
@@ -30,7 +30,7 @@ ValueRange usefulRange(const ValueRange& range, std::size_t count, const ValueAt
         return range;
     }
     std::ranges::sort(sample);
-    const double usual = sample[sample.size() / 2];   // the background of a mask or map is no spread
+    const double usual = sample[sample.size() / 2];   // background of a mask or map, excluded from the spread
     std::erase(sample, usual);
     if (sample.size() < minSample) {
         return range;
@@ -53,7 +53,7 @@ ValueRange usefulRange(const ValueRange& range, std::size_t count, const ValueAt
     return useful;
 }
 
-/// How many finite values lie outside a range.
+/// Returns how many finite values lie outside a range.
 template <class ValueAt>
 std::size_t countOutside(const ValueRange& range, std::size_t count, const ValueAt& valueAt)
 {

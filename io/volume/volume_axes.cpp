@@ -12,7 +12,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr double exactCosine = 1e-7;   // below: as good as perpendicular
+constexpr double exactCosine = 1e-7;   // smaller cosines count as perpendicular
 constexpr double roundedCosine = 1.75e-3;   // 0.1 degrees
 
 std::optional<core::Message> findBadSize(const Eigen::Vector3i& size)

@@ -42,7 +42,7 @@ std::string niftiHeader(const core::VolumeGeometry& geometry, double slope, doub
     std::string header(352, '\0');
     put<std::int32_t>(header, 0, 348);
     const std::array<int, 8> dim = {3, geometry.size.x(), geometry.size.y(), geometry.size.z(), 1, 1, 1, 1};
-    const Eigen::Matrix3d axes = lpsFromRas(Eigen::Matrix3d(geometry.direction));   // the same flip both ways
+    const Eigen::Matrix3d axes = lpsFromRas(Eigen::Matrix3d(geometry.direction));   // the conversion is its own inverse
     const double handedness = axes.determinant() < 0.0 ? -1.0 : 1.0;
     const std::array<double, 4> pixdim = {handedness, geometry.spacingMm.x(), geometry.spacingMm.y(),
                                           geometry.spacingMm.z()};
@@ -56,7 +56,7 @@ std::string niftiHeader(const core::VolumeGeometry& geometry, double slope, doub
     put(header, 108, 352.0F);
     put(header, 112, static_cast<float>(slope));
     put(header, 116, static_cast<float>(intercept));
-    put<std::uint8_t>(header, 123, 2);   // mm
+    put<std::uint8_t>(header, 123, 2);   // units: mm
     put<std::int16_t>(header, 252, 1);
     put<std::int16_t>(header, 254, 1);
     Eigen::Matrix3d turn = axes;

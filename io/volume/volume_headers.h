@@ -8,13 +8,14 @@
 
 namespace angiopose::io {
 
-/// A NIfTI-1 header of 352 bytes for 16-bit voxels (`isLabel`: unsigned).
+/// Returns a NIfTI-1 header of 352 bytes for 16-bit voxels (`isLabel`: unsigned).
 std::string niftiHeader(const core::VolumeGeometry& geometry, double slope, double intercept, bool isLabel);
 
-/// An NRRD header for attached gzip data, little endian. `type`: "short", "unsigned short", "float".
+/// Returns an NRRD header for attached gzip data, little endian. `type`: "short", "unsigned short", "float".
 std::string nrrdHeader(const core::VolumeGeometry& geometry, std::string_view type);
 
-/// A MetaImage header for local voxels packed into `packedBytes`. `type`: "MET_SHORT", "MET_USHORT", "MET_FLOAT".
+/// Returns a MetaImage header for local voxels packed into `packedBytes`. `type`: "MET_SHORT", "MET_USHORT",
+/// "MET_FLOAT".
 std::string metaImageHeader(const core::VolumeGeometry& geometry, std::string_view type, std::size_t packedBytes);
 
 }   // namespace angiopose::io

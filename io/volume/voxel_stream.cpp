@@ -18,15 +18,15 @@ namespace {
 
 constexpr std::size_t streamBlock = std::size_t{1} << 20;
 constexpr std::size_t niftiHeadBytes = 348;
-constexpr double greatestInflation = 1100.0;   // deflate packs at most 1032 to 1
+constexpr double greatestInflation = 1100.0;   // deflate compresses at most 1032 to 1
 
-/// The bytes of a file from `offset` on, unpacked where they begin like gzip or are said to be packed.
+/// The bytes of a file from `offset` on, unpacked if they begin like gzip or are declared as packed.
 class PackedFile {
 public:
     PackedFile(const std::string& path, std::uint64_t offset, bool isPacked) : file_(path, std::ios::binary)
     {
         file_.seekg(static_cast<std::streamoff>(offset));
-        isPacked_ = isPacked && inflateInit2(&inflater_, 15 + 32) == Z_OK;   // gzip or zlib, by what is there
+        isPacked_ = isPacked && inflateInit2(&inflater_, 15 + 32) == Z_OK;   // detects gzip or zlib
         isDamaged_ = !file_ || isPacked != isPacked_;
         block_.resize(isPacked ? streamBlock / 4 : 0);
     }
@@ -34,7 +34,7 @@ public:
     PackedFile& operator=(const PackedFile&) = delete;
     ~PackedFile() { inflateEnd(&inflater_); }
 
-    /// Up to `size` bytes, at most one block; 0 at the end or at damage.
+    /// Reads up to `size` bytes, at most one block; 0 at the end or at damage.
     std::size_t read(char* out, std::size_t size)
     {
         size = std::min(size, streamBlock);
@@ -46,7 +46,7 @@ public:
         inflater_.avail_out = static_cast<uInt>(size);
         while (inflater_.avail_out > 0 && !isDamaged_ && (inflater_.avail_in > 0 || refill())) {
             const int status = inflate(&inflater_, Z_NO_FLUSH);
-            if (status == Z_STREAM_END) {   // another archive may follow: parallel packers write several
+            if (status == Z_STREAM_END) {   // another archive may follow, since parallel compressors write several
                 isDamaged_ = (inflater_.avail_in == 0 && !refill()) || inflateReset(&inflater_) != Z_OK;
             } else {
                 isDamaged_ = status != Z_OK && status != Z_BUF_ERROR;
@@ -55,10 +55,10 @@ public:
         return size - inflater_.avail_out;
     }
 
-    /// Whether the drive could not read on.
+    /// Returns whether the drive failed to read.
     bool hasReadError() const { return file_.bad(); }
 
-    /// Passes over bytes; how many there were.
+    /// Skips bytes and returns how many were skipped.
     std::uint64_t skip(std::uint64_t size)
     {
         std::vector<char> sink(streamBlock);
@@ -85,11 +85,12 @@ private:
     bool isDamaged_ = false;
 };
 
-/// Whether a gzip archive says at its end that it holds less (RFC 1952), so that nothing need be unpacked to know. Not
-/// sure of several archives in a row, as parallel packers write them, nor above 4 GiB, which the number does not reach.
+/// Returns whether the size field at the end of a gzip archive (RFC 1952) shows, without unpacking, that it holds fewer
+/// bytes. False if unsure: for several archives in a row, as parallel compressors write them, and above 4 GiB, which
+/// the field cannot express.
 bool saysLessThan(std::string_view packed, std::uint64_t bytes)
 {
-    constexpr std::size_t minArchive = 18;   // head and end of an empty one
+    constexpr std::size_t minArchive = 18;   // header and trailer of an empty one
     if (!packed.starts_with("\x1f\x8b\x08") || packed.size() < minArchive ||
         bytes > std::numeric_limits<std::uint32_t>::max()) {
         return false;
@@ -125,7 +126,8 @@ private:
     std::uint64_t needed_;
 };
 
-/// A header that points at a whole volume and says nothing of the header in there would show that as voxels.
+/// Detects a detached header that points at a complete volume file without skipping that file's header, which would be
+/// displayed as voxels.
 bool VoxelStream::isHeaderAmongVoxels() const
 {
     if (source_.path == path_ || source_.isAtEnd || source_.offset + source_.skip > 0) {
@@ -138,7 +140,7 @@ bool VoxelStream::isHeaderAmongVoxels() const
 
 core::Status VoxelStream::check() const
 {
-    std::error_code unknown;   // opening tells what is wrong then
+    std::error_code unknown;   // opening then reports the problem
     if (!std::filesystem::exists(source_.path, unknown) && !unknown) {
         return fileError(path_, says::volumeVoxelsNotThere(std::filesystem::path(source_.path).filename().string()));
     }

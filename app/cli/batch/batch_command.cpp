@@ -17,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto tableInterval = std::chrono::seconds(1);   // a table of thousands is not written at every case
+constexpr auto tableInterval =
+    std::chrono::seconds(1);   // limits how often a table with thousands of rows is rewritten
 
 core::Status makeFolder(const std::string& folder)
 {
@@ -27,7 +28,7 @@ core::Status makeFolder(const std::string& folder)
                    : core::Status(core::Done{});
 }
 
-/// Worst of all cases: failed, not trustworthy, done.
+/// Returns the exit code of the worst case: failed, low confidence, done.
 int worstOf(const BatchOutcomes& outcomes, const core::Shard& shard)
 {
     int exitCode = exitDone;
@@ -52,15 +53,15 @@ void printOutcome(const BatchOutcome& outcome)
     }
 }
 
-/// A batch as it was asked for.
+/// Parsed request of a batch.
 struct BatchPlan {
     std::vector<io::BatchEntry> entries;
-    io::CaseSettings settings;   ///< of all rows
+    io::CaseSettings settings;   ///< common to all rows
     core::Shard shard;
     std::string folder;
 };
 
-/// Runs the rows of a shard and keeps their table as it grows.
+/// Runs the rows of a shard and updates their table as outcomes arrive.
 class BatchRun {
 public:
     BatchRun(const BatchPlan& plan, const BatchArguments& arguments)
@@ -127,11 +128,11 @@ private:
         written_ = Clock::now();
         if (const auto status = writeTables(plan_.folder, plan_.entries, outcomes_, plan_.shard, MissingRows::LeftOut);
             !status) {
-            printMessage(status.error().message.text());   // the outcomes themselves are kept
+            printMessage(status.error().message.text());   // the outcomes themselves are stored
         }
     }
 
-    /// The table of this shard, and that of all once the last of them has ended.
+    /// Writes the table of this shard, and the table of all shards once the last of them has finished.
     core::Status finish() const
     {
         if (auto status = writeTables(plan_.folder, plan_.entries, outcomes_, plan_.shard, MissingRows::LeftOut);
@@ -146,12 +147,12 @@ private:
     const BatchPlan& plan_;
     const BatchArguments& arguments_;
     BatchOutcomes outcomes_;
-    std::vector<std::size_t> rows_;   ///< of the jobs
+    std::vector<std::size_t> rows_;   ///< manifest row of each job
     std::size_t done_ = 0;
     Clock::time_point written_ = Clock::now();
 };
 
-/// Nothing runs: the tables of what shards have left.
+/// Writes the tables from the stored outcomes of the shards; registers nothing.
 int mergeBatch(const BatchPlan& plan, const BatchArguments& arguments)
 {
     const auto merged = mergedOutcomes(arguments.mergedFolders, plan.entries);

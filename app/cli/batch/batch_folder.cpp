@@ -18,7 +18,7 @@ std::string folderOf(const std::string& output, const io::BatchEntry& entry)
     return (fs::path(output) / entry.name).string();
 }
 
-/// One table a shard, so that shards that share a folder do not write over each other's rows.
+/// Path of the table, one per shard, so shards that share a folder do not overwrite each other's rows.
 std::string tablePath(const std::string& folder, const std::string& stem, const core::Shard& shard)
 {
     const std::string part =

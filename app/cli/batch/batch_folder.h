@@ -12,14 +12,15 @@
 
 namespace angiopose::app {
 
-/// Outcomes of a manifest's rows, in its order; those that are not known are empty.
+/// Outcomes of a manifest's rows, in its order; unknown ones are empty.
 using BatchOutcomes = std::vector<std::optional<BatchOutcome>>;
 
-/// What stands in a folder of results, of rows that were asked for like this.
+/// Reads the stored outcomes in a results folder that match these rows and common settings.
 BatchOutcomes outcomesIn(const std::string& folder, const std::vector<io::BatchEntry>& entries,
                          const io::CaseSettings& common);
 
-/// Likewise of several folders, and however they were set in common, but all alike: else it fails, naming two.
+/// Reads the stored outcomes of several folders with any common settings. Fails if the folders differ in their
+/// settings, and names two of them.
 core::Result<BatchOutcomes> mergedOutcomes(const std::vector<std::string>& folders,
                                            const std::vector<io::BatchEntry>& entries);
 
@@ -27,8 +28,8 @@ bool areAllThere(const BatchOutcomes& outcomes);
 
 enum class MissingRows { LeftOut, Reported };
 
-/// Writes summary.csv and times.csv of the rows of a shard, summary-I-of-N.csv and times-I-of-N.csv where there are
-/// others.
+/// Writes summary.csv and times.csv for the rows of a shard, or summary-I-of-N.csv and times-I-of-N.csv if there are
+/// several shards.
 core::Status writeTables(const std::string& folder, const std::vector<io::BatchEntry>& entries,
                          const BatchOutcomes& outcomes, const core::Shard& shard, MissingRows missing);
 

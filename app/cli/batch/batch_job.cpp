@@ -8,13 +8,13 @@ namespace {
 
 using JobJson = nlohmann::ordered_json;
 
-/// File names and words need not be UTF-8.
+/// Serializes to JSON; invalid UTF-8 in file names and texts is replaced.
 std::string textOf(const JobJson& json)
 {
     return json.dump(-1, ' ', false, JobJson::error_handler_t::replace);
 }
 
-/// The members of `asked` that tell how all rows were run.
+/// Members of `asked` that describe the settings common to all rows.
 constexpr const char* commonKeys[] = {"set", "programVersion"};
 
 JobJson commonOf(const JobJson& asked)
@@ -79,7 +79,8 @@ BatchJob jobOf(const io::BatchEntry& entry, const io::CaseSettings& common, cons
     job.method = entry.method;
     job.frame = entry.frame;
     job.settings = common.assignments();
-    for (const std::string& own : entry.settings.assignments()) {   // after those that they stand over
+    for (const std::string& own :
+         entry.settings.assignments()) {   // appended after the common settings, which they override
         job.settings.push_back(own);
     }
     job.folder = (std::filesystem::absolute(outputFolder) / entry.name).string();

@@ -10,34 +10,35 @@
 
 namespace angiopose::app {
 
-/// A row of a batch as its worker is told.
+/// Row of a batch as sent to a worker.
 struct BatchJob {
     std::string name;
-    std::string casePath;   ///< empty: the two inputs
+    std::string casePath;   ///< empty: the two inputs below
     std::string vesselsPath;
     std::string angiogramPath;
-    std::string method;   ///< empty: the case's own
-    std::optional<int> frame;   ///< empty: the case's own
+    std::string method;   ///< empty: that of the case
+    std::optional<int> frame;   ///< empty: that of the case
     std::vector<std::string> settings;   ///< "name=value" of io::CaseSettings
-    std::string folder;   ///< its own in the output
-    std::string asked;   ///< all that the outcome depends on besides the inputs, as JSON text; see askedOf
-    bool isResumed = false;   ///< an outcome that is as good as a new one stays
+    std::string folder;   ///< output folder of this row alone
+    std::string asked;   ///< everything except the inputs that determines the outcome, as JSON text; see askedOf
+    bool isResumed = false;   ///< keep an existing outcome that is up to date
     bool isWithoutPictures = false;
 };
 
-/// What a row asks for, without the places of files: the same wherever a manifest lies. `common`: for all rows.
+/// Serializes the request of a row without file locations, so it is the same wherever the manifest is stored. `common`
+/// applies to all rows.
 std::string askedOf(const io::BatchEntry& entry, const io::CaseSettings& common);
 
-/// Whether outcomes of all rows that ask like that, however they were set in common.
+/// Returns whether two requests describe the same row, regardless of common settings.
 bool isSameRow(const std::string& asked, const std::string& other);
-/// Whether two were run with the same settings in common, by the same version.
+/// Returns whether two requests have the same common settings and program version.
 bool areSetAlike(const std::string& asked, const std::string& other);
 
 BatchJob jobOf(const io::BatchEntry& entry, const io::CaseSettings& common, const std::string& outputFolder);
 
-/// One line.
+/// Serializes a job to one line.
 std::string lineOf(const BatchJob& job);
-/// Throws std::exception where it is none.
+/// Parses a job; throws std::exception if the line is not a job.
 BatchJob jobFrom(const std::string& line);
 
 }   // namespace angiopose::app

@@ -26,7 +26,7 @@ std::string joinedTexts(const core::Messages& messages)
     return text;
 }
 
-/// JSON has no number for what is not known or without end; those are words.
+/// Writes a figure; NaN and infinity, which JSON numbers cannot represent, become words.
 OutcomeJson figureJson(double value)
 {
     return std::isfinite(value) ? OutcomeJson(value)

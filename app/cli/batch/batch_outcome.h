@@ -12,31 +12,31 @@
 
 namespace angiopose::app {
 
-/// What a case took; nothing in it is the same in the next run.
+/// Times spent on a case; they differ between runs.
 struct BatchTimes {
-    double readMs = 0.0;   ///< tracing of vessels among it
-    double traceMs = 0.0;   ///< of the shown frame
+    double readMs = 0.0;   ///< includes tracing the vessels
+    double traceMs = 0.0;   ///< for the displayed frame
     double registerMs = 0.0;
     double writeMs = 0.0;
     std::string finished;   ///< ISO 8601, UTC
 };
 
-/// A file of an outcome, by its path in the folder of the case.
+/// File of an outcome; path relative to the folder of the case.
 struct WrittenFile {
     std::string path;
     std::uint64_t size = 0;
 };
 
-/// How one case of a batch ended: the row of the table, and by what it is known again. Kept as outcome.json in the
-/// folder of the case, written when all else of it is there.
+/// Outcome of one case of a batch: its table row and the data that identify it. Stored as outcome.json in the folder of
+/// the case after all other files are written.
 struct BatchOutcome {
     std::string name;
     std::string status;   ///< "done", "not trustworthy", "failed", "crashed", "out of time"
     std::string method;
     std::size_t viewCount = 0;
-    std::vector<double> figures;   ///< as figureNames(); none where the case has no result
-    std::string message;   ///< warnings of the result, or why there is none
-    std::vector<std::string> notes;   ///< warnings of opening the case
+    std::vector<double> figures;   ///< in the order of figureNames(); empty if the case has no result
+    std::string message;   ///< warnings of the result, or the reason why there is none
+    std::vector<std::string> notes;   ///< warnings from opening the case
     std::string asked;   ///< see askedOf
     std::vector<io::InputFacts> inputs;
     std::vector<WrittenFile> files;
@@ -45,23 +45,23 @@ struct BatchOutcome {
     bool hasResult() const { return !figures.empty(); }
 };
 
-/// Columns of the table that are figures of a result.
+/// Names of the table columns that hold the figures of a result.
 const std::vector<std::string_view>& figureNames();
 
-/// Fills in what a registration found.
+/// Copies the results of a registration into the outcome.
 void addResult(BatchOutcome& outcome, const core::RegisteredCase& registered);
 
-/// One line of JSON; and back, throws std::exception where it is none.
+/// Convert an outcome to one line of JSON and back; parsing throws std::exception if the text is not an outcome.
 std::string lineOf(const BatchOutcome& outcome);
 BatchOutcome outcomeFrom(const std::string& json);
 
-/// Keeps it in the folder of its case, which is made where it is not there.
+/// Stores the outcome in the folder of its case, creating the folder if needed.
 core::Status writeOutcome(const BatchOutcome& outcome, const std::string& folder);
-/// Nothing where there is none, or none that is whole.
+/// Reads a stored outcome; empty if it is missing or incomplete.
 std::optional<BatchOutcome> readOutcome(const std::string& folder);
 
-/// Whether it is what a new run would find: asked alike, of the same inputs, with all its files. One that crashed or
-/// ran out of time is not: on another day it may end well.
+/// Returns whether a new run would give the same outcome: same request, same inputs and all files present. A crash or
+/// timeout is never up to date, since a retry may succeed.
 bool isUpToDate(const BatchOutcome& outcome, const std::string& asked, const std::string& folder);
 
 }   // namespace angiopose::app

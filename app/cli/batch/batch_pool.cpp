@@ -16,7 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int askedEveryMs = 200;   // whether the user stops it
+constexpr int askedEveryMs = 200;   // interval of checking for an interrupt by the user
 constexpr auto stopPatience = std::chrono::seconds(2);
 
 std::unique_ptr<io::WorkerProcess> startWorker(int threads)
@@ -28,12 +28,12 @@ std::unique_ptr<io::WorkerProcess> startWorker(int threads)
 
 }   // namespace
 
-/// A place for a worker, and the job that it has.
+/// Slot for a worker and its current job.
 struct BatchPool::Seat {
     std::unique_ptr<io::WorkerProcess> worker;
     std::optional<std::size_t> job;
     std::optional<Clock::time_point> deadline;
-    bool isFresh = true;   ///< it has ended no job yet
+    bool isFresh = true;   ///< it has not finished any job yet
 };
 
 BatchPool::BatchPool(std::vector<BatchJob> jobs, PoolOptions options) : jobs_(std::move(jobs)), options_(options)
@@ -100,7 +100,7 @@ void BatchPool::give(Seat& seat, std::size_t job)
         seat.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                            std::chrono::duration<double>(*options_.timeLimitSeconds));
     }
-    seat.worker->tell(lineOf(jobs_[job]));   // where it is gone, it will be heard to have ended
+    seat.worker->tell(lineOf(jobs_[job]));   // if the worker has died, its end is noticed when reading from it
 }
 
 void BatchPool::settle(Seat& seat, BatchOutcome outcome)
@@ -138,7 +138,8 @@ void BatchPool::hear(Seat& seat)
     }
 }
 
-/// What ended a worker may have come from cases before: they are all done anew in a fresh one, this one as well.
+/// Handles a worker that ended. An earlier case may have caused it, so the job is repeated in a fresh worker unless the
+/// worker was fresh already.
 void BatchPool::lose(Seat& seat)
 {
     const std::string how = seat.worker->end();
@@ -158,7 +159,7 @@ void BatchPool::endLate()
 {
     for (const auto& seat : seats_) {
         if (seat->job && seat->deadline && Clock::now() >= *seat->deadline) {
-            seat->worker.reset();   // killed: who hangs hears nothing
+            seat->worker.reset();   // kills the process: a hung worker reads no requests
             settle(*seat, abandonedRow(jobs_[*seat->job], "out of time",
                                        says::batchOutOfTime(
                                            core::Quantity{*options_.timeLimitSeconds, core::Quantity::asNeeded, "s"})));
@@ -178,7 +179,8 @@ int BatchPool::waitMs() const
     return static_cast<int>(ms);
 }
 
-/// Those that end their case meanwhile are heard; who does not listen is killed.
+/// Asks all workers to stop. Outcomes that arrive within `stopPatience` are recorded; workers that do not respond are
+/// killed.
 void BatchPool::stop()
 {
     for (const auto& seat : seats_) {

@@ -13,19 +13,19 @@ namespace angiopose::app {
 
 struct PoolOptions {
     int workers = 1;
-    int threadsEach = 1;   ///< of one worker
-    std::optional<double> timeLimitSeconds;   ///< of one case
+    int threadsEach = 1;   ///< per worker
+    std::optional<double> timeLimitSeconds;   ///< per case
 };
 
-/// Worker processes that take cases one after the other. One that crashes, or that is killed because its case takes too
-/// long, costs that case alone: another takes its place.
+/// Pool of worker processes that each run cases one after the other. A worker that crashes, or is killed at the time
+/// limit, loses only its current case; a new worker replaces it.
 class BatchPool {
 public:
     BatchPool(std::vector<BatchJob> jobs, PoolOptions options);
     ~BatchPool();
 
-    /// Calls `onEnd` with the number of each job and its outcome, as they end. False where the user stopped it: the
-    /// jobs that are left have no outcome.
+    /// Calls `onEnd` with the index and the outcome of each job as it finishes. Returns false if the user stopped the
+    /// batch; the remaining jobs then have no outcome.
     bool run(const std::function<void(std::size_t job, BatchOutcome outcome)>& onEnd);
 
 private:

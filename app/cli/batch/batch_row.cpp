@@ -54,7 +54,7 @@ core::Result<core::Case> openRow(const BatchJob& job, core::Messages& warnings)
     return session;
 }
 
-/// The files that it came from: of one that could not be opened those that are named.
+/// Lists the input files of the row; if the case could not be opened, the files that it names.
 std::vector<io::InputFacts> inputsOf(const BatchJob& job, const core::Case* opened)
 {
     std::vector<core::InputFile> files;
@@ -127,7 +127,7 @@ void fail(BatchOutcome& outcome, const core::Message& problem)
     outcome.message = problem.text();
 }
 
-/// An outcome without its findings.
+/// Creates an outcome without results.
 BatchOutcome begunOutcome(const BatchJob& job)
 {
     BatchOutcome outcome;
@@ -137,7 +137,7 @@ BatchOutcome begunOutcome(const BatchJob& job)
     return outcome;
 }
 
-/// Two programs never write into one folder at once; the second then finds what the first has done.
+/// Waits until no other program writes into the folder; the outcome of that program is then found there.
 void waitForTurn(const io::HeldFile& folder)
 {
     using namespace std::chrono_literals;

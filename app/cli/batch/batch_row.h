@@ -5,11 +5,12 @@
 
 namespace angiopose::app {
 
-/// Registers a row of a batch, all views of its case together, and writes what `register` writes of it into its folder,
-/// the outcome last. Whatever goes wrong is the outcome. Nothing when stopped: what is there of it then is no outcome.
+/// Registers one row of a batch, with all views of its case jointly, and writes the outputs of `register` into its
+/// folder, the outcome last. Any failure becomes the outcome. Empty if stopped: files written so far are then not an
+/// outcome.
 std::optional<BatchOutcome> doRow(const BatchJob& job);
 
-/// Of a row that a worker did not survive; nothing of what it wrote stays.
+/// Creates the outcome of a row whose worker ended, and removes its files.
 BatchOutcome abandonedRow(const BatchJob& job, const std::string& status, const core::Message& why);
 
 }   // namespace angiopose::app

@@ -7,13 +7,13 @@
 
 namespace angiopose::app {
 
-// The tables of a batch: texts are quoted as RFC 4180 says.
+// Tables of a batch; texts are quoted according to RFC 4180.
 
-/// What was found, the same in any run: the header row, and that of one case; `outcome` null: it is missing.
+/// Results, which are reproducible: the header row and the row of one case; `outcome` null: the outcome is missing.
 std::string summaryHeader();
 std::string summaryRow(const io::BatchEntry& entry, const BatchOutcome* outcome);
 
-/// What it took.
+/// Times.
 std::string timesHeader();
 std::string timesRow(const io::BatchEntry& entry, const BatchOutcome& outcome);
 

@@ -5,8 +5,8 @@
 
 namespace angiopose::app {
 
-/// What a worker finds in its environment: for libraries that know their number of threads by it, and for the
-/// allocator, which would give memory back to the system after each case and take it again.
+/// Returns the environment of a worker: the number of threads for libraries that read it there, and allocator settings
+/// that keep memory between cases instead of returning it to the system.
 std::vector<std::string> workerEnvironment(int threads);
 
 }   // namespace angiopose::app

@@ -4,8 +4,8 @@
 
 namespace angiopose::app {
 
-/// Adds `description man|bash|zsh|fish`, which prints the man page or a shell's completion from the commands that `app`
-/// has when it runs. It is for building packages: no help names it.
+/// Adds `description man|bash|zsh|fish`, which prints the man page or a shell completion generated from the commands
+/// `app` has when it runs. It serves package builds and is not listed in the help.
 void addDescription(CLI::App& app, int& exitCode);
 
 }   // namespace angiopose::app

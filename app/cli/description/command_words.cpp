@@ -20,7 +20,7 @@ std::vector<std::string> splitAtCommas(const std::string& text)
     return parts;
 }
 
-/// Methods and their options are looked up where they are used, so that CLI11 does not know them.
+/// Lists the choices of options that CLI11 does not know because their values are validated later.
 std::vector<std::string> choicesByName(const std::string& name)
 {
     std::vector<std::string> choices;
@@ -42,7 +42,7 @@ std::vector<std::string> choicesByName(const std::string& name)
     return choices;
 }
 
-/// CLI11 writes them as "TEXT:{minimum,maximum}".
+/// Parses the choices, which CLI11 writes as "TEXT:{minimum,maximum}".
 std::vector<std::string> choicesIn(const std::string& value)
 {
     const std::size_t open = value.find('{');
@@ -52,7 +52,7 @@ std::vector<std::string> choicesIn(const std::string& value)
                : splitAtCommas(value.substr(open + 1, close - open - 1));
 }
 
-/// "INT:INT in [1 - 9]" says INT twice.
+/// Removes a repeated type, as in "INT:INT in [1 - 9]".
 std::string withoutEcho(const std::string& value)
 {
     const std::size_t colon = value.find(':');

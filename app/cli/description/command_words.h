@@ -6,20 +6,20 @@
 
 namespace angiopose::app {
 
-/// An option or an operand of a command, as `--help` shows it.
+/// Option or operand of a command, as shown by `--help`.
 struct OptionWords {
-    std::vector<std::string> names;   ///< "-h", "--help"; of an operand its one name: "CASE"
-    std::string value;   ///< what is to be given: "INT in [1 - 200]"; empty for flags
+    std::vector<std::string> names;   ///< "-h", "--help"; for an operand its only name: "CASE"
+    std::string value;   ///< type of the value: "INT in [1 - 200]"; empty for flags
     std::string help;
-    std::vector<std::string> choices;   ///< the values that may be given; empty where they are not known
+    std::vector<std::string> choices;   ///< allowed values; empty if not known
     bool isRequired = false;
     bool mayRepeat = false;
 
     bool isFlag() const { return value.empty(); }
-    bool isFile() const { return choices.empty() && value.starts_with("TEXT"); }   ///< it may name one
+    bool isFile() const { return choices.empty() && value.starts_with("TEXT"); }   ///< its value may be a file
 };
 
-/// A command and its place in man page and completions.
+/// Command as described in the man page and the completions.
 struct CommandWords {
     std::string name;
     std::string summary;
@@ -30,19 +30,19 @@ struct CommandWords {
 
 struct ProgramWords {
     CommandWords itself;
-    std::vector<CommandWords> commands;   ///< those that `--help` lists
+    std::vector<CommandWords> commands;   ///< commands listed by `--help`
 };
 
-/// Everything that `--help` of the program and of its commands tells.
+/// Collects the help texts of the program and its commands.
 ProgramWords wordsOf(const CLI::App& app);
 
-/// The page of section 1, as `man` wants it.
+/// Returns the man page (section 1) in roff format.
 std::string manPageOf(const ProgramWords& program);
 
-/// The commands as a page of the manual, in Markdown.
+/// Returns the commands as a manual page in Markdown.
 std::string commandPageOf(const ProgramWords& program);
 
-/// What shells complete a command line by: commands, options, their values and files.
+/// Return shell completions for commands, options, their values and files.
 std::string bashCompletionOf(const ProgramWords& program);
 std::string zshCompletionOf(const ProgramWords& program);
 std::string fishCompletionOf(const ProgramWords& program);

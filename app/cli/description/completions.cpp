@@ -32,7 +32,7 @@ std::string bashCommands(const ProgramWords& program)
     return joinedBySpaces(names);
 }
 
-/// What follows an option that wants a value; files where nothing is said.
+/// Writes the completions for options with a value; options without known choices complete files.
 void writeBashValues(std::ostream& out, const CommandWords& command)
 {
     for (const OptionWords& option : command.options) {
@@ -124,7 +124,7 @@ void writeFishOption(std::ostream& out, const std::string& condition, const Opti
     out << " -d " << fishQuoted(option.help) << "\n";
 }
 
-/// Inside single quotes, where a colon or a bracket would end the part.
+/// Escapes text inside single quotes, where a colon or a bracket would end the field.
 std::string zshEscaped(const std::string& text)
 {
     std::string out;
@@ -140,7 +140,7 @@ std::string zshEscaped(const std::string& text)
     return out;
 }
 
-/// ":TEXT:(a b)": what is completed for a value.
+/// Returns the completion of a value, such as ":TEXT:(a b)".
 std::string zshValue(const OptionWords& option, const std::string& called)
 {
     std::string action = option.isFile() ? "_files" : " ";

@@ -5,7 +5,7 @@
 namespace angiopose::app {
 namespace {
 
-/// A hyphen stays one that can be copied; what begins with a dot or an apostrophe is no request.
+/// Escapes text for roff: hyphens stay copyable, and a leading dot or apostrophe is not read as a request.
 std::string escaped(const std::string& text)
 {
     std::string out;
@@ -52,7 +52,7 @@ void writeOption(std::ostream& out, const OptionWords& option)
         << (option.mayRepeat && help.find("repeated") == std::string::npos ? " (several may be given)" : "") << "\n";
 }
 
-/// Lines as they are; where a line is a word and two spaces, a list.
+/// Writes the footer line by line; a line with a word followed by two spaces becomes a list item.
 void writeFooter(std::ostream& out, const std::string& footer)
 {
     std::istringstream lines(footer);
@@ -83,14 +83,14 @@ void writeCommand(std::ostream& out, const std::string& program, const CommandWo
         writeOption(out, operand);
     }
     for (const OptionWords& option : command.options) {
-        if (option.names.back() != "--help") {   // every command has it: told once
+        if (option.names.back() != "--help") {   // common to all commands and described once
             writeOption(out, option);
         }
     }
     writeFooter(out, command.footer);
 }
 
-/// What Markdown would take for a mark or a column stays as it is written.
+/// Escapes characters that Markdown would interpret as markup or as a column separator.
 std::string plainCell(const std::string& text)
 {
     std::string out;
@@ -130,7 +130,7 @@ void writeSection(std::ostream& out, const std::string& program, const CommandWo
         writeRow(out, operand);
     }
     for (const OptionWords& option : command.options) {
-        if (option.names.back() != "--help") {   // every command has it: told once
+        if (option.names.back() != "--help") {   // common to all commands and described once
             writeRow(out, option);
         }
     }

@@ -16,8 +16,6 @@
 #include <thread>
 #include <utility>
 
-// DCMTK's macros first.
-
 namespace angiopose::io {
 namespace {
 
@@ -85,7 +83,7 @@ void prepareNetwork(int answerSeconds)
 
 core::Status resolveHost(const ArchiveNode& node, const StopQuestion& isStopRequested)
 {
-    // Without network it may take half a minute: it is left behind.
+    // A lookup without a network may take half a minute, so it runs in a detached thread.
     auto promise = std::make_shared<std::promise<bool>>();
     auto isKnown = promise->get_future();
     std::thread([promise, host = node.host] {

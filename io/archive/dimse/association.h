@@ -18,26 +18,26 @@ struct T_ASC_Network;
 
 namespace angiopose::io {
 
-/// Asked about once a second while nothing comes, and for every piece that goes or comes: true to end it.
+/// Called about once a second while waiting and for every piece sent or received; returns true to abort.
 using StopQuestion = std::function<bool()>;
 
-/// Whether there was a sign of life elsewhere since last asked, which allows more time.
+/// Returns whether there was activity elsewhere since the last call; activity extends the timeout.
 using LifeQuestion = std::function<bool()>;
 
-/// How long until a connection must be there.
+/// Timeout for establishing a connection, s.
 inline constexpr int connectSeconds = 5;
 
-/// Sets what DCMTK keeps for the whole process: silence, and bounds of its waits. `answerSeconds` at least.
+/// Configures DCMTK's process-wide settings: no logging, and timeouts of at least `answerSeconds`.
 void prepareNetwork(int answerSeconds);
 
-/// Fails for a host that no resolver knows within `connectSeconds`.
+/// Resolves the node's host name; fails if that does not succeed within `connectSeconds`.
 core::Status resolveHost(const ArchiveNode& node, const StopQuestion& isStopRequested);
 
-/// A service or kind of object that is wanted on an association, in any of these encodings.
+/// A presentation context to propose: a service or SOP class, with the transfer syntaxes to offer.
 struct ProposedContext {
     std::string abstractSyntax;
     std::vector<std::string> transferSyntaxes;
-    bool isForReceiving = false;   ///< the archive sends them to us on this association (C-GET)
+    bool isForReceiving = false;   ///< the archive sends these objects to us on this association (C-GET)
 };
 
 struct AcceptedContext {
@@ -46,24 +46,24 @@ struct AcceptedContext {
     std::string transferSyntax;
 };
 
-/// A piece of a message as it travels: a presentation data value (PS3.8 9.3.5).
+/// A presentation data value: one fragment of a message (PS3.8 9.3.5).
 struct DataValue {
     enum class Kind { Command, DataSet };
     Kind kind = Kind::Command;
     std::uint8_t context = 0;
-    std::string_view bytes;   ///< what was read is valid until the next read
+    std::string_view bytes;   ///< after a read, valid until the next read
     bool isLast = false;
 };
 
-/// An association by DCMTK: pieces of messages to and fro. Every wait is bounded. Aborted when it goes, unless it was
-/// released.
+/// A DICOM association through DCMTK that exchanges message fragments. Every wait has a timeout. The destructor aborts
+/// the association unless it was released.
 class Association {
 public:
-    /// Asks the node for one.
+    /// Requests an association with the node.
     static core::Result<std::unique_ptr<Association>> request(const ArchiveNode& node,
                                                               const std::vector<ProposedContext>& contexts,
                                                               StopQuestion isStopRequested);
-    /// One that a peer asked for and that is acknowledged already.
+    /// Wraps an association that a peer requested and that is already acknowledged.
     Association(T_ASC_Association* accepted, const ArchiveNode& peer, StopQuestion isStopRequested);
 
     Association(const Association&) = delete;
@@ -72,14 +72,14 @@ public:
 
     const ArchiveNode& node() const { return node_; }
     const std::vector<AcceptedContext>& contexts() const { return contexts_; }
-    std::size_t maxPieceBytes() const;   ///< that the peer takes at once
+    std::size_t maxPieceBytes() const;   ///< the largest fragment that the peer accepts, bytes
     bool isStopRequested() const { return isStopRequested_(); }
 
     core::Status write(const DataValue& value);
-    /// The next piece. Nothing where the peer wants to release the association instead, which is granted.
+    /// Reads the next fragment. Returns nothing if the peer requested a release instead, which is then confirmed.
     core::Result<std::optional<DataValue>> read(const LifeQuestion& isAlive = {});
 
-    /// Ends it in order; afterwards nothing can be sent.
+    /// Releases the association; nothing can be sent afterwards.
     void release();
 
 private:
@@ -90,11 +90,11 @@ private:
 
     ArchiveNode node_;
     StopQuestion isStopRequested_;
-    TransportLayer tls_;   // outlives the network that uses it
+    TransportLayer tls_;   // must outlive the network that uses it
     T_ASC_Network* network_ = nullptr;
     T_ASC_Association* association_ = nullptr;
     std::vector<AcceptedContext> contexts_;
-    bool isOver_ = false;   ///< nothing is to be told to the peer any more
+    bool isOver_ = false;   ///< nothing more may be sent to the peer
 };
 
 }   // namespace angiopose::io

@@ -3,7 +3,7 @@
 #include "io/messages/says_archive.h"
 
 #include <dcmtk/config/osconfig.h>
-// DCMTK's macros first.
+// DCMTK headers come first because of their macros.
 #include <dcmtk/dcmnet/assoc.h>
 #include <dcmtk/dcmnet/cond.h>
 #include <string>
@@ -17,7 +17,7 @@ core::Quantity seconds(int count)
     return {static_cast<double>(count), 0, "s"};
 }
 
-/// What follows the last colon of DCMTK's text: the system's own words.
+/// Returns the text after the last colon of DCMTK's message, which is the system's own error text.
 std::string lastPart(const OFCondition& condition)
 {
     const std::string_view text = condition.text();

@@ -8,16 +8,16 @@ struct T_ASC_Parameters;
 
 namespace angiopose::io {
 
-/// Why no association came about, as a message to act on.
+/// Explains why no association could be established, and what to do.
 core::Error requestFailure(const OFCondition& condition, T_ASC_Parameters* parameters, const ArchiveNode& node);
 
-/// Why one ended in the middle.
+/// Explains why an established association ended unexpectedly.
 core::Error associationFailure(const OFCondition& condition, const ArchiveNode& node);
 
-/// That the user wished its end.
+/// The error for an association that the user canceled.
 core::Error stoppedAssociation(const ArchiveNode& node);
 
-/// Whether there is nobody any more to whom an abort could be told.
+/// Whether the connection is already closed, which makes an abort message pointless.
 bool isConnectionGone(const OFCondition& condition);
 
 }   // namespace angiopose::io

@@ -8,7 +8,7 @@
 
 namespace angiopose::io {
 
-/// Kinds of messages (PS3.7 E.1-1, field 0000,0100).
+/// Message types (PS3.7 E.1-1, field 0000,0100).
 enum class DimseKind : std::uint16_t {
     StoreRequest = 0x0001,
     StoreResponse = 0x8001,
@@ -22,13 +22,13 @@ enum class DimseKind : std::uint16_t {
     EchoResponse = 0x8030,
 };
 
-/// A command set: what one message asks or answers, without its data set.
+/// A DIMSE command set: a request or response without its data set.
 class DimseCommand {
 public:
     DimseCommand() = default;
     DimseCommand(DimseKind kind, std::uint16_t messageId, const std::string& sopClass);
 
-    /// The answer to this request.
+    /// Builds the response to this request.
     DimseCommand response(std::uint16_t status) const;
 
     void setNumber(std::uint16_t element, std::uint16_t value) { setBytes(element, littleEndian(value)); }
@@ -41,10 +41,10 @@ public:
     std::uint16_t status() const { return number(statusField).value_or(0xffff); }
     bool hasData() const { return number(dataSetType).value_or(noData) != noData; }
 
-    /// Implicit VR, little endian, with its group length (PS3.7 6.3.1).
+    /// Encodes the command set as implicit VR little endian with its group length (PS3.7 6.3.1).
     std::string encoded() const;
 
-    /// Nothing where the bytes are no command set.
+    /// Decodes a command set; returns nothing if the bytes are not one.
     static std::optional<DimseCommand> decode(std::string_view bytes);
 
     // Elements of group 0000.
@@ -69,10 +69,10 @@ private:
     static std::string littleEndian(std::uint16_t value);
     void setBytes(std::uint16_t element, std::string value) { values_[element] = std::move(value); }
 
-    std::map<std::uint16_t, std::string> values_;   ///< by element, padded
+    std::map<std::uint16_t, std::string> values_;   ///< padded values by element
 };
 
-/// Statuses of answers (PS3.7 C, PS3.4 B.2.3, C.4).
+/// Response status codes (PS3.7 C, PS3.4 B.2.3, C.4).
 namespace dimse {
 inline constexpr std::uint16_t success = 0x0000;
 inline constexpr std::uint16_t pending = 0xff00;
@@ -85,7 +85,7 @@ inline constexpr std::uint16_t notMatchingClass = 0xa900;
 inline constexpr std::uint16_t cannotUnderstand = 0xc000;
 }   // namespace dimse
 
-/// "0xA700 (no room)".
+/// Formats the status of a response, for example "0xA700 (no room)".
 std::string statusText(const DimseCommand& response);
 
 }   // namespace angiopose::io

@@ -14,9 +14,9 @@
 namespace angiopose::io {
 namespace {
 
-using Encoding = std::pair<std::string, std::string>;   ///< class and transfer syntax
+using Encoding = std::pair<std::string, std::string>;   ///< SOP class and transfer syntax
 
-/// As many of the files as one association has contexts for.
+/// Returns the leading files whose encodings fit into the presentation contexts of one association.
 std::span<const SendableFile> nextBatch(std::span<const SendableFile> files, std::set<Encoding>& encodings)
 {
     std::size_t count = 0;
@@ -118,7 +118,7 @@ private:
             return core::Error(says::archiveNonsense("C-STORE").about(node_.name));
         }
         const DimseCommand& answer = received.value()->command;
-        const bool isWarning = (answer.status() & 0xf000U) == 0xb000U;   // stored, with elements coerced
+        const bool isWarning = (answer.status() & 0xf000U) == 0xb000U;   // stored, but elements were coerced
         if (answer.status() == dimse::duplicateInstance) {
             ++report_.duplicates;
         } else if (answer.status() == dimse::success || isWarning) {

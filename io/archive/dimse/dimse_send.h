@@ -11,12 +11,13 @@
 
 namespace angiopose::io {
 
-/// C-STORE, each file in its own transfer syntax, byte by byte as it is stored. Counts into `report`; what ends it
-/// early is its `end`.
+/// Sends files by C-STORE, each in its own transfer syntax and byte for byte as stored. Counts results in `report`;
+/// sets its `end` if sending stops early.
 void dimseSend(const ArchiveNode& node, const std::vector<SendableFile>& files, const ArchiveObserver& observe,
                TransferReport& report);
 
-/// Objects by C-GET; where the archive does not offer that, by C-MOVE to a port of ours.
+/// Creates a source that retrieves objects by C-GET or, if the archive does not offer it, by C-MOVE to our receiving
+/// port.
 std::unique_ptr<SeriesSource> makeDimseSource(const ArchiveNode& node, const StopQuestion& isStopRequested);
 
 }   // namespace angiopose::io

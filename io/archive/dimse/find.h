@@ -8,14 +8,14 @@
 
 namespace angiopose::io {
 
-/// C-ECHO: whether the archive answers to its name.
+/// Verifies by C-ECHO that the archive responds to its AE title.
 core::Status dimseEcho(const ArchiveNode& node, const StopQuestion& isStopRequested);
 
-/// C-FIND, study root.
+/// Queries by C-FIND with the Study Root model.
 core::Result<ArchiveMatches> dimseFind(const ArchiveNode& node, const ArchiveQuery& query,
                                        const StopQuestion& isStopRequested);
 
-/// An association for C-FIND.
+/// Opens an association for C-FIND.
 core::Result<DimseLink> openForFinding(const ArchiveNode& node, const StopQuestion& isStopRequested);
 
 core::Result<std::vector<std::string>> findSeries(DimseLink& link, const ArchiveNode& node,

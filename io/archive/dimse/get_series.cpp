@@ -17,7 +17,7 @@ std::string seriesIdentifier(const SeriesRequest& series)
     return encodedIdentifier({{0x00080052, "SERIES"}, {0x0020000d, series.studyUid}, {0x0020000e, series.seriesUid}});
 }
 
-/// Whether the last answer of a retrieval says that all was sent; where objects failed, that is noted by their absence.
+/// Fails unless the final response reports success or partial failure; missing objects are reported separately.
 core::Status settleRetrieval(const ArchiveNode& node, const std::string& service, const DimseCommand& answer)
 {
     const std::uint16_t status = answer.status();
@@ -32,7 +32,7 @@ bool isPending(const DimseCommand& answer)
     return answer.status() == dimse::pending;
 }
 
-/// Objects and answers in turn, until the last answer.
+/// Receives objects and responses until the final response.
 core::Status takeAll(DimseLink& link, const ArchiveNode& node, const SeriesRequest& series, Arrivals& arrivals)
 {
     const ExpectedObject expected{series.studyUid, series.seriesUid, {}};
@@ -65,7 +65,7 @@ core::Status takeAll(DimseLink& link, const ArchiveNode& node, const SeriesReque
     }
 }
 
-/// Serves our port beside the association on which was asked.
+/// Serves the receiving port in a thread while the retrieval is requested on another association.
 class ReceivingThread {
 public:
     ReceivingThread(Receiver& receiver, Arrivals& arrivals)
@@ -89,7 +89,7 @@ private:
     std::thread thread_;
 };
 
-/// Answers until the last one; objects that come meanwhile show that the archive is at work.
+/// Waits for the final response; objects that arrive meanwhile show that the archive is still active.
 core::Status awaitEnd(DimseLink& link, const ArchiveNode& node, Arrivals& arrivals)
 {
     std::uint64_t seen = arrivals.bytesSoFar();

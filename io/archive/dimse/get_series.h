@@ -11,11 +11,12 @@ struct SeriesRequest {
     const std::vector<ArchiveObject>& objects;
 };
 
-/// C-GET: the objects come on the association on which they are asked for. Nothing where the archive does not offer it.
+/// Retrieves a series by C-GET, with the objects on the same association. Returns nothing if the archive does not offer
+/// C-GET.
 core::Result<std::optional<core::Done>> getSeries(const ArchiveNode& node, const SeriesRequest& request,
                                                   Arrivals& arrivals);
 
-/// C-MOVE: they come on associations that the archive opens to our port.
+/// Retrieves a series by C-MOVE, with the objects on associations that the archive opens to our receiving port.
 core::Status moveSeries(const ArchiveNode& node, const SeriesRequest& request, Arrivals& arrivals);
 
 }   // namespace angiopose::io

@@ -8,11 +8,11 @@
 
 namespace angiopose::io {
 
-/// A flat data set of texts, as queries are: implicit VR, little endian (PS3.5 7.1.3). Values are padded by a space,
-/// UIDs by a zero; where one is not ASCII the set says that its texts are UTF-8.
+/// Encodes a flat query data set of texts as implicit VR little endian (PS3.5 7.1.3). Pads values with a space and UIDs
+/// with a zero byte; declares UTF-8 as the character set if any value is not ASCII.
 std::string encodedIdentifier(const std::map<DicomTag, std::string>& values);
 
-/// The data set of an answer in that encoding, as it comes through the gate.
+/// Decodes the data set of a response in that encoding, filtered by `passElements`.
 DicomDataset decodedIdentifier(std::string_view bytes);
 
 }   // namespace angiopose::io

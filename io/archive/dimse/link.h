@@ -13,15 +13,15 @@
 
 namespace angiopose::io {
 
-/// Messages to and fro over an association, which is aborted when this goes, unless it was released.
+/// Exchanges DIMSE messages over an association. The destructor aborts the association unless it was released.
 class DimseLink {
 public:
     static core::Result<DimseLink> open(const ArchiveNode& node, const std::vector<ProposedContext>& contexts,
                                         StopQuestion isStopRequested);
-    /// One that a peer asked for and that is acknowledged already.
+    /// Wraps an association that a peer requested and that is already acknowledged.
     static DimseLink accepted(T_ASC_Association* association, const ArchiveNode& peer, StopQuestion isStopRequested);
 
-    /// The context of a service, or for objects of that encoding; nothing where the archive did not take it.
+    /// Returns the accepted presentation context of a service or object encoding; nothing if the archive rejected it.
     std::optional<AcceptedContext> contextFor(const std::string& abstractSyntax,
                                               const std::string& transferSyntax = {}) const;
     std::optional<AcceptedContext> contextOf(std::uint8_t id) const;
@@ -29,7 +29,7 @@ public:
     core::Status send(std::uint8_t context, const DimseCommand& command);
     core::Status sendData(std::uint8_t context, std::string_view data);
 
-    /// Gives the next piece of a data set and whether it is the last one.
+    /// A fragment of a data set, and whether it is the last one.
     struct Piece {
         std::string_view bytes;
         bool isLast = false;
@@ -41,14 +41,14 @@ public:
         DimseCommand command;
         std::uint8_t context = 0;
     };
-    /// The next command. Nothing where the peer wants to release the association instead, which is granted.
+    /// Receives the next command. Returns nothing if the peer requested a release instead, which is then confirmed.
     core::Result<std::optional<Received>> receive(const LifeQuestion& isAlive = {});
 
     using PieceSink = std::function<core::Status(std::string_view)>;
     core::Status receivePieces(const PieceSink& take);
-    core::Result<std::string> receiveData();   ///< of an answer: small
+    core::Result<std::string> receiveData();   ///< the whole data set of a response, which is small
 
-    /// Ends it in order; afterwards nothing can be sent.
+    /// Releases the association; nothing can be sent afterwards.
     void release();
 
 private:

@@ -6,7 +6,7 @@
 #include "io/messages/says_archive.h"
 
 #include <dcmtk/config/osconfig.h>
-// DCMTK's macros first.
+// DCMTK headers come first because of their macros.
 #include <dcmtk/dcmnet/assoc.h>
 #include <dcmtk/dcmnet/dul.h>
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Who asks for an association.
+/// The peer that requests an association.
 struct Caller {
     std::string title;
     std::string calledTitle;
@@ -48,7 +48,7 @@ void reject(T_ASC_Association* association, T_ASC_RejectParametersReason reason)
     ASC_rejectAssociation(association, &parameters);
 }
 
-/// The first of the proposed encodings that we take; null for none.
+/// Returns the first proposed transfer syntax that we accept; null if there is none.
 const char* takenSyntaxOf(const T_ASC_PresentationContext& context)
 {
     for (int i = 0; i < context.transferSyntaxCount; ++i) {
@@ -82,7 +82,7 @@ void answerContexts(T_ASC_Association* association)
     }
 }
 
-/// Whether an end of service is due to what can be taken, and not to one peer.
+/// Whether an error concerns the store itself, not a single peer, and therefore ends the service.
 bool isOurs(const core::Error& error)
 {
     const core::Message& message = error.message;
@@ -133,7 +133,7 @@ core::Status Receiver::Parts::begin()
     return core::Done{};
 }
 
-/// The next association, if it is one that may be; nothing after a second without any.
+/// Returns the next association if its caller is permitted; nothing if none arrives within a second.
 std::optional<DimseLink> Receiver::Parts::welcome(Arrivals& arrivals, const StopQuestion& isStopRequested)
 {
     if (!ASC_associationWaiting(network, 1)) {

@@ -11,33 +11,33 @@
 
 namespace angiopose::io {
 
-/// Who may push objects to us, and how.
+/// Settings of the storage SCP: the port, and which peers may push objects.
 struct ReceiverOptions {
     int port = 11112;
-    std::string ownTitle = "ANGIOPOSE";   ///< by which we must be called; empty: any
-    std::vector<std::string> titles;   ///< that may call; empty: any
-    std::vector<std::string> hosts;   ///< addresses that may call; empty: any
+    std::string ownTitle = "ANGIOPOSE";   ///< called AE title that we require; empty: any
+    std::vector<std::string> titles;   ///< permitted calling AE titles; empty: any
+    std::vector<std::string> hosts;   ///< permitted addresses; empty: any
     bool isTls = false;
     TlsFiles tls;
-    ExpectedObject expected;   ///< only objects of this study and series; empty: any
-    int answerSeconds = 30;   ///< an association on which nothing comes for so long is ended
+    ExpectedObject expected;   ///< accepts only objects of this study and series; empty: any
+    int answerSeconds = 30;   ///< idle timeout of an association, s
 };
 
-/// Fails where a title is none, or TLS lacks its files.
+/// Fails if an AE title is invalid or the TLS files are missing.
 core::Status checkReceiver(const ReceiverOptions& options);
 
-/// A port to which others push objects (C-STORE SCP, C-ECHO too). One association at a time; others wait.
+/// Storage SCP that also answers C-ECHO. Serves one association at a time; others wait.
 class Receiver {
 public:
-    /// Fails where a title is none, the port is taken, or TLS files are lacking or of no use.
+    /// Opens the port; fails if an AE title is invalid, the port is in use, or TLS files are missing or unusable.
     static core::Result<Receiver> listen(const ReceiverOptions& options);
 
     Receiver(Receiver&&) noexcept;
     Receiver& operator=(Receiver&&) = delete;
     ~Receiver();
 
-    /// Takes objects until told to stop, or until no more can be taken: then `failure` says why. What goes wrong with
-    /// single associations and objects is noted in the report.
+    /// Receives objects until stopped, or until nothing more can be stored; `failure` then gives the reason. Failures
+    /// of single associations and objects go to the report.
     void serve(Arrivals& arrivals, const StopQuestion& isStopRequested);
     const std::optional<core::Error>& failure() const;
 

@@ -36,7 +36,7 @@ constexpr std::array usualClasses = {
     "1.2.840.10008.5.1.4.1.1.12.2",   // radiofluoroscopy
     "1.2.840.10008.5.1.4.1.1.4",   // MR
     "1.2.840.10008.5.1.4.1.1.4.1",   // enhanced MR
-    "1.2.840.10008.5.1.4.1.1.13.1.1",   // XA in three dimensions
+    "1.2.840.10008.5.1.4.1.1.13.1.1",   // X-ray 3-D angiography
     "1.2.840.10008.5.1.4.1.1.66.4",   // segmentation
     "1.2.840.10008.5.1.4.1.1.7",   // secondary capture
     "1.2.840.10008.5.1.4.1.1.104.1",   // PDF

@@ -9,12 +9,12 @@
 namespace angiopose::io {
 namespace {
 
-/// What stands before the data set of an object in a file (PS3.10 7.1).
+/// The file header in front of an object's data set (PS3.10 7.1).
 struct FileHeader {
     std::string sopClass;
     std::string sopInstance;
     std::string transferSyntax;
-    std::string sourceTitle;   ///< of who sent it
+    std::string sourceTitle;   ///< AE title of the sender
 };
 
 constexpr const char* implementationClass = "2.25.277613902894205893846702311409541530624";
@@ -27,7 +27,7 @@ void appendLittle(std::string& bytes, std::size_t value, int size)
     }
 }
 
-/// Explicit VR, little endian; of group 0002.
+/// Appends an element of group 0002 as explicit VR little endian.
 void appendMeta(std::string& bytes, std::uint16_t element, std::string_view vr, std::string value, char padding = '\0')
 {
     if (value.size() % 2 != 0) {
@@ -105,7 +105,7 @@ core::Status takeObject(DimseLink& link, const DimseLink::Received& request, con
     }
     const auto fate = arrivals.take(std::move(incoming), object);
     if (!fate) {
-        // The peer learns why before the association ends.
+        // Report the reason to the peer before the association ends.
         (void)link.send(request.context, request.command.response(dimse::outOfResources));
         return fate.error();
     }

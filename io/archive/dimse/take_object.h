@@ -5,8 +5,8 @@
 
 namespace angiopose::io {
 
-/// Takes the object of a C-STORE request and answers it. Fails where the association is of no use any more, or nothing
-/// more can be taken.
+/// Receives the object of a C-STORE request and responds. Fails if the association is no longer usable or nothing more
+/// can be stored.
 core::Status takeObject(DimseLink& link, const DimseLink::Received& request, const ExpectedObject& expected,
                         Arrivals& arrivals);
 

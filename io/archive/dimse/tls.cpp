@@ -3,7 +3,7 @@
 #include "io/messages/says_archive.h"
 
 #include <dcmtk/config/osconfig.h>
-// DCMTK's macros first.
+// DCMTK headers come first because of their macros.
 #include <dcmtk/dcmtls/tlslayer.h>
 #include <openssl/ssl.h>
 #include <openssl/x509v3.h>
@@ -32,7 +32,7 @@ core::Status showCertificate(DcmTLSTransportLayer& layer, const TlsFiles& files)
     if (files.certificateFile.empty()) {
         return core::Done{};
     }
-    layer.setPrivateKeyPasswd("");   // nobody is asked for one
+    layer.setPrivateKeyPasswd("");   // prevents a password prompt
     if (const OFCondition set = layer.setPrivateKeyFile(files.keyFile.c_str(), DCF_Filetype_PEM); set.bad()) {
         return uselessFile(files.keyFile, set);
     }

@@ -12,9 +12,9 @@ namespace angiopose::io {
 
 enum class TlsRole { Asks, IsAsked };
 
-/// Files of one side of a secured connection, PEM.
+/// PEM files of one side of a TLS connection.
 struct TlsFiles {
-    std::string caFile;   ///< empty: the authorities that the system trusts
+    std::string caFile;   ///< empty: the system's certificate authorities
     std::string certificateFile;
     std::string keyFile;
 };
@@ -24,11 +24,11 @@ struct DeleteTransportLayer {
 };
 using TransportLayer = std::unique_ptr<DcmTransportLayer, DeleteTransportLayer>;
 
-/// TLS after BCP 195 (PS3.15 B.9), in which both sides must show certificates that check. Fails, naming the file, on
-/// one that is of no use.
+/// Creates a TLS layer according to BCP 195 (PS3.15 B.9), which requires valid certificates of both sides. Fails,
+/// naming the file, if one is unusable.
 core::Result<TransportLayer> makeTlsLayer(const TlsFiles& files, TlsRole role);
 
-/// Whether a certificate (DER) is one of the host.
+/// Whether a certificate (DER) was issued for the host.
 bool isCertificateOf(std::string_view certificate, const std::string& host);
 
 }   // namespace angiopose::io

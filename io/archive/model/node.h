@@ -8,35 +8,35 @@
 
 namespace angiopose::io {
 
-/// An archive that this program may ask: a DICOM node, a DICOMweb address, or both. Of keys and passwords only the
-/// paths of their files are known here.
+/// An archive that this program can query: a DICOM node, a DICOMweb address, or both. Holds only the file paths of keys
+/// and passwords.
 struct ArchiveNode {
-    std::string name;   ///< by which the user calls it
+    std::string name;   ///< display name
     std::string host;   ///< empty: DICOMweb only
     int port = 104;
-    std::string title = "ANY-SCP";   ///< its AE title
-    std::string ownTitle = "ANGIOPOSE";   ///< ours
-    int receivePort = 0;   ///< where it sends what C-MOVE asks for; 0: C-MOVE is not used
+    std::string title = "ANY-SCP";   ///< called AE title
+    std::string ownTitle = "ANGIOPOSE";   ///< calling AE title
+    int receivePort = 0;   ///< our port for objects retrieved by C-MOVE; 0: C-MOVE is not used
     bool isTls = false;
-    std::string caFile;   ///< PEM; empty: the authorities that the system trusts
-    std::string certificateFile;   ///< ours, PEM; empty: none
+    std::string caFile;   ///< PEM; empty: the system's certificate authorities
+    std::string certificateFile;   ///< our certificate, PEM; empty: none
     std::string keyFile;
-    bool checksHost = true;   ///< whether its certificate must be one of `host`
-    std::string webUrl;   ///< "https://pacs/dicom-web"
-    std::string authorizationFile;   ///< its first line is sent as the header Authorization
-    int answerSeconds = 9;   ///< how long one answer may take
+    bool checksHost = true;   ///< whether the certificate must match `host`
+    std::string webUrl;   ///< for example "https://pacs/dicom-web"
+    std::string authorizationFile;   ///< file whose first line is sent as the Authorization header
+    int answerSeconds = 9;   ///< timeout of one response, s
 };
 
-/// 1 to 16 letters, digits or signs other than the backslash (PS3.5 6.2).
+/// Whether a text is a valid AE title: 1 to 16 letters, digits or symbols other than the backslash (PS3.5 6.2).
 bool isAeTitle(std::string_view title);
 
-/// "host:port".
+/// Returns "host:port".
 std::string addressOf(const ArchiveNode& node);
 
-/// Fails, naming the node, on what no connection can be tried with.
+/// Fails, naming the node, if its settings do not permit a connection attempt.
 core::Status checkNode(const ArchiveNode& node);
 
-/// What must be known about a connection that is not encrypted; nothing where it is, or stays on this computer.
+/// Warnings about an unencrypted connection; empty if it is encrypted or stays on this computer.
 core::Messages connectionNotes(const ArchiveNode& node);
 
 }   // namespace angiopose::io

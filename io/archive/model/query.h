@@ -14,25 +14,25 @@ namespace angiopose::io {
 
 enum class ArchiveLevel { Study, Series };
 
-/// What is looked for; what is empty is not asked about. `*` and `?` stand for any characters.
+/// Search criteria; empty ones are ignored. `*` and `?` are wildcards.
 struct ArchiveQuery {
     ArchiveLevel level = ArchiveLevel::Study;
     std::string patientId;
-    std::string patientName;   ///< UTF-8; its beginning, unless it holds `*` or `?`
-    std::string dates;   ///< YYYYMMDD, or a range of two with '-' between; either may be missing
+    std::string patientName;   ///< UTF-8; matches the beginning of the name unless it contains `*` or `?`
+    std::string dates;   ///< YYYYMMDD, or a range of two joined by '-'; either end may be missing
     std::string modality;   ///< CT, XA, …
     std::string accessionNumber;
     std::string studyUid;
 };
 
-/// A study or series that an archive holds. Texts are UTF-8; dates and times as DICOM writes them.
+/// A study or series in an archive. Texts are UTF-8; dates and times are in DICOM format.
 struct ArchiveMatch {
     std::string patientName, patientId, birthDate;
     std::string studyUid, studyDate, studyTime, studyDescription, accessionNumber;
-    std::string modalities;   ///< of the study, "CT\XA"; of a series its own
-    std::string seriesUid, seriesDescription, bodyPart;   ///< of a series
+    std::string modalities;   ///< all of a study, for example "CT\XA"; the single one of a series
+    std::string seriesUid, seriesDescription, bodyPart;   ///< empty for a study
     int seriesNumber = 0;
-    int objects = 0;   ///< 0: not told
+    int objects = 0;   ///< 0: not reported
 };
 
 struct ArchiveMatches {
@@ -42,46 +42,47 @@ struct ArchiveMatches {
 
 /// One object of a series.
 struct ArchiveObject {
-    std::string sopClass;   ///< empty: not told
+    std::string sopClass;   ///< empty: not reported
     std::string sopInstance;
 };
 
 constexpr std::size_t maxMatches = 1000;
-constexpr std::size_t maxSeriesStudies = 200;   ///< asked for their series one by one
-constexpr std::size_t maxObjects = 50000;   ///< of one series, as of a folder
+constexpr std::size_t maxSeriesStudies = 200;   ///< maximum number of studies whose series are queried one by one
+constexpr std::size_t maxObjects = 50000;   ///< maximum per series, as per folder
 
-/// "2024-01-01..2024-02-01", "2024-01-01", "2024-01-01.." as `ArchiveQuery::dates`. Fails on anything else.
+/// Converts "2024-01-01..2024-02-01", "2024-01-01" or "2024-01-01.." to `ArchiveQuery::dates`. Fails on anything else.
 core::Result<std::string> queryDates(const std::string& text);
 
-/// True for digits with single dots between, at most 64 characters: fit for a file name too.
+/// True for digits separated by single dots, at most 64 characters; such a text is also safe as a file name.
 bool isUid(const std::string& text);
 
-/// The name as it is asked for.
+/// Returns the patient name as a query pattern.
 std::string namePattern(const std::string& patientName);
 
-/// In the order of `ArchiveMatches`, without those that the modality leaves out: some archives ignore it.
+/// Sorts matches as `ArchiveMatches` specifies and removes those of other modalities, which some archives return
+/// anyway.
 void settleMatches(const ArchiveQuery& query, std::vector<ArchiveMatch>& found);
 
-/// How far an exchange with an archive is.
+/// Progress of a transfer to or from an archive.
 struct ArchiveProgress {
-    std::size_t objects = 0;   ///< sent, come, or there already
-    std::size_t all = 0;   ///< 0: not known
+    std::size_t objects = 0;   ///< sent, received or already present
+    std::size_t all = 0;   ///< total; 0: unknown
     std::uint64_t bytes = 0;
 };
 
-/// Called several times a second on the calling thread. Its Stop ends the exchange within about a second.
+/// Called several times a second on the calling thread. Returning Stop ends the transfer within about a second.
 using ArchiveObserver = std::function<core::Verdict(const ArchiveProgress&)>;
 
-/// What became of the objects of an exchange.
+/// The outcome of a transfer.
 struct TransferReport {
-    std::size_t all = 0;   ///< that were to be transferred; 0: not known
+    std::size_t all = 0;   ///< objects to transfer; 0: unknown
     std::size_t transferred = 0;
-    std::size_t duplicates = 0;   ///< that were there already
+    std::size_t duplicates = 0;   ///< objects already present
     std::size_t failed = 0;
-    std::uint64_t bytes = 0;   ///< of those transferred
-    std::vector<std::string> folders;   ///< where what was retrieved lies, one per series
-    core::Messages problems;   ///< of single objects, at most `maxProblems`
-    std::optional<core::Error> end;   ///< why it ended early: an error or Stop
+    std::uint64_t bytes = 0;   ///< bytes transferred
+    std::vector<std::string> folders;   ///< folders of the retrieved series, one per series
+    core::Messages problems;   ///< problems of single objects, at most `maxProblems`
+    std::optional<core::Error> end;   ///< the reason for an early end: an error or Stop
 
     static constexpr std::size_t maxProblems = 20;
 
@@ -94,10 +95,10 @@ struct TransferReport {
     bool isWhole() const { return !end && failed == 0; }
 };
 
-/// "1.5 GB", for messages.
+/// Formats a size for messages, for example "1.5 GB".
 std::string sizeText(std::uint64_t bytes);
 
-/// "0xA700".
+/// Formats a status code, for example "0xA700".
 std::string statusText(unsigned status);
 
 }   // namespace angiopose::io

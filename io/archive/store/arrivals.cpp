@@ -17,7 +17,7 @@ std::uint64_t heldBy(const ObjectStore& store)
     return held;
 }
 
-/// Of the object alone, not of the folder it was to go to.
+/// Whether an error concerns only the object, not the folder it is stored in.
 bool isAboutObject(const core::Error& error)
 {
     return error.message.is(says::archiveObjectUnreadable) || error.message.is(says::archiveObjectForeign);

@@ -11,16 +11,16 @@
 
 namespace angiopose::io {
 
-/// What a store may hold, and what is done about more.
+/// The size limit of a store, and what happens when it is reached.
 struct StoreLimit {
     enum class WhenFull { DropOldest, Refuse };
 
-    std::uint64_t maxBytes = 0;   ///< 0: as much as the disk takes
+    std::uint64_t maxBytes = 0;   ///< 0: limited only by the disk
     WhenFull whenFull = WhenFull::DropOldest;
 };
 
-/// Objects that come one after another into a store: counted, told of, within its limit. One thread may take them while
-/// another asks how far it is.
+/// Puts received objects into a store: counts them, reports progress and enforces the store's limit. One thread may add
+/// objects while another queries the progress.
 class Arrivals {
 public:
     using Reported = std::function<void(const StoredObject&)>;
@@ -29,28 +29,29 @@ public:
 
     const ObjectStore& store() const { return *store_; }
 
-    /// Asked for whatever is kept or there already.
+    /// Sets the callback for every object that is stored or already present.
     void tell(Reported reported) { reported_ = std::move(reported); }
 
-    /// Asked for what `warn` and `miss` note, as it happens.
+    /// Callback for every message of `warn` and `miss`, called immediately.
     using Heard = std::function<void(const core::Message&)>;
     void tellProblems(Heard heard) { heard_ = std::move(heard); }
 
-    /// Of the whole that is awaited, this much was there before.
+    /// Counts expected objects that were already present before the transfer.
     void addKnown(std::size_t objects);
 
     core::Result<IncomingObject> begin() const { return store_->begin(); }
-    /// Writes a piece, and counts it.
+    /// Writes a piece of an object and counts its bytes.
     core::Status write(IncomingObject& object, std::string_view piece);
 
     enum class Fate { Kept, Differs, Refused };
-    /// Puts the object in its place. What is wrong with it alone is noted; fails where nothing more can be taken.
+    /// Moves a complete object to its place in the store. Records problems of the object itself; fails only if nothing
+    /// more can be stored.
     core::Result<Fate> take(IncomingObject object, const ExpectedObject& expected);
 
-    /// An object of the awaited ones did not come.
+    /// Records an expected object that did not arrive.
     void miss(const core::Message& why);
 
-    /// What is worth knowing, though no object is missing for it.
+    /// Records a warning that does not cost an object.
     void warn(const core::Message& what);
 
     bool isStopRequested() const;
@@ -67,12 +68,12 @@ private:
     const ArchiveObserver* observe_;
     Reported reported_;
     Heard heard_;
-    std::atomic<std::uint64_t> bytes_ = 0;   ///< of whole and begun objects; asked by another thread
-    std::uint64_t held_ = 0;   ///< by the store
-    mutable std::mutex reporting_;   ///< around the report
+    std::atomic<std::uint64_t> bytes_ = 0;   ///< of complete and partial objects; read by another thread
+    std::uint64_t held_ = 0;   ///< bytes in the store
+    mutable std::mutex reporting_;   ///< protects the report
 };
 
-/// The way to the objects of an archive, whatever language it speaks.
+/// Access to the objects of an archive, independent of the protocol.
 class SeriesSource {
 public:
     virtual ~SeriesSource() = default;
@@ -81,7 +82,7 @@ public:
     virtual core::Result<std::vector<ArchiveObject>> objectsOf(const std::string& studyUid,
                                                                const std::string& seriesUid) = 0;
 
-    /// All objects of a series, into their places. What single objects lack is noted there.
+    /// Fetches all objects of a series into the store. Problems of single objects are recorded there.
     virtual core::Status fetch(const std::string& studyUid, const std::string& seriesUid,
                                const std::vector<ArchiveObject>& objects, Arrivals& arrivals) = 0;
 };

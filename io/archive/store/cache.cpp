@@ -27,7 +27,7 @@ std::vector<fs::path> entriesOf(const fs::path& folder)
     return entries;
 }
 
-/// Of the cache's own making: `<uid>.dcm`.
+/// Whether a file was created by the cache: `<uid>.dcm`.
 bool isObjectFile(const fs::path& path)
 {
     std::error_code failed;
@@ -68,7 +68,7 @@ CachedSeries seriesAt(const fs::path& folder)
     return series;
 }
 
-/// The mark first: a series that is dropped in part is not whole.
+/// Deletes a series. Marks it as incomplete first, in case the deletion is interrupted.
 std::size_t dropSeries(const fs::path& folder)
 {
     markSeriesBegun(folder.string());
@@ -78,7 +78,7 @@ std::size_t dropSeries(const fs::path& folder)
         dropped += isObjectFile(file) && fs::remove(file, failed) ? 1 : 0;
     }
     fs::remove(folder / begunMark, failed);
-    fs::remove(folder, failed);   // where it is empty
+    fs::remove(folder, failed);   // succeeds only if the folder is empty
     fs::remove(folder.parent_path(), failed);
     return dropped;
 }

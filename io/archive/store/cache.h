@@ -10,7 +10,7 @@
 
 namespace angiopose::io {
 
-/// A series that was retrieved.
+/// A retrieved series.
 struct CachedSeries {
     std::string studyUid;
     std::string seriesUid;
@@ -18,27 +18,27 @@ struct CachedSeries {
     std::size_t objects = 0;
     std::uint64_t bytes = 0;
     std::chrono::system_clock::time_point usedAt;
-    bool isWhole = true;   ///< false: a retrieval ended before all had come
+    bool isWhole = true;   ///< false: the retrieval ended before all objects had arrived
 };
 
-/// What the cache holds, longest unused first. Files that are not its own are not seen.
+/// Lists the cached series, least recently used first. Ignores files that are not the cache's own.
 std::vector<CachedSeries> cachedSeries(const std::string& root);
 
-/// Drops the series longest unused until no more than `maxBytes` are left; never that in the folder `kept`. What is
-/// left, in bytes.
+/// Deletes the least recently used series until at most `maxBytes` remain, but never the one in the folder `kept`.
+/// Returns the remaining size, bytes.
 std::uint64_t shrinkCache(const std::string& root, std::uint64_t maxBytes, const std::string& kept = {});
 
-/// Drops all that the cache holds, and nothing that is not its own. How many objects went.
+/// Deletes everything that the cache created and nothing else. Returns the number of deleted objects.
 core::Result<std::size_t> emptyCache(const std::string& root);
 
-/// Says that a series is wanted now, and whether all of it is there.
+/// Marks a series as in use, and as incomplete or complete.
 void markSeriesBegun(const std::string& folder);
 void markSeriesWhole(const std::string& folder);
 
-/// Of the user: $XDG_CACHE_HOME/angiopose/archive, or that below ~/.cache.
+/// The user's cache folder: $XDG_CACHE_HOME/angiopose/archive, or the same path below ~/.cache.
 std::string defaultCacheFolder();
 
 inline constexpr std::uint64_t defaultCacheBytes = 20'000'000'000;
-inline constexpr std::uint64_t defaultObjectBytes = 4'000'000'000;   ///< of one object
+inline constexpr std::uint64_t defaultObjectBytes = 4'000'000'000;   ///< size limit of one object
 
 }   // namespace angiopose::io

@@ -17,14 +17,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::hours staleAfter{6};   // no object takes that long to come
+constexpr std::chrono::hours staleAfter{6};   // longer than any object takes to arrive
 
 core::Error noFolder(const std::string& path, const std::error_code& why)
 {
     return says::archiveNoFolder(why.message()).about(path);
 }
 
-/// Tells whose it is, as all temporary files do: should this process be killed, the next one clears it away.
+/// Returns a temporary path that identifies the process; a later process cleans up after one that was killed.
 std::string temporaryPathIn(const fs::path& folder)
 {
     std::random_device device;
@@ -36,7 +36,7 @@ std::string temporaryPathIn(const fs::path& folder)
     return path;
 }
 
-/// Patients' images: for the owner alone.
+/// Creates a folder that only its owner can read, because it holds patient images.
 core::Status makePrivateFolder(const fs::path& path)
 {
     std::error_code failed;
@@ -77,7 +77,7 @@ bool isSameContent(const fs::path& one, const fs::path& other)
     return a.eof() && b.eof();
 }
 
-/// Removes the file unless it was moved away.
+/// Removes the file on destruction unless it was moved.
 class Remover {
 public:
     explicit Remover(fs::path path) : path_(std::move(path)) {}
@@ -93,7 +93,7 @@ private:
     fs::path path_;
 };
 
-/// What is wrong with an object that was to be another; nothing when it fits.
+/// Explains why a received object is not the expected one; nothing if it matches.
 std::optional<core::Message> mismatchOf(const core::StudyIdentity& came, const ExpectedObject& expected)
 {
     const bool isOther = (!expected.studyUid.empty() && came.studyUid != expected.studyUid) ||

@@ -11,41 +11,42 @@
 
 namespace angiopose::io {
 
-/// What an object that comes is expected to be; what is empty may be anything.
+/// The identifiers expected of a received object; empty ones match anything.
 struct ExpectedObject {
     std::string studyUid;
     std::string seriesUid;
     std::string sopInstance;
 };
 
-/// Where an object that came has its place.
+/// The location of a received object in the store.
 struct StoredObject {
     enum class Kind {
         New,
-        Duplicate,   ///< the very same lay there
-        Conflict   ///< another one of the same UID lies there and stays
+        Duplicate,   ///< identical content was already there
+        Conflict   ///< a different object of the same UID is there and is not replaced
     };
 
     Kind kind = Kind::New;
     std::string path;
-    std::string folder;   ///< of its series
+    std::string folder;   ///< folder of its series
     std::uint64_t bytes = 0;
 };
 
-/// An object while it comes: under a temporary name, gone again unless `finish` finds it whole.
+/// An object during reception, under a temporary name; deleted unless `finish` succeeds.
 class IncomingObject {
 public:
-    /// `root`: of the store.
+    /// Creates a temporary file below `root`, the store's folder.
     static core::Result<IncomingObject> begin(const std::string& root, std::uint64_t maxBytes);
     IncomingObject(IncomingObject&&) noexcept = default;
     IncomingObject& operator=(IncomingObject&&) noexcept = default;
     ~IncomingObject() = default;
 
-    /// Fails on what is larger than allowed (see `isTooLarge`), and when the disk is full.
+    /// Appends bytes; fails if the object exceeds the size limit (see `isTooLarge`) or the disk is full.
     core::Status write(std::string_view bytes);
     bool isTooLarge() const { return isTooLarge_; }
 
-    /// Reads its header, and moves it to its place. Fails on what is no DICOM object, or not the expected one.
+    /// Reads the object's header and moves the file to its place. Fails if it is not a DICOM object or not the expected
+    /// one.
     core::Result<StoredObject> finish(const ExpectedObject& expected) &&;
 
 private:
@@ -59,16 +60,16 @@ private:
     bool isTooLarge_ = false;
 };
 
-/// A folder of DICOM objects by study, series and object UID, in which each file is whole.
+/// A folder of complete DICOM files by study, series and object UID.
 class ObjectStore {
 public:
-    /// Makes the folder, for its owner alone, where there is none; clears away what a killed program left in it.
+    /// Opens the store; creates a private folder if needed and removes leftovers of a killed program.
     static core::Result<ObjectStore> open(const std::string& root, std::uint64_t maxObjectBytes);
 
     const std::string& root() const { return root_; }
     core::Result<IncomingObject> begin() const { return IncomingObject::begin(root_, maxObjectBytes_); }
     std::string seriesFolder(const std::string& studyUid, const std::string& seriesUid) const;
-    std::optional<std::uint64_t> sizeOf(const ExpectedObject& object) const;   ///< nothing: it is not there
+    std::optional<std::uint64_t> sizeOf(const ExpectedObject& object) const;   ///< nothing: not in the store
 
 private:
     ObjectStore(std::string root, std::uint64_t maxObjectBytes)
@@ -80,7 +81,7 @@ private:
     std::uint64_t maxObjectBytes_;
 };
 
-/// Where objects lie while they come, below the root of a store.
+/// Folder below the root of a store for objects during reception.
 inline constexpr std::string_view incomingFolder = ".incoming";
 
 }   // namespace angiopose::io

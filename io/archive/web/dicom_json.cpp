@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The values of an element; an empty array where it has none.
+/// Returns the values of an element; an empty array if it has none.
 Json valuesOf(const Json& set, const char* tag)
 {
     const auto element = set.find(tag);
@@ -29,7 +29,7 @@ std::string textOf(const Json& value)
     if (value.is_number_integer()) {
         return std::to_string(value.get<long>());
     }
-    if (value.is_object()) {   // a person's name
+    if (value.is_object()) {   // a person name
         const auto name = value.find("Alphabetic");
         return name != value.end() && name->is_string() ? name->get<std::string>() : std::string();
     }

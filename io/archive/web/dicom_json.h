@@ -8,14 +8,14 @@
 
 namespace angiopose::io {
 
-/// Answers of QIDO-RS (PS3.18 F). Fail on what is no array of such objects.
+/// Parses QIDO-RS responses (PS3.18 F). Both functions fail if the text is not an array of such objects.
 core::Result<std::vector<ArchiveMatch>> matchesOfJson(const std::string& json);
 core::Result<std::vector<ArchiveObject>> objectsOfJson(const std::string& json);
 
-/// What STOW-RS says of one object that was sent.
+/// The STOW-RS result for one object that was sent.
 struct StoreAnswer {
     bool isStored = false;
-    int failure = 0;   ///< FailureReason (0008,1197); 0: not told
+    int failure = 0;   ///< FailureReason (0008,1197); 0: not reported
 };
 StoreAnswer storeAnswerOfJson(const std::string& json);
 

@@ -27,7 +27,7 @@ void addHeader(HeaderList& list, const std::string& header)
     list.reset(curl_slist_append(list.release(), header.c_str()));
 }
 
-/// The first line of the file, which is sent and kept nowhere.
+/// Returns the first line of the authorization file. The value is sent but never stored.
 core::Result<std::string> authorizationOf(const ArchiveNode& node)
 {
     if (node.authorizationFile.empty()) {
@@ -50,7 +50,7 @@ struct HttpConnection::Parts {
     CURL* handle = nullptr;
     std::array<char, CURL_ERROR_SIZE> errorText{};
 
-    // Of the transfer that is on.
+    // State of the current transfer.
     HttpReply reply;
     const Sink* sink = nullptr;
     const Source* source = nullptr;
@@ -201,7 +201,8 @@ core::Result<HttpConnection> HttpConnection::open(const ArchiveNode& node, StopQ
     static std::once_flag once;
     std::call_once(once, [] {
         curl_global_init(CURL_GLOBAL_DEFAULT);
-        std::signal(SIGPIPE, SIG_IGN);   // as DCMTK does: a peer that is gone is an error, not an end
+        std::signal(SIGPIPE,
+                    SIG_IGN);   // as DCMTK does: a closed connection is then an error and does not end the program
     });
     auto authorization = authorizationOf(node);
     if (!authorization) {
@@ -238,7 +239,7 @@ core::Result<HttpReply> HttpConnection::post(const std::string& url, const Uploa
     HeaderList headers;
     addHeader(headers, "Accept: " + upload.accept);
     addHeader(headers, "Content-Type: " + upload.contentType);
-    addHeader(headers, "Expect:");   // no waiting for leave to send
+    addHeader(headers, "Expect:");   // do not wait for "100 Continue"
     if (!parts_->authorization.empty()) {
         addHeader(headers, "Authorization: " + parts_->authorization);
     }

@@ -15,17 +15,18 @@ namespace angiopose::io {
 struct HttpReply {
     long status = 0;
     std::string contentType;
-    std::string body;   ///< where no sink took it
+    std::string body;   ///< the body, unless a sink received it
 };
 
-/// Sends and receives over HTTP(S) on one kept connection: certificates checked, no redirects, no other protocol, every
-/// wait bounded.
+/// Sends and receives over HTTP(S) on one persistent connection. Verifies certificates, follows no redirects, permits
+/// no other protocol, and every wait has a timeout.
 class HttpConnection {
 public:
     using StopQuestion = std::function<bool()>;
-    /// Takes a piece of a body whose status is 200; its failure ends the transfer.
+    /// Receives a piece of the body of a response with status 200; an error ends the transfer.
     using Sink = std::function<core::Status(std::string_view piece, const std::string& contentType)>;
-    /// Fills a buffer with the next bytes to send; how many: 0 at the end, nothing where they cannot be read.
+    /// Fills a buffer with the next bytes to send and returns their number: 0 at the end, nothing if they cannot be
+    /// read.
     using Source = std::function<std::optional<std::size_t>(char* buffer, std::size_t size)>;
 
     static core::Result<HttpConnection> open(const ArchiveNode& node, StopQuestion isStopRequested);
@@ -50,13 +51,14 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
-/// A text as part of a query.
+/// Percent-encodes a text for a query.
 std::string urlEscaped(std::string_view text);
 
-/// The address of a node without a last slash.
+/// Returns the address of a node without a trailing slash.
 std::string webBase(const ArchiveNode& node);
 
-/// The JSON that answers a query; empty where nothing matches. Fails, naming the service, on any other status.
+/// Sends a query and returns the JSON of the response; empty if nothing matches. Fails, naming the service, on any
+/// status that is not a success.
 core::Result<std::string> askWeb(HttpConnection& http, const ArchiveNode& node, const std::string& service,
                                  const std::string& url);
 

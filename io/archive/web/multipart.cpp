@@ -42,14 +42,16 @@ std::optional<std::string> boundaryOf(const std::string& contentType)
 }
 
 MultipartReader::MultipartReader(const std::string& boundary, Handler handler)
-    : delimiter_("\r\n--" + boundary), handler_(std::move(handler)), left_(lineEnd)   // as if a line ended before
+    : delimiter_("\r\n--" + boundary),
+      handler_(std::move(handler)),
+      left_(lineEnd)   // treats the start of the body like the end of a line
 {
 }
 
 core::Status MultipartReader::feed(std::string_view piece)
 {
     if (state_ == State::Closed) {
-        return core::Done{};   // an epilogue says nothing
+        return core::Done{};   // ignore the epilogue
     }
     left_ += piece;
     for (;;) {
@@ -63,7 +65,7 @@ core::Status MultipartReader::feed(std::string_view piece)
     }
 }
 
-/// Whether something was passed on: then there may be more in what is left.
+/// Processes the buffered bytes by one state; returns true if the rest may hold more to process.
 core::Result<bool> MultipartReader::step()
 {
     switch (state_) {
@@ -106,7 +108,7 @@ core::Result<bool> MultipartReader::passBoundary()
     if (left_.find_first_not_of(" \t") != end) {
         return unlawful();
     }
-    left_.erase(0, end);   // the line's end begins the headers, of which there may be none
+    left_.erase(0, end);   // keep the line end, at which the headers begin; there may be no headers
     state_ = State::Headers;
     return true;
 }
@@ -131,7 +133,7 @@ core::Result<bool> MultipartReader::passHeaders()
 core::Result<bool> MultipartReader::passContent()
 {
     const std::size_t at = left_.find(delimiter_);
-    // Without a delimiter, the last bytes may be the beginning of one.
+    // Without a delimiter, the last bytes may still be the beginning of one.
     const std::size_t content = at != std::string::npos             ? at
                                 : left_.size() >= delimiter_.size() ? left_.size() - delimiter_.size() + 1
                                                                     : 0;

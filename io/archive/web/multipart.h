@@ -9,11 +9,10 @@
 
 namespace angiopose::io {
 
-/// The boundary that a content type "multipart/related; …; boundary=…" names; nothing where it is none, or not a lawful
-/// one.
+/// Returns the boundary of a content type "multipart/related; …; boundary=…"; nothing if it is absent or invalid.
 std::optional<std::string> boundaryOf(const std::string& contentType);
 
-/// Takes a body of several parts (RFC 2046 5.1) piece by piece and passes their contents on without keeping them.
+/// Parses a multipart body (RFC 2046 5.1) piece by piece and passes on the parts' contents without storing them.
 class MultipartReader {
 public:
     struct Handler {
@@ -24,10 +23,10 @@ public:
 
     MultipartReader(const std::string& boundary, Handler handler);
 
-    /// Fails where the body is not lawful, headers are longer than 16 KiB, and as the handler does.
+    /// Parses the next piece. Fails if the body is malformed, headers exceed 16 KiB, or the handler fails.
     core::Status feed(std::string_view piece);
 
-    /// Whether the closing boundary came: else the body was cut off.
+    /// Whether the closing boundary was received; otherwise the body is truncated.
     bool isClosed() const { return state_ == State::Closed; }
 
 private:
@@ -42,7 +41,7 @@ private:
     std::string delimiter_;   ///< "\r\n--boundary"
     Handler handler_;
     State state_ = State::Preamble;
-    std::string left_;   ///< what came and is not passed on yet
+    std::string left_;   ///< bytes received but not yet passed on
 };
 
 }   // namespace angiopose::io

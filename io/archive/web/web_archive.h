@@ -11,17 +11,17 @@
 
 namespace angiopose::io {
 
-/// DICOMweb (PS3.18): the same as by DIMSE, over HTTP(S).
+/// DICOMweb (PS3.18) counterparts of the DIMSE functions, over HTTP(S).
 core::Status webEcho(const ArchiveNode& node, const std::function<bool()>& isStopRequested);
 
-/// QIDO-RS.
+/// Queries by QIDO-RS.
 core::Result<ArchiveMatches> webFind(const ArchiveNode& node, const ArchiveQuery& query,
                                      const std::function<bool()>& isStopRequested);
 
-/// WADO-RS, each object as it is stored there.
+/// Creates a source that retrieves objects by WADO-RS in their stored transfer syntax.
 std::unique_ptr<SeriesSource> makeWebSource(const ArchiveNode& node, const std::function<bool()>& isStopRequested);
 
-/// STOW-RS.
+/// Sends files by STOW-RS.
 void webSend(const ArchiveNode& node, const std::vector<SendableFile>& files, const ArchiveObserver& observe,
              TransferReport& report);
 

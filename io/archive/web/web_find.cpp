@@ -32,7 +32,7 @@ std::string studiesUrl(const ArchiveNode& node, const ArchiveQuery& query, std::
     return url;
 }
 
-/// What the study says is said of its series too: not every archive repeats it.
+/// Completes a series with its study's values, which not every archive repeats.
 ArchiveMatch seriesOf(const ArchiveMatch& study, ArchiveMatch series)
 {
     ArchiveMatch match = study;
@@ -81,7 +81,7 @@ std::string randomBoundary()
     return boundary;
 }
 
-/// One file between its boundaries, given in pieces.
+/// Provides a multipart body with one file in pieces.
 class SingleFileBody {
 public:
     SingleFileBody(const SendableFile& file, const std::string& boundary)
@@ -127,7 +127,7 @@ private:
     std::uint64_t size_ = 0;
 };
 
-/// Counts what became of one file; fails where no further one need be tried.
+/// Counts the result of one file; fails if sending further files is pointless.
 core::Status settleStored(const ArchiveNode& node, const SendableFile& file, const HttpReply& reply,
                           TransferReport& report)
 {

@@ -13,10 +13,10 @@ namespace {
 
 constexpr std::size_t pageSize = 200;
 
-// "*": as it is stored, whatever its encoding.
+// "*" requests the stored transfer syntax.
 constexpr const char* acceptAsStored = "multipart/related; type=\"application/dicom\"; transfer-syntax=*";
 
-/// The objects of one answer, into their places.
+/// Stores the objects of a multipart response.
 class PartsToStore {
 public:
     PartsToStore(ExpectedObject expected, Arrivals& arrivals) : expected_(std::move(expected)), arrivals_(arrivals) {}
@@ -99,7 +99,7 @@ public:
             if (!page) {
                 return page.error();
             }
-            isMore = false;   // unless it brings new ones: some archives give all of them every time
+            isMore = false;   // stop unless the page has new objects: some archives return all of them every time
             for (const ArchiveObject& object : page.value()) {
                 if (seen.insert(object.sopInstance).second) {
                     objects.push_back(object);
@@ -139,7 +139,8 @@ private:
         return webBase(node_) + "/studies/" + studyUid + "/series/" + seriesUid;
     }
 
-    /// In pages: an archive may need long for all objects of a large series, and says nothing meanwhile.
+    /// Lists objects page by page, because an archive may be silent for long while it collects all objects of a large
+    /// series.
     core::Result<std::vector<ArchiveObject>> objectsFrom(const std::string& series, std::size_t first)
     {
         auto answer = ask(series + "/instances?limit=" + std::to_string(pageSize) + "&offset=" + std::to_string(first));

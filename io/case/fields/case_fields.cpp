@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using core::Case;
 
-/// Says what the file is; read before anything else.
+/// A constant that identifies the file; it is checked before anything else is read.
 StoredField<Case> constantField(std::string key, Json schema, Json value)
 {
     return {std::move(key), std::move(schema), [](const Json&, Case&, Reading&) {},
@@ -36,7 +36,7 @@ StoredField<Case> vesselField()
     return field;
 }
 
-/// Belongs to the options, but stands with the pose.
+/// The locks, which belong to the options but are stored with the pose.
 StoredField<Case> locksField()
 {
     const Json schema = about(listSchema(choiceSchema({"right", "up", "along-ray", "roll", "lao-rao", "cra-cau"})),
@@ -44,7 +44,7 @@ StoredField<Case> locksField()
     return {"locked", schema,
             [](const Json& value, Case& session, Reading&) {
                 for (const Json& id : value) {
-                    if (const auto axis = core::poseAxisFrom(id.get<std::string>())) {   // the schema knows no others
+                    if (const auto axis = core::poseAxisFrom(id.get<std::string>())) {   // the schema permits no others
                         session.options.locks[static_cast<std::size_t>(*axis)] = true;
                     }
                 }
@@ -103,7 +103,7 @@ StoredField<Case> otherViewsField()
             }};
 }
 
-/// The shown view stands in the case itself; views keep their numbers by it.
+/// The index of the shown view, which is stored in the case itself; it preserves the order of the views.
 StoredField<Case> shownPlaceField()
 {
     return {
@@ -135,7 +135,7 @@ StoredField<Case> optionsField()
     const Json anything{{"type", {"number", "string", "boolean", "null", "object", "array"}}};
     Json schema{{"type", "object"}, {"additionalProperties", anything}};
     for (const core::OptionField& field : core::optionFields()) {
-        schema["properties"][std::string(field.key)] = anything;   // said what is wrong with it when it is read
+        schema["properties"][std::string(field.key)] = anything;   // validated with its own message during reading
     }
     return {"options", std::move(schema),
             [](const Json& value, Case& session, Reading& reading) {
@@ -144,7 +144,7 @@ StoredField<Case> optionsField()
             [](const Case& session, const fs::path&) { return Json::parse(optionsJson(session.options)); }};
 }
 
-/// Whose members may be unknown ones of the view, wherever that stands.
+/// The schema of a view, wherever it is stored; unknown members are permitted.
 Json viewSchema()
 {
     Json properties = Json::object();
@@ -203,12 +203,13 @@ const std::string& caseSchemaText()
 Json knownCaseKeys(core::VesselInputKind kind)
 {
     Json keys = keysOf(caseFields());
-    for (const core::VesselInputKind other : vesselInputKinds) {   // another kind beside it is kept, not read,
-        if (other != kind && other != core::VesselInputKind::Volume) {   // but for a scan
+    for (const core::VesselInputKind other :
+         vesselInputKinds) {   // inputs of other kinds are preserved as unknown keys,
+        if (other != kind && other != core::VesselInputKind::Volume) {   // except a scan, which is read
             keys["vessel"].erase(vesselKey(other));
         }
     }
-    keys["vessel"]["editedTree"] = "";   // goes as a whole
+    keys["vessel"]["editedTree"] = "";   // handled as a single value
     return keys;
 }
 

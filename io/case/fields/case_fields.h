@@ -6,13 +6,13 @@
 
 namespace angiopose::io {
 
-/// Everything that a case file keeps: one row each; of its views the shown one stands in the case itself.
+/// All fields of a case file, one row each; the shown view is stored in the case itself.
 const StoredFields<core::Case>& caseFields();
 
-/// The JSON Schema that follows from the rows.
+/// The JSON Schema generated from the rows.
 const std::string& caseSchemaText();
 
-/// Every key that is read and written in a case with this kind of vessels; an object holds those of an object.
+/// All keys read and written in a case with this kind of vessels; nested objects hold the keys of nested objects.
 Json knownCaseKeys(core::VesselInputKind kind);
 
 }   // namespace angiopose::io

@@ -19,8 +19,8 @@ using core::DeformableResult;
 using core::DeformationVerdict;
 using core::RigidOffset;
 
-constexpr std::size_t motionNumbers = 3;   // of a point
-constexpr std::size_t spreadNumbers = 6;   // of a symmetric matrix: xx, xy, xz, yy, yz, zz
+constexpr std::size_t motionNumbers = 3;   // per point
+constexpr std::size_t spreadNumbers = 6;   // per symmetric matrix: xx, xy, xz, yy, yz, zz
 
 StoredField<DeformableResult> verdictField()
 {
@@ -34,7 +34,7 @@ StoredField<DeformableResult> verdictField()
             [](const DeformableResult& deformed, const fs::path&) { return Json(core::toText(deformed.verdict)); }};
 }
 
-/// The first is the view's own.
+/// Poses of all views; the first is this view's own.
 StoredField<DeformableResult> viewPosesField()
 {
     return {"viewPoses", about(listSchema(definedAs("matrix")), "Of all views that told it, the view itself first."),
@@ -117,7 +117,7 @@ StoredFields<RigidOffset> rigidOffsetFields()
             storedValue("rigidOffMostAtBranch", Json{{"type", "integer"}}, &RigidOffset::farthestBranchId)};
 }
 
-/// Without the branches.
+/// Fields of the whole deformation, without the branches.
 StoredFields<DeformableResult> wholeFields()
 {
     StoredFields<DeformableResult> rows{verdictField(),

@@ -4,14 +4,14 @@
 
 namespace angiopose::io {
 
-/// What bending found for a result, as a case keeps it: with the motion of every point. How far the rigid pose's
-/// covariance was widened by it stands in the result's own.
+/// The deformation stored with a result, including the displacement of every point. The result itself stores how much
+/// the deformation widened the covariance of the rigid pose.
 StoredField<core::RegistrationResult> deformedField();
 
-/// The same without what it says of single points, for bends whose points stand elsewhere.
+/// The same without the points, for deformations whose points are stored in another file.
 StoredFields<core::DeformableResult> deformedFieldsWithoutPoints();
 
-/// The same as result.json says it (FORMATS §3.5): of each branch how far it moved, not its points.
+/// Summary of a deformation for result.json (FORMATS §3.5): the displacement of each branch without its points.
 Json deformedSummary(const core::DeformableResult& deformed);
 
 }   // namespace angiopose::io

@@ -39,7 +39,7 @@ StoredField<FollowedFrame> problemField()
             }};
 }
 
-/// Of a frame that shows the vessels; what others take over from it follows.
+/// The deformation of a frame that shows the vessels; frames that copy it are not stored but derived.
 StoredField<FollowedFrame> deformationOfFrameField()
 {
     const StoredFields<core::DeformableResult> fields = deformedFieldsWithoutPoints();

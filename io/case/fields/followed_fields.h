@@ -4,8 +4,8 @@
 
 namespace angiopose::io {
 
-/// What following found in the run of a view: poses and what is told of bends. How the points are bent stands in a file
-/// beside the case (io/case/followed_bends_file).
+/// The tracking result of a view's cine run: poses and deformation summaries. The deformed points are stored in a file
+/// beside the case (io/case/tracked_deformations_file).
 StoredField<core::View> followedField();
 
 }   // namespace angiopose::io

@@ -35,14 +35,14 @@ const char* originText(Origin origin)
     }
 }
 
-/// A bare value, or an object that says where it comes from.
+/// Schema of a bare value or an object that gives its origin.
 Json sourcedSchema(const Json& value)
 {
     return anyOfSchema(
         value, objectSchema({{"value", value}, {"origin", definedAs("origin")}, {"basis", textSchema()}}, {"value"}));
 }
 
-/// A bare value was typed by a user.
+/// Reads a value with its origin; a bare value counts as entered by the user.
 template <class Value>
 Sourced<Value> sourcedFrom(const Json& json)
 {
@@ -76,7 +76,7 @@ StoredField<ViewGeometry> sourcedField(const char* key, const Json& valueSchema,
             [member](const ViewGeometry& geometry, const fs::path&) { return sourcedJson(geometry.cArm.*member); }};
 }
 
-/// Two values of one origin.
+/// Row and column spacing, two values with one origin.
 StoredField<ViewGeometry> spacingField()
 {
     return {"imagerPixelSpacingMm", about(sourcedSchema(definedAs("pair")), "Row spacing, column spacing."),
@@ -123,7 +123,7 @@ StoredField<ViewGeometry> cameraField()
             }};
 }
 
-/// Older files have one distance for both: what a header said of the patient is the plane of the object.
+/// Older files have a single distance: taken from a header, it is the distance to the object plane.
 StoredField<ViewGeometry> formerDistanceField()
 {
     return {"sourceToPatientMm", about(sourcedSchema(numberSchema()), "Of older files: sourceToIsocenterMm."),

@@ -40,7 +40,7 @@ StoredFields<VesselMark> markFields()
             storedIfSet("radiusMm", about(numberSchema(0, 1000), "Of a ring."), &VesselMark::radiusMm)};
 }
 
-/// What makes no sense of marks that were read; directions become unit.
+/// Reports invalid marks and normalizes directions to unit length.
 void checkMarks(std::vector<VesselMark>& marks, Reading& reading)
 {
     std::set<int> ids;

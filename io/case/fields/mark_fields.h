@@ -4,10 +4,10 @@
 
 namespace angiopose::io {
 
-/// The row of check points and rings on the vessels.
+/// The row of target points and ostium rings on the vessels.
 StoredField<core::Vessels> marksField();
 
-/// The rows of where check points are seen in a view, and of arrows and words on it.
+/// The rows of the target points marked in a view's image, and of arrows and text annotations on it.
 StoredField<core::View> sightingsField();
 StoredField<core::View> annotationsField();
 

@@ -49,7 +49,7 @@ StoredFields<SliceMeasurement> sliceMeasurementFields()
         storedIfSet("name", textSchema(), &SliceMeasurement::name)};
 }
 
-/// Where there are too few points for what it is said to be.
+/// Reports a measurement with too few points for its kind.
 void checkPoints(MeasurementKind kind, std::size_t points, const std::string& subject, Reading& reading)
 {
     if (points < core::minPoints(kind)) {

@@ -23,7 +23,7 @@ using core::WirePath;
 
 constexpr std::size_t longestStageName = 40;
 
-/// A column is a list, a matrix a list of its rows.
+/// Stores a column vector as a list and a matrix as a list of its rows.
 template <class Owner, int Rows, int Columns>
 StoredField<Owner> storedMeasures(std::string key, Eigen::Matrix<double, Rows, Columns> Owner::*member)
 {
@@ -64,7 +64,7 @@ StoredFields<DistanceMetrics> distanceMetricsFields()
             storedMeasure("reverseDistanceMm", &DistanceMetrics::reverseMeanMm)};
 }
 
-/// For readers; a file that says otherwise is of another version.
+/// A constant written for human readers and ignored when read; another value comes from another version.
 StoredField<PoseUncertainty> saidField(std::string key, Json said)
 {
     return {std::move(key), Json::object(), [](const Json&, PoseUncertainty&, Reading&) {},
@@ -91,7 +91,7 @@ StoredFields<CameraEvidence> cameraEvidenceFields()
             storedMeasure("gain", &CameraEvidence::gain)};
 }
 
-/// Only of a camera that may err.
+/// The camera evidence, present only if the camera is uncertain.
 StoredField<RegistrationResult> cameraEvidenceField()
 {
     const StoredFields<CameraEvidence> fields = cameraEvidenceFields();
@@ -165,7 +165,7 @@ StoredFields<IterationReport> iterationFields()
             storedIfSet("view", Json{{"type", "integer"}, {"minimum", 0}}, &IterationReport::view)};
 }
 
-/// Beside the pose that was found.
+/// The initial pose, stored with the resulting pose.
 StoredField<RegistrationResult> startField()
 {
     return {"initial", about(definedAs("pose"), "From which it began."),

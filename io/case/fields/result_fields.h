@@ -4,10 +4,11 @@
 
 namespace angiopose::io {
 
-/// What a run found, as it stands in `result.json` and in a case (FORMATS §2.9, §3.1).
+/// The fields of a registration result in `result.json` and in a case (FORMATS §2.9, §3.1).
 const StoredFields<core::RegistrationResult>& resultFields();
 
-/// The result of a view, while the pose in the file is still its pose: one that was changed there has none.
+/// The result of a view, only while the pose in the file is still the result's pose; a pose changed in the file has no
+/// result.
 StoredField<core::View> resultField();
 
 }   // namespace angiopose::io

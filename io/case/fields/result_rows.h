@@ -12,10 +12,10 @@
 #include <string>
 #include <utility>
 
-/// Rows that results of several kinds share.
+/// Rows shared by results of several kinds.
 namespace angiopose::io {
 
-/// A number that need not be known: JSON has no NaN, null stands for it.
+/// Schema of a number that may be unknown: null represents NaN, which JSON lacks.
 inline Json measureSchema()
 {
     return {{"type", {"number", "null"}}};

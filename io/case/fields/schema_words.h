@@ -5,12 +5,12 @@
 #include <initializer_list>
 #include <string_view>
 
-/// The words that the schema of a stored field is made of (JSON Schema, draft 7).
+/// Building blocks of the schema of a stored field (JSON Schema, draft 7).
 namespace angiopose::io {
 
 using Json = nlohmann::ordered_json;
 
-/// The same schema with a sentence for readers.
+/// Adds a description for human readers to a schema.
 Json about(Json schema, std::string_view sentence);
 
 Json textSchema();
@@ -21,18 +21,18 @@ Json integerSchema(int min, int max);
 Json choiceSchema(std::initializer_list<const char*> choices);
 Json anyOfSchema(Json one, Json other);
 Json listSchema(Json items);
-Json numbersSchema(int count);   ///< a list of so many numbers
+Json numbersSchema(int count);   ///< a list of `count` numbers
 
-/// An object with these members; others are allowed.
+/// Schema of an object with these members; others are permitted.
 Json objectSchema(Json properties, std::initializer_list<const char*> required = {});
 
-/// One that is defined once for the whole schema: see schemaDefinitions.
+/// References a definition shared by the whole schema: see schemaDefinitions.
 Json definedAs(std::string_view name);
 
-/// The keys that a schema names, level by level, for telling which a file has beside them: "" marks a value.
+/// The keys that a schema names, level by level, for finding the unknown keys of a file: "" marks a value.
 Json knownKeys(const Json& schema);
 
-/// Definitions that several fields refer to: input, branchIds, point, pair, origin, pose, matrix.
+/// Definitions shared by several fields: input, branchIds, point, pair, origin, pose, matrix.
 Json schemaDefinitions();
 
 }   // namespace angiopose::io

@@ -4,7 +4,7 @@
 
 namespace angiopose::io {
 
-/// What stands under `snapshots`, numbered from 1.
+/// The members of `snapshots`, numbered from 1.
 StoredField<core::View> snapshotsField();
 
 }   // namespace angiopose::io

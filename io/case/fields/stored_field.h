@@ -12,28 +12,29 @@
 
 namespace angiopose::io {
 
-/// What reading finds beside the values.
+/// Findings of reading other than the values.
 struct Reading {
-    core::Messages problems;   ///< what makes no sense, each with key and remedy
-    ViewNotes view;   ///< of the view that is read
-    std::vector<ViewNotes> otherViews;   ///< of a case, in order
-    std::size_t shownPlace = 0;   ///< of the view that stands in the case itself, among all its views
-    bool hasVessels = false;   ///< one of the kinds of vessels has been found
+    core::Messages problems;   ///< invalid values, each with key and remedy
+    ViewNotes view;   ///< of the view being read
+    std::vector<ViewNotes> otherViews;   ///< of the case's other views, in order
+    std::size_t shownPlace = 0;   ///< index among all views of the view stored in the case itself
+    bool hasVessels = false;   ///< an input of one of the kinds of vessels was found
 };
 
-/// One value of an Owner that a case file keeps: the row from which reading, writing, the schema and the keys that are
-/// known all follow.
+/// One value of an Owner stored in a case file. Reading, writing, the schema and the known keys all derive from this
+/// row.
 template <class Owner>
 struct StoredField {
-    std::string key;   ///< rows of one key share an object
+    std::string key;   ///< rows with the same key share an object
     Json schema;
-    std::function<void(const Json& value, Owner& owner, Reading& reading)> read;   ///< of a value that is there
-    std::function<Json(const Owner& owner, const std::filesystem::path& folder)> write;   ///< null: nothing to say
+    std::function<void(const Json& value, Owner& owner, Reading& reading)>
+        read;   ///< called only if the value is present
+    std::function<Json(const Owner& owner, const std::filesystem::path& folder)> write;   ///< null: nothing to write
 };
 template <class Owner>
 using StoredFields = std::vector<StoredField<Owner>>;
 
-/// Takes over what `json` says; what it does not say stays as it is. The schema has been checked.
+/// Reads the fields present in `json` and leaves the others unchanged. Expects JSON validated against the schema.
 template <class Owner>
 void readFields(const Json& json, Owner& owner, const StoredFields<Owner>& fields, Reading& reading)
 {
@@ -58,7 +59,7 @@ Json writeFields(const Owner& owner, const StoredFields<Owner>& fields, const st
     return json;
 }
 
-/// The members that the rows describe.
+/// Schema properties of the rows.
 template <class Owner>
 Json propertiesOf(const StoredFields<Owner>& fields)
 {
@@ -73,7 +74,7 @@ Json propertiesOf(const StoredFields<Owner>& fields)
     return properties;
 }
 
-/// A value that JSON knows as it is.
+/// A value that JSON represents directly.
 template <class Owner, class Value>
 StoredField<Owner> storedValue(std::string key, Json schema, Value Owner::*member)
 {
@@ -82,7 +83,7 @@ StoredField<Owner> storedValue(std::string key, Json schema, Value Owner::*membe
             [member](const Owner& owner, const std::filesystem::path&) { return Json(owner.*member); }};
 }
 
-/// Likewise of one that is only written where it differs from a fresh Owner's.
+/// A value that JSON represents directly, written only if it differs from the default of an Owner.
 template <class Owner, class Value>
 StoredField<Owner> storedIfSet(std::string key, Json schema, Value Owner::*member)
 {
@@ -93,7 +94,7 @@ StoredField<Owner> storedIfSet(std::string key, Json schema, Value Owner::*membe
     return field;
 }
 
-/// A part with rows of its own, as an object.
+/// A part with rows of its own, stored as an object.
 template <class Owner, class Part>
 StoredField<Owner> storedPart(std::string key, Json schema, Part Owner::*member, StoredFields<Part> fields)
 {
@@ -108,7 +109,7 @@ StoredField<Owner> storedPart(std::string key, Json schema, Part Owner::*member,
             }};
 }
 
-/// Rows of the same owner that stand in an object of their own.
+/// Rows of the same owner, stored in an object of their own.
 template <class Owner>
 StoredField<Owner> storedGroup(std::string key, Json schema, StoredFields<Owner> fields)
 {
@@ -121,7 +122,7 @@ StoredField<Owner> storedGroup(std::string key, Json schema, StoredFields<Owner>
             }};
 }
 
-/// The row of a part among those of its owner. `partOf`: from an owner, const or not, to its part.
+/// Adapts the row of a part to its owner. `partOf`: returns the part of an owner, const or not.
 template <class Owner, class Part, class PartOf>
 StoredField<Owner> storedThrough(PartOf partOf, StoredField<Part> field)
 {
@@ -134,7 +135,7 @@ StoredField<Owner> storedThrough(PartOf partOf, StoredField<Part> field)
             }};
 }
 
-/// The row, written only where `isWritten` holds for the owner.
+/// Restricts a row: it is written only if `isWritten` is true for the owner.
 template <class Owner, class Condition>
 StoredField<Owner> writtenWhere(Condition isWritten, StoredField<Owner> field)
 {
@@ -144,14 +145,14 @@ StoredField<Owner> writtenWhere(Condition isWritten, StoredField<Owner> field)
     return field;
 }
 
-/// Keys by which a version knows an object: see knownKeys.
+/// The known keys of an object with these rows: see knownKeys.
 template <class Owner>
 Json keysOf(const StoredFields<Owner>& fields)
 {
     return knownKeys(objectSchema(propertiesOf(fields)));
 }
 
-/// One of a list, with what the file says of it that this version does not know, where an Item has a place for that.
+/// Reads one item of a list, and its unknown keys if Item has `extraKeys`.
 template <class Item>
 void readItem(const Json& json, Item& item, const StoredFields<Item>& fields, Reading& reading)
 {
@@ -171,7 +172,7 @@ Json itemJson(const Item& item, const StoredFields<Item>& fields, const std::fil
     return json;
 }
 
-/// A list of objects with rows of their own; left out where it is empty.
+/// A list of objects with rows of their own; omitted if empty.
 template <class Owner, class Item>
 StoredField<Owner> storedList(std::string key, Json schema, std::vector<Item> Owner::*member, Json itemSchema,
                               StoredFields<Item> fields)

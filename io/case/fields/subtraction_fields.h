@@ -4,8 +4,8 @@
 
 namespace angiopose::io {
 
-/// What stands under `angiogram.subtraction`. What is absent stays as the image's header has it, so that the notes keep
-/// it open until that is read.
+/// The members of `angiogram.subtraction`. An absent member takes the value of the image's header; the notes leave it
+/// open until the image is read.
 StoredField<core::View> subtractionField();
 
 }   // namespace angiopose::io

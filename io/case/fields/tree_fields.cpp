@@ -43,7 +43,7 @@ core::VesselBranch branchFrom(const Json& json)
         }
     }
     if (branch.radiusMm.size() != branch.pointsInPatient.size()) {
-        branch.radiusMm.clear();   // a radius is known for all points or for none
+        branch.radiusMm.clear();   // radii are known for all points of a branch or for none
     }
     return branch;
 }

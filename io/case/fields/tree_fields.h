@@ -6,13 +6,13 @@
 
 namespace angiopose::io {
 
-/// A vessel tree as the JSON that a case keeps under `vessel.editedTree`, exact to the last bit.
+/// A vessel tree as the JSON stored under `vessel.editedTree`, with all bits of every double.
 Json treeJson(const core::VesselTree& tree);
 
-/// The tree of such a JSON, which follows the schema; fails, saying why, when it is none that can be worked with.
+/// Reads a tree from such JSON, which must conform to the schema; fails with a reason if the tree is not usable.
 core::Result<core::VesselTree> treeFromJson(const Json& json);
 
-/// What such a JSON has to be.
+/// The schema of such JSON.
 Json treeSchema();
 
 }   // namespace angiopose::io

@@ -47,7 +47,8 @@ Json inputJson(const core::InputFile& file, const std::string& seriesId, const f
     return json;
 }
 
-/// The first of the four kinds is what the vessels come from; a volume beside it is the scan they lie in.
+/// The input file of one kind. The first kind present is the source of the vessels; an additional volume is the scan
+/// that contains them.
 StoredField<Vessels> inputField(VesselInputKind kind)
 {
     return {vesselKey(kind), inputSchema(kind),
@@ -104,7 +105,7 @@ StoredField<Vessels> unitField()
                     &VesselInput::unitMm));
 }
 
-/// The tree as the user left it: it stands for what the input gives.
+/// The tree as edited by the user, which replaces the tree of the input.
 StoredField<Vessels> editedTreeField()
 {
     return {"editedTree",

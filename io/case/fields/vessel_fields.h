@@ -4,10 +4,10 @@
 
 namespace angiopose::io {
 
-/// What stands under `vessel`: one row each.
+/// The members of `vessel`, one row each.
 const StoredFields<core::Vessels>& vesselFields();
 
-/// What stands under `vessel.tracing`: how vessels are traced.
+/// The members of `vessel.tracing`: settings of vessel tracing.
 const StoredFields<core::VesselTracingOptions>& vesselTracingFields();
 
 }   // namespace angiopose::io

@@ -6,11 +6,11 @@
 
 namespace angiopose::io {
 
-/// In the order in which a case with several of them is read.
+/// Kinds of vessel input in order of precedence if a case has several.
 inline constexpr std::array vesselInputKinds = {core::VesselInputKind::Centerline, core::VesselInputKind::Segmentation,
                                                 core::VesselInputKind::Surface, core::VesselInputKind::Volume};
 
-/// The key of a kind of input under `vessel` (FORMATS §2).
+/// The key of an input kind under `vessel` (FORMATS §2).
 constexpr const char* vesselKey(core::VesselInputKind kind)
 {
     constexpr std::array keys = {"centerline", "segmentation", "surface", "volume"};

@@ -20,7 +20,7 @@ using core::GivenTarget;
 using core::TraceOptions;
 using core::View;
 
-/// The file, and which DICOM image it is.
+/// The image file, and which DICOM instance it is.
 StoredField<View> imageField()
 {
     return {"image", definedAs("input"),
@@ -50,7 +50,7 @@ StoredField<View> frameField()
             [](const View& view, const fs::path&) { return Json(view.frame); }};
 }
 
-/// Curves that were edited in the window say so, and for which frame.
+/// The target; curves edited in the window are marked as such, with their frame.
 StoredFields<GivenTarget> targetFields()
 {
     const StoredField<GivenTarget> origin{
@@ -124,7 +124,7 @@ StoredField<View> traceField()
     return field;
 }
 
-/// A pose under `pose.<key>`; nothing where it makes no sense.
+/// Reads the pose at `pose.<key>`; nothing if it is invalid.
 std::optional<core::RigidTransform> poseFrom(const Json& value, const std::string& key, Reading& reading)
 {
     const auto pose = poseFromRows(value.at("cameraFromPatient").get<MatrixRows>());

@@ -4,10 +4,10 @@
 
 namespace angiopose::io {
 
-/// Everything that a case file keeps of a view: one row each.
+/// All fields of a view in a case file, one row each.
 const StoredFields<core::View>& viewFields();
 
-/// What stands under `angiogram.trace`: how a frame is traced.
+/// The members of `angiogram.trace`: settings of frame tracing.
 const StoredFields<core::TraceOptions>& traceOptionFields();
 
 }   // namespace angiopose::io

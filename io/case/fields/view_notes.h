@@ -12,7 +12,7 @@
 
 namespace angiopose::io {
 
-/// What a case says about subtraction; the rest is as the image's header has it.
+/// The subtraction settings given in a case; the others follow the image's header.
 struct SubtractionKeys {
     std::optional<std::vector<int>> maskFrames;   ///< empty: chosen automatically
     std::optional<core::MaskInterval> interval;
@@ -21,15 +21,16 @@ struct SubtractionKeys {
     std::optional<core::PixelRelation> relation;
 };
 
-/// What a case says about a view beside its values, for when the image is read.
+/// Information about a view in a case file that is needed once its image is read.
 struct ViewNotes {
     bool hasFrame = false;
     bool hasCurrentPose = false;
-    std::vector<int> deviceCurveIds;   ///< of the edited curves, see core::CurvesApart
+    std::vector<int> deviceCurveIds;   ///< device curves among the edited curves, see core::CurvesApart
     std::optional<SubtractionKeys> subtraction;
-    std::string sopInstanceUid;   ///< of the image, when noted
-    core::Messages changedBesideResult;   ///< in the file, since the view's result was saved; see result_seal.h
-    core::Messages changedBesideFollowed;   ///< likewise beside what following found
+    std::string sopInstanceUid;   ///< of the image, if stored
+    core::Messages
+        changedBesideResult;   ///< parts of the file that changed since the view's result was saved; see result_seal.h
+    core::Messages changedBesideFollowed;   ///< the same for the tracking result
 };
 
 }   // namespace angiopose::io

@@ -55,7 +55,7 @@ std::string nameOr(const std::string& name, core::MeasurementKind kind, std::siz
     return name.empty() ? std::string(termOf(kind).meaning) + " " + std::to_string(place + 1) : name;
 }
 
-/// An outline ends where it begins.
+/// Closes an outline by repeating its first point.
 template <class Points>
 Points closedWhereArea(Points points, core::MeasurementKind kind)
 {

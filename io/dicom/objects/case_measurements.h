@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// What was measured in the shown view and in slices of the scan, and how well the view's registration fits, ready for
-/// a report. What has no value is left out.
+/// Measurements in the shown view and in slices of the scan, and the fit of the view's registration, prepared for a
+/// report. Omits entries without a value.
 std::vector<ReportedGroup> reportedGroups(const core::Case& session);
 
 }   // namespace angiopose::io

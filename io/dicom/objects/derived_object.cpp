@@ -9,7 +9,8 @@ namespace {
 constexpr const char* notADevice =
     "Made by AngioPose, a program for research. It is not a medical device; not for diagnosis or treatment.";
 
-/// Where it is not known it is there and empty (PS3.3 C.7.3.1); a segment says it itself, and so does a measurement.
+/// Whether an object has the Laterality element, empty if unknown (PS3.3 C.7.3.1); segmentations and reports state the
+/// side elsewhere.
 bool hasLaterality(const ObjectKind& kind)
 {
     const std::string_view modality = kind.modality;

@@ -8,47 +8,48 @@
 
 namespace angiopose::io {
 
-/// What the objects that leave a case at once have in common.
+/// Properties shared by the objects that are exported from a case together.
 struct ObjectOrigin {
-    std::string seed;   ///< what new UIDs follow from: newUid(), or the same text for the same UIDs again
+    std::string seed;   ///< source of new UIDs: newUid(), or an earlier text for the same UIDs again
     LocalTime made;
     std::string author;   ///< may be empty
 
-    /// The UID of this origin for a role, "series of the picture": one role, one UID.
+    /// The UID for a role, for example "series of the picture"; the same role gives the same UID.
     std::string uidFor(const std::string& role) const;
 };
 
-/// An origin that never was before.
+/// Creates an origin with a new seed.
 ObjectOrigin newOrigin(const std::string& author);
 
-/// What kind of object it is.
+/// The kind of an exported object.
 struct ObjectKind {
     const char* sopClassUid;
     const char* modality;
-    const char* role;   ///< one word, for UIDs
-    const char* description;   ///< of its series
+    const char* role;   ///< a single word, used for UIDs
+    const char* description;   ///< description of its series
     int seriesNumber;
 };
 
-/// The modules that every object has: SOP Common, Patient, General Study, Patient Study, General Series, General
-/// Equipment (PS3.3 C.7, C.12.1). Patient and study are the source's; without one it is a study of its own. Says that
-/// this is research and no medical device.
+/// Adds the modules of every object: SOP Common, Patient, General Study, Patient Study, General Series, General
+/// Equipment (PS3.3 C.7, C.12.1). Patient and study are those of the source; without a source the object gets a study
+/// of its own. States that this is research and not a medical device.
 void addCommonModules(DicomItem& root, const ObjectKind& kind, const SourceImage& source, const ObjectOrigin& origin);
 
 /// The study that the object belongs to.
 std::string studyUidOf(const SourceImage& source, const ObjectOrigin& origin);
 
-/// Content Identification macro (PS3.3 10.9): label in capitals, words for people, who made it.
+/// Adds the Content Identification macro (PS3.3 10.9): label in upper case, description for users, creator.
 void addContentIdentification(DicomItem& root, const char* label, const std::string& description,
                               const ObjectOrigin& origin);
 
-/// Content Date and Content Time.
+/// Adds Content Date and Content Time.
 void addContentTime(DicomItem& root, const ObjectOrigin& origin);
 
-/// Derivation Description and Source Image Sequence (PS3.3 C.7.6.1), with what the source had lost before.
+/// Adds Derivation Description and Source Image Sequence (PS3.3 C.7.6.1), including earlier lossy compression of the
+/// source.
 void addDerivedFrom(DicomItem& root, const std::string& words, const SourceImage& source);
 
-/// The study's series and instances that an object refers to (PS3.3 C.12.2): one image.
+/// Adds the referenced series and instances of the study (PS3.3 C.12.2): one image.
 void addReferencedSeries(DicomItem& root, const SourceImage& source);
 
 }   // namespace angiopose::io

@@ -6,7 +6,7 @@
 
 namespace angiopose::io {
 
-/// A report in PDF as a DICOM object (PS3.3 A.45.1), the bytes as they are. Fails where they are no PDF.
+/// A PDF report as a DICOM object (PS3.3 A.45.1) with unchanged bytes. Fails if they are not a PDF.
 core::Result<std::string> encapsulatedPdf(std::string_view pdf, const std::string& title, BurnedInIdentity identity,
                                           const SourceImage& source, const ObjectOrigin& origin);
 

@@ -8,7 +8,7 @@ namespace angiopose::io {
 
 using RgbColor = std::array<std::uint8_t, 3>;   ///< sRGB
 
-/// A colour as DICOM recommends it: CIELab under D50, spread over 16 bits (PS3.3 C.10.7.1.1).
+/// A color in the DICOM representation: CIELab under D50, scaled to 16 bits (PS3.3 C.10.7.1.1).
 std::vector<std::uint16_t> labColor(const RgbColor& color);
 
 }   // namespace angiopose::io

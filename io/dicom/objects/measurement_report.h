@@ -9,13 +9,13 @@
 
 namespace angiopose::io {
 
-/// A number with what it was measured on: a line in the image, or in the patient, or nothing.
+/// A number with the geometry it was measured on: a line in the image or in the patient, or none.
 struct ReportedNumber {
     CodedTerm meaning;
     double value = 0.0;
     CodedTerm unit;
     int frame = 0;
-    std::vector<Eigen::Vector2d> pixels = {};   ///< (0, 0) is the centre of the first pixel
+    std::vector<Eigen::Vector2d> pixels = {};   ///< px; (0, 0) is the center of the first pixel
     std::vector<Eigen::Vector3d> pointsInPatient = {};   ///< LPS mm
 };
 
@@ -24,19 +24,20 @@ struct ReportedText {
     std::string words;
 };
 
-/// What belongs together: a measurement, or all that is said of a registration.
+/// A group of related numbers: one measurement, or all values of a registration.
 struct ReportedGroup {
-    std::string name;   ///< for people
+    std::string name;   ///< display name
     std::vector<ReportedNumber> numbers;
     std::vector<ReportedText> texts = {};
 };
 
 struct MeasurementReport {
     std::vector<ReportedGroup> groups;
-    std::string scanFrameOfReferenceUid;   ///< of `pointsInPatient`
+    std::string scanFrameOfReferenceUid;   ///< frame of reference of `pointsInPatient`
 };
 
-/// Measurements of an image and its scan as a Comprehensive 3D SR after TID 1500 (PS3.16). Fails where there is none.
+/// Measurements of an image and its scan as a Comprehensive 3D SR by TID 1500 (PS3.16). Fails if there are no
+/// measurements.
 core::Result<std::string> measurementReport(const MeasurementReport& report, const SourceImage& source,
                                             const ObjectOrigin& origin);
 

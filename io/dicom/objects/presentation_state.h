@@ -11,31 +11,31 @@
 
 namespace angiopose::io {
 
-/// Words beside a place on the image.
+/// A text at a position on the image.
 struct StateText {
     std::string words;
     Eigen::Vector2d at;   ///< px
 };
 
-/// Lines and words of one colour that are shown and hidden together.
+/// Lines and texts of one color that are shown and hidden together.
 struct StateLayer {
-    std::string name;   ///< capitals, digits, blanks and `_`, at most 16
+    std::string name;   ///< upper-case letters, digits, spaces and `_`, at most 16
     std::string description;
     RgbColor color{255, 255, 0};
-    std::vector<std::vector<Eigen::Vector2d>> lines;   ///< px, (0, 0) is the centre of the first pixel
+    std::vector<std::vector<Eigen::Vector2d>> lines;   ///< px; (0, 0) is the center of the first pixel
     std::vector<StateText> texts;
 };
 
-/// How an image is to be shown.
+/// The presentation of an image.
 struct ShownState {
     std::vector<StateLayer> layers;
-    int frame = 0;   ///< that the lines lie on
-    std::optional<core::DisplayRange> range;   ///< of the values after the rescaling; none: as the image says itself
+    int frame = 0;   ///< frame of the lines
+    std::optional<core::DisplayRange> range;   ///< of the rescaled values; none: as the image's header specifies
     std::string description;
 };
 
-/// Grayscale Softcopy Presentation State (PS3.3 A.33.1): the lines as vectors on the image, which stays as it is. Fails
-/// where the image cannot be referred to, or there is no line.
+/// Grayscale Softcopy Presentation State (PS3.3 A.33.1): the lines as vector graphics on the unchanged image. Fails if
+/// the image cannot be referenced or there are no lines.
 core::Result<std::string> presentationState(const ShownState& shown, const SourceImage& source,
                                             const ObjectOrigin& origin);
 

@@ -8,12 +8,12 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t maxPixelBytes = (std::size_t{1} << 32) - 16;   // a length has 32 bits
+constexpr std::size_t maxPixelBytes = (std::size_t{1} << 32) - 16;   // limit of a 32-bit length
 
 constexpr ObjectKind pictureKind{"1.2.840.10008.5.1.4.1.1.7", "OT", "picture", "AngioPose overlay", 9001};
 constexpr ObjectKind runKind{"1.2.840.10008.5.1.4.1.1.7.4", "OT", "run", "AngioPose overlay, run", 9002};
 
-/// Modality as of the source, so that archives keep them together.
+/// Sets the modality of the source, so that archives group the objects with it.
 ObjectKind kindFor(ObjectKind kind, const SourceImage& source)
 {
     kind.modality = source.modality == "XA" ? "XA" : source.modality == "RF" ? "RF" : kind.modality;
@@ -59,7 +59,7 @@ void addImage(DicomItem& root, const CapturedPictures& captured, const SourceIma
     root.text(0x00280301, "CS", captured.identity == BurnedInIdentity::None ? "NO" : "YES");
 }
 
-/// A long run is in memory once less.
+/// Adds the pixels and releases the images meanwhile, which saves one copy of a long cine run in memory.
 void addPixels(DicomItem& root, std::vector<core::ColorImage> pictures)
 {
     std::string pixels;
@@ -71,7 +71,7 @@ void addPixels(DicomItem& root, std::vector<core::ColorImage> pictures)
     root.bytes(0x7fe00010, pixels);
 }
 
-/// Multi-frame and Cine modules (PS3.3 C.7.6.6, C.7.6.5).
+/// Adds the Multi-frame and Cine modules (PS3.3 C.7.6.6, C.7.6.5).
 void addFrames(DicomItem& root, const CapturedPictures& captured)
 {
     constexpr double usualFrameTimeMs = 1000.0 / 15.0;

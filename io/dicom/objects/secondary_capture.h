@@ -8,22 +8,22 @@
 
 namespace angiopose::io {
 
-/// What pictures show of a patient in letters.
+/// Whether images may contain burned-in patient data.
 enum class BurnedInIdentity { None, MayBeThere };
 
 struct CapturedPictures {
-    std::vector<core::ColorImage> pictures;   ///< of one size
-    double frameTimeMs = 0.0;   ///< of a run; 0: not known
+    std::vector<core::ColorImage> pictures;   ///< of equal size
+    double frameTimeMs = 0.0;   ///< of a cine run; 0: unknown
     BurnedInIdentity identity = BurnedInIdentity::MayBeThere;
-    std::string derivation;   ///< what was done to the source, in words
+    std::string derivation;   ///< description of the processing of the source
 };
 
-/// One picture as a Secondary Capture Image (PS3.3 A.8.1), RGB as it is seen.
+/// One image as a Secondary Capture Image (PS3.3 A.8.1), RGB as displayed.
 core::Result<std::string> secondaryCapture(const CapturedPictures& captured, const SourceImage& source,
                                            const ObjectOrigin& origin);
 
-/// Pictures of a run, which are let go one by one, as a Multi-frame True Color Secondary Capture Image (PS3.3 A.8.5).
-/// Fails where they are more than an object may hold.
+/// The images of a cine run as a Multi-frame True Color Secondary Capture Image (PS3.3 A.8.5); releases them one by
+/// one. Fails if they exceed the size limit of an object.
 core::Result<std::string> secondaryCaptureRun(CapturedPictures captured, const SourceImage& source,
                                               const ObjectOrigin& origin);
 

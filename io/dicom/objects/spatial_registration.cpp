@@ -61,7 +61,7 @@ void addCameraItem(DicomItem& root, const CArmRegistration& registration, const 
     addMatrix(item, core::RigidTransform{}, "X-ray camera itself");
 }
 
-/// What the standard has no place for: pose and camera to the last bit.
+/// Adds pose and camera, for which the standard has no elements, with all bits.
 void addCamera(DicomItem& root, const CArmRegistration& registration)
 {
     const core::ProjectionCamera& camera = registration.camera;
@@ -77,7 +77,7 @@ void addCamera(DicomItem& root, const CArmRegistration& registration)
               "(0, 0) the centre of the first pixel; 1003: columns, rows.");
 }
 
-/// All numbers of an element; nothing where one is missing.
+/// Reads the pose from the numbers of an element; nothing if a number is missing.
 std::optional<core::Result<core::RigidTransform>> poseIn(const DicomDataset& data, DicomTag tag)
 {
     MatrixRows rows(4, std::vector<double>(4));
@@ -91,7 +91,7 @@ std::optional<core::Result<core::RigidTransform>> poseIn(const DicomDataset& dat
     return poseFromRows(rows);
 }
 
-/// The matrices of the items that are of another frame of reference than the object's.
+/// The matrices of the items whose frame of reference differs from the object's.
 std::vector<DicomDataset> matricesToOwnFrame(const DicomDataset& data)
 {
     std::vector<DicomDataset> matrices;

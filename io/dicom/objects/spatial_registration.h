@@ -9,28 +9,28 @@
 
 namespace angiopose::io {
 
-/// Where a C-arm stands to a scan.
+/// The position of a C-arm relative to a scan.
 struct CArmRegistration {
     core::RigidTransform cameraFromPatient;
     core::ProjectionCamera camera;
-    std::string scanFrameOfReferenceUid;   ///< of the patient coordinates of the vessels
+    std::string scanFrameOfReferenceUid;   ///< of the vessels' patient coordinates
     std::string cameraFrameOfReferenceUid;   ///< of the camera coordinates, see cameraFrameOfReference
-    std::string method;   ///< what found it, in words; may be empty
+    std::string method;   ///< description of the registration method; may be empty
 };
 
-/// The frame of reference of the camera of an image: all registrations to one image share it. X-ray images of old have
-/// none of their own.
+/// The frame of reference of an image's camera, shared by all registrations to the image. Older X-ray images have none
+/// of their own.
 std::string cameraFrameOfReference(const SourceImage& angiogram, const ObjectOrigin& origin);
 
-/// Spatial Registration (PS3.3 A.39.1). Its own frame of reference is the camera's. The item of the scan's frame holds
-/// `cameraFromPatient`: it takes patient points of the scan to camera points (PS3.3 C.20.2: "from the Referenced to the
-/// Registered RCS"); the item of the image holds the identity. The camera stands in private elements (FORMATS §3.6).
-/// Fails where the pose is not rigid.
+/// Spatial Registration (PS3.3 A.39.1) in the frame of reference of the camera. The item for the scan's frame holds
+/// `cameraFromPatient`, which maps patient points of the scan to camera points (PS3.3 C.20.2: "from the Referenced to
+/// the Registered RCS"); the item for the image holds the identity. Private elements hold the camera (FORMATS §3.6).
+/// Fails if the pose is not rigid.
 core::Result<std::string> spatialRegistration(const CArmRegistration& registration, const SourceImage& angiogram,
                                               const ObjectOrigin& origin);
 
-/// The rigid motion that a spatial registration holds, from another frame of reference to its own, as exact as its text
-/// of 16 characters a number. Fails where it holds none, or not one alone.
+/// Reads the rigid transform of a spatial registration from another frame of reference to its own, with the precision
+/// of 16 characters per number. Fails unless there is exactly one.
 core::Result<core::RigidTransform> readSpatialRegistration(std::string_view content, const std::string& path);
 
 }   // namespace angiopose::io

@@ -32,7 +32,7 @@ Eigen::Vector3d cornerOf(const core::VolumeGeometry& grid, int plane)
     return grid.originInPatient + plane * grid.spacingMm.z() * grid.direction.col(2);
 }
 
-/// One bit for each voxel, the first in the lowest bit, frames without a gap between them (PS3.5 8.1.1).
+/// Packs one bit per voxel, the first in the lowest bit, frames without gaps (PS3.5 8.1.1).
 std::string packedBits(const std::vector<std::uint8_t>& voxels)
 {
     std::string bits((voxels.size() + 7) / 8, '\0');
@@ -74,7 +74,7 @@ void addSegment(DicomItem& root, const std::string& algorithm)
     addTerm(segment, 0x0062000f, artery);
 }
 
-/// Frames are told apart by segment and place.
+/// Adds the dimensions by which frames are distinguished: segment and position.
 void addDimensions(DicomItem& root, const std::string& organizationUid)
 {
     root.addItem(0x00209221).text(0x00209164, "UI", organizationUid);
@@ -122,7 +122,7 @@ void addDerivedFromSlice(DicomItem& frame, const ScanReference& scan, const Scan
     addTerm(derived, 0x00089215, segmentationDerivation);
 }
 
-/// The instances that frames refer to, each once, in the order of the frames.
+/// Adds the frames; returns the instances that they reference, each once, in frame order.
 std::vector<std::string> addFrames(DicomItem& root, const core::VolumeGeometry& grid, const ScanReference& scan)
 {
     std::vector<std::string> referred;

@@ -9,26 +9,26 @@
 
 namespace angiopose::io {
 
-/// The scan that vessels lie in, as DICOM knows it; of another kind of file all is empty.
+/// DICOM references of the scan that contains the vessels; empty if the scan is not DICOM.
 struct ScanReference {
     /// One image of the series, or one frame of it.
     struct Slice {
         std::string sopInstanceUid;
         int frame = 0;
-        bool isOneOfMany = false;   ///< frames of an instance
-        Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< centre of the first pixel, patient LPS mm
+        bool isOneOfMany = false;   ///< true: a frame of a multi-frame instance
+        Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< center of the first pixel, patient LPS mm
     };
-    SourceImage source;   ///< one of the images
+    SourceImage source;   ///< any one of the images
     std::vector<Slice> slices;
 };
 
-/// Vessels of a scan as a binary Segmentation (PS3.3 A.51): one segment, arteries, one frame for every plane of the
-/// mask's grid, which is the scan's. Frames refer to the slices that they lie on. Fails where no voxel is marked.
-/// `algorithm`: how the mask was made, in words.
+/// Vessels of a scan as a binary Segmentation (PS3.3 A.51): one segment, arteries, with one frame per plane of the
+/// mask's grid, which is the scan's. Frames reference the slices at their positions. Fails if no voxel is set.
+/// `algorithm`: description of how the mask was made.
 core::Result<std::string> vesselSegmentation(const core::VoxelMask& vessels, const std::string& algorithm,
                                              const ScanReference& scan, const ObjectOrigin& origin);
 
-/// The frame of reference of patient coordinates in a scan: its own, or one that follows from `fallback`.
+/// The frame of reference of a scan's patient coordinates, or one derived from `fallback` if the scan has none.
 std::string scanFrameOfReference(const SourceImage& scan, const std::string& fallback);
 
 }   // namespace angiopose::io

@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int lockTries = 200;   // 2 s: others hold it for the time of a line
+constexpr int lockTries = 200;   // 2 s in total: others hold the lock only while writing a line
 
 bool isLocked(int file)
 {
@@ -23,7 +23,7 @@ bool isLocked(int file)
             return true;
         }
         if (errno != EWOULDBLOCK) {
-            return true;   // drives that know no locks: O_APPEND has to do
+            return true;   // the drive does not support locks; relies on O_APPEND
         }
         std::this_thread::sleep_for(10ms);
     }
@@ -59,7 +59,7 @@ std::string appendLine(const std::string& path, std::string_view line)
     struct stat status {};
     const bool isRegular = ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);
     const std::string problem = isRegular ? append(file, std::string(line) + '\n') : "it is no file";
-    ::close(file);   // and with it the lock
+    ::close(file);   // also releases the lock
     return problem;
 }
 

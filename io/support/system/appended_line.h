@@ -5,9 +5,9 @@
 
 namespace angiopose::io {
 
-/// Adds a line to the end of a file that several programs add to (O_APPEND, under a lock), made for its owner alone
-/// where it is not there, and has it on the disk. All of the line is there or nothing of it. What the system says where
-/// that cannot be; else empty.
+/// Appends a line to a file that several programs append to (O_APPEND, under a lock) and flushes it to disk. Creates
+/// the file, for its owner only, if it does not exist. Writes either the whole line or nothing. Returns the system's
+/// error text; empty on success.
 std::string appendLine(const std::string& path, std::string_view line);
 
 }   // namespace angiopose::io

@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// A program that runs beside ours and the end of the pipe that it writes to; it reads nothing, and its messages are
-/// dropped. Ctrl+C is for us alone. Killed, if it still runs, with the object.
+/// A helper program and the read end of its output pipe; its input is empty, and its error messages are discarded.
+/// Ctrl+C reaches only the parent. The destructor kills the helper if it still runs.
 class ChildProcess {
 public:
     ChildProcess(const std::string& program, std::vector<std::string> arguments);
@@ -21,12 +21,13 @@ public:
     enum class Heard { Nothing, Bytes, End };
     struct Output {
         Heard what = Heard::Nothing;
-        std::size_t size = 0;   ///< of the bytes
+        std::size_t size = 0;   ///< number of bytes read
     };
-    /// What it writes within that time; below 0: waits until something comes. A signal to us ends the waiting.
+    /// Reads what it writes within this time; a negative time waits until data arrive. A signal to the parent ends the
+    /// wait.
     Output listen(std::span<char> place, int milliseconds) const;
 
-    enum class Ending { ItsOwn, OutOfTime, Fault };   ///< out of time: also killed from outside
+    enum class Ending { ItsOwn, OutOfTime, Fault };   ///< out of time: includes being killed from outside
     Ending waitForEnd();
 
 private:

@@ -27,20 +27,20 @@
 namespace angiopose::io {
 namespace {
 
-/// The program and libraries as they lie in memory, read from the system while a signal is handled: no memory is asked
-/// for, no lock is taken.
+/// The program and libraries as mapped in memory, read from the system within a signal handler: allocates no memory and
+/// takes no lock.
 class LoadedModules {
 public:
     struct Module {
-        std::uintptr_t begin = 0;   ///< where the file's first byte lies
+        std::uintptr_t begin = 0;   ///< address of the file's first byte
         std::uintptr_t end = 0;
         const char* path = nullptr;
     };
 
     void read();
-    const Module* at(std::uintptr_t address) const;   ///< null: in no file
+    const Module* at(std::uintptr_t address) const;   ///< null: in no module
 
-    /// The last part of its path: nothing of whose machine it is.
+    /// Returns the last part of the path, which does not identify the machine's owner.
     static std::string_view nameOf(const Module& module);
 
 private:
@@ -65,7 +65,7 @@ std::uintptr_t hexadecimalAt(const char*& at)
     }
 }
 
-/// A file of a module, mapped for as long as its symbols are looked through.
+/// A module's file, mapped while its symbols are searched.
 class MappedModule {
 public:
     explicit MappedModule(const char* path)
@@ -90,7 +90,7 @@ public:
     MappedModule(const MappedModule&) = delete;
     MappedModule& operator=(const MappedModule&) = delete;
 
-    /// `count` of a kind at an offset; null where they are not all there.
+    /// Returns `count` objects of type T at an offset; null if the file does not hold all of them.
     template <class T>
     const T* at(std::size_t offset, std::size_t count = 1) const
     {
@@ -166,7 +166,7 @@ void LoadedModules::read()
     }
 }
 
-/// "begin-end rights offset device inode path"; a module's parts follow each other.
+/// Parses "begin-end rights offset device inode path"; the parts of a module are adjacent.
 void LoadedModules::takeLine(char* line)
 {
     const char* path = std::strchr(line, '/');
@@ -204,8 +204,8 @@ std::string_view LoadedModules::nameOf(const Module& module)
     return std::strrchr(module.path, '/') + 1;
 }
 
-/// The function that an offset in a module lies in, as its symbol table has it (mangled); empty where it has none.
-/// Written into `place`.
+/// Returns the function at an offset in a module, from its symbol table (mangled); empty if there is none. Writes the
+/// name into `place`.
 std::string_view functionAt(const char* modulePath, std::uintptr_t offset, std::array<char, 512>& place)
 {
     const MappedModule file(modulePath);
@@ -225,15 +225,15 @@ constexpr std::array faultSignals{FaultSignal{SIGSEGV, "SIGSEGV"}, FaultSignal{S
                                   FaultSignal{SIGFPE, "SIGFPE"}, FaultSignal{SIGILL, "SIGILL"},
                                   FaultSignal{SIGABRT, "SIGABRT"}};
 
-/// All that the handler needs, made while memory could be asked for.
+/// Everything the handler needs, prepared while memory can be allocated.
 struct Preparation {
-    std::array<char, 4096> pathBegin{};   ///< up to the time
-    std::array<char, 32> process{};   ///< what follows the time
+    std::array<char, 4096> pathBegin{};   ///< part before the time
+    std::array<char, 32> process{};   ///< part after the time
     std::array<char, 128> program{};
-    std::array<char, 65536> ownStack{};   ///< the usual one may be what is full
+    std::array<char, 65536> ownStack{};   ///< alternate signal stack, since the normal one may have overflowed
     std::array<void*, 128> frames{};
     LoadedModules modules;
-    std::atomic<const char*> endedBy{nullptr};   ///< type of the exception that nobody caught
+    std::atomic<const char*> endedBy{nullptr};   ///< type of the uncaught exception
 };
 
 Preparation& prepared()
@@ -258,7 +258,7 @@ int openDump(const SignalTime& time)
     for (const char* part :
          {known.pathBegin.data(), static_cast<const char*>(time.text.data()), known.process.data()}) {
         for (; *part != '\0' && size + 1 < path.size(); ++part) {
-            if (*part != ':') {   // some drives know no names with it
+            if (*part != ':') {   // some file systems do not allow it in names
                 path[size++] = *part;
             }
         }
@@ -293,7 +293,7 @@ void writeHead(SignalText& out, int signal, const siginfo_t& about, const Signal
 std::uintptr_t addressOf(int frame)
 {
     const auto address = reinterpret_cast<std::uintptr_t>(prepared().frames[static_cast<std::size_t>(frame)]);
-    return frame == 0 ? address : address - 1;   // the call, not what comes after it
+    return frame == 0 ? address : address - 1;   // address of the call instead of the return address
 }
 
 void writeFrames(SignalText& out, int count)
@@ -312,7 +312,7 @@ void writeFrames(SignalText& out, int count)
     out.flush();
 }
 
-/// After the stack is on the disk: looking into files may be what fails.
+/// Writes function names after the stack is on disk, since reading the files may itself fail.
 void writeFunctions(SignalText& out, int count)
 {
     static std::array<char, 512> place{};
@@ -356,12 +356,12 @@ extern "C" void onFault(int signal, siginfo_t* about, void*)
 {
     if (isBeingWritten.test_and_set()) {
         for (;;) {
-            ::pause();   // another thread's fault is being written, and ends the process
+            ::pause();   // another thread is writing its fault and will end the process
         }
     }
     writeDump(signal, *about);
     std::signal(signal, SIG_DFL);
-    std::raise(signal);   // comes when this returns
+    std::raise(signal);   // delivered when this handler returns
 }
 
 [[noreturn]] void onTerminate()
@@ -387,7 +387,7 @@ void prepare(const CrashWriter& writer)
     put(writer.folder + '/' + writer.program + '-', known.pathBegin);
     put('-' + std::to_string(::getpid()) + ".txt", known.process);
     put("program: " + writer.program + ' ' + writer.version, known.program);
-    (void)::backtrace(known.frames.data(), 1);   // loads what it needs, which takes memory
+    (void)::backtrace(known.frames.data(), 1);   // loads its libraries now, since that allocates memory
 }
 
 }   // namespace

@@ -4,17 +4,17 @@
 
 namespace angiopose::io {
 
-/// Which program's faults are written down, and where.
+/// The program whose faults are recorded, and the folder for the dumps.
 struct CrashWriter {
-    std::string program;   ///< "angiopose", the beginning of the files' names
+    std::string program;   ///< "angiopose", the prefix of the file names
     std::string version;
-    std::string folder;   ///< made where it is not there
+    std::string folder;   ///< created if it does not exist
 };
 
-/// From now on a fault (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, std::terminate) leaves a file in the folder before it
-/// ends the process by the same signal: version, signal, time, thread and stack with module, offset and, where the
-/// module has it, the function. No path, no argument, no text of an exception: nothing of who or what was worked on.
-/// For the start of a program; nothing under sanitizers, which do the same.
+/// Makes a fault (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, std::terminate) write a file to the folder before the same
+/// signal ends the process: version, signal, time, thread and stack with module, offset and, if the module has it, the
+/// function. Contains no path, argument or exception text, hence nothing about the user or the data. To be called at
+/// program start; does nothing under sanitizers, which report faults themselves.
 void writeCrashDumps(const CrashWriter& writer);
 
 }   // namespace angiopose::io

@@ -11,13 +11,13 @@ enum class FileKind { Missing, Unreachable, Folder, Regular, Other };
 struct FileFacts {
     FileKind kind = FileKind::Missing;
     std::size_t size = 0;
-    std::string problem;   ///< what the system says of an unreachable one
+    std::string problem;   ///< the system's error text for an inaccessible path
 };
 
-/// Looked at without opening it: to open a pipe would wait for ever.
+/// Examines a path without opening it, since opening a pipe would block forever.
 FileFacts factsOf(const std::string& path);
 
-/// A file that is open for reading, closed with the object. Opening a pipe does not wait for who writes to it.
+/// A file open for reading, closed with the object. Opening a pipe does not wait for its writer.
 class ReadHandle {
 public:
     explicit ReadHandle(const std::string& path);
@@ -28,12 +28,12 @@ public:
     bool isOpen() const { return value_ >= 0; }
     bool isRegular() const { return isRegular_; }
     std::size_t size() const { return size_; }
-    const std::string& problem() const { return problem_; }   ///< what the system said last
+    const std::string& problem() const { return problem_; }   ///< the system's latest error text
 
-    /// How many bytes came; 0 where no more can be had: `problem` says why.
+    /// Returns how many bytes were read; 0 if no more can be read, with the reason in `problem`.
     std::size_t read(char* bytes, std::size_t most);
 
-    /// The whole file in memory, read as it is looked at; null where that cannot be: `problem` says why.
+    /// Maps the whole file into memory, read on access; null on failure, with the reason in `problem`.
     const char* map();
 
 private:
@@ -43,11 +43,11 @@ private:
     std::string problem_;
 };
 
-/// Gives back what `ReadHandle::map` gave.
+/// Releases a mapping from `ReadHandle::map`.
 void unmap(const char* mapping, std::size_t size);
 
-/// Has the system read the first bytes of a mapping, and tells what it says where it cannot; nothing where the system
-/// does not know the question.
+/// Makes the system read the first bytes of a mapping, and returns its error text on failure; nullopt also if the
+/// system lacks this call.
 std::optional<std::string> faultOfMapping(const char* mapping, std::size_t size);
 
 }   // namespace angiopose::io

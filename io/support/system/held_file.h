@@ -4,13 +4,13 @@
 
 namespace angiopose::io {
 
-/// An open file or folder that programs hold against each other without waiting (flock). Let go with the object.
+/// An open file or folder with a non-blocking lock between programs (flock). Released with the object.
 class HeldFile {
 public:
-    enum class Way { Read, Write, Folder };   ///< Write: made where it is not there
+    enum class Way { Read, Write, Folder };   ///< Write: created if it does not exist
 
     HeldFile() = default;
-    /// Never follows a link, but to a folder.
+    /// Opens a path; follows links only to folders.
     HeldFile(const std::string& path, Way way);
     HeldFile(HeldFile&& other) noexcept;
     HeldFile& operator=(HeldFile&& other) noexcept;
@@ -18,15 +18,15 @@ public:
 
     bool isOpen() const { return value_ >= 0; }
 
-    enum class Held { Mine, ByAnother, Impossible };   ///< impossible: drives that know no locks
+    enum class Held { Mine, ByAnother, Impossible };   ///< Impossible: the drive does not support locks
     Held holdAlone() const;
     Held holdWithOthers() const;
 
-    /// Whether it is still the one that the path leads to: another program may just have removed it.
+    /// Returns whether the path still leads to this file; another program may just have removed it.
     bool isStillAt(const std::string& path) const;
 
     std::string text() const;   ///< its first 512 bytes
-    void setText(const std::string& text) const;   ///< nothing where the drive is full
+    void setText(const std::string& text) const;   ///< writes nothing if the drive is full
     void close();
 
 private:

@@ -4,7 +4,7 @@
 
 namespace angiopose::io {
 
-/// What a report of a fault says about the machine; texts are empty where the system does not tell.
+/// Machine data for crash reports; texts are empty if the system does not provide them.
 struct MachineFacts {
     std::string system;   ///< "Debian GNU/Linux 12 (bookworm), Linux 6.1.0 x86_64"
     std::string processor;
@@ -12,7 +12,7 @@ struct MachineFacts {
 };
 MachineFacts machineFacts();
 
-/// Of who runs this process.
+/// Returns the account name of the user who runs this process.
 std::string accountName();
 std::string accountFullName();
 std::string homeFolder();

@@ -19,7 +19,8 @@ std::filesystem::path ownBinary()
     link_map* map = nullptr;
     const bool isFound = ::dladdr1(reinterpret_cast<const void*>(&ownBinary), &info, reinterpret_cast<void**>(&map),
                                    RTLD_DL_LINKMAP) != 0;
-    const bool isLibrary = isFound && map != nullptr && map->l_name[0] != '\0';   // a program has no name there
+    const bool isLibrary =
+        isFound && map != nullptr && map->l_name[0] != '\0';   // the name is empty for the main program
     std::error_code ignored;
     return isLibrary ? fs::canonical(map->l_name, ignored) : fs::read_symlink("/proc/self/exe", ignored);
 }
@@ -44,7 +45,7 @@ bool isAlive(int process)
     if (::kill(process, 0) != 0 && errno == ESRCH) {
         return false;
     }
-    // One that has ended stays until its parent asks for it.
+    // A process that has ended remains listed (zombie) until its parent waits for it.
     std::ifstream file("/proc/" + std::to_string(process) + "/stat");
     const std::string stat{std::istreambuf_iterator<char>(file), {}};
     const std::size_t state = stat.rfind(") ");

@@ -7,23 +7,23 @@
 
 namespace angiopose::io {
 
-/// The program or the shared library that this code is part of; empty where the system does not tell.
+/// Returns the path of the program or shared library that contains this code; empty if the system does not provide it.
 std::filesystem::path ownBinary();
 
 bool isExecutable(const std::filesystem::path& file);
 
-/// Of the whole machine, bytes.
+/// Returns the total memory of the machine, bytes.
 double memoryBytes();
 
 int ownProcessId();
 
-/// Also of a process of somebody else.
+/// Returns whether a process is running, including those of other users.
 bool isAlive(int process);
 
-/// As the network knows it; "localhost" where it has no name.
+/// Returns the host name; "localhost" if it has none.
 std::string machineName();
 
-/// Whether a person watches what is written there.
+/// Returns whether the stream writes to a terminal.
 bool isTerminal(std::FILE* stream);
 
 }   // namespace angiopose::io

@@ -6,12 +6,12 @@ namespace angiopose::io {
 
 struct ProcessLimits {
     std::uint64_t processorSeconds = 0;
-    std::uint64_t seconds = 0;   ///< of one that only waits
+    std::uint64_t seconds = 0;   ///< wall-clock limit, which also ends a process that only waits
     std::uint64_t furtherMemory =
-        0;   ///< bytes beyond what is in use; not under sanitizers, whose shadow takes terabytes
+        0;   ///< bytes beyond those in use; not under sanitizers, whose shadow memory takes terabytes
 };
 
-/// From now on this process dies when it takes more than that, leaves no core file and writes no file.
+/// Makes this process end when it exceeds these limits, leave no core file and write no file.
 void limitOwnProcess(const ProcessLimits& limits);
 
 }   // namespace angiopose::io

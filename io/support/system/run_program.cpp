@@ -12,7 +12,7 @@ namespace {
 
 constexpr useconds_t askedEveryUs = 20000;
 
-/// The process that runs it; below 0: none does.
+/// Starts a program with this process's streams and returns its process id; negative: not started.
 pid_t startWithOurStreams(const std::string& program, std::vector<std::string> arguments)
 {
     posix_spawn_file_actions_t files;

@@ -9,11 +9,12 @@ namespace angiopose::io {
 struct ProgramEnd {
     bool isStarted = false;
     int exitCode = 0;
-    int signal = 0;   ///< that ended it; 0: none
+    int signal = 0;   ///< signal that ended it; 0: none
 };
 
-/// Runs a program, by its path or a name in the search path, to its end; what it says goes where ours goes. Ctrl+C is
-/// for us alone: once `isStopped` says so the program is asked to end (SIGTERM), and its end is waited for.
+/// Runs a program, given by its path or a name in the search path, until it ends; its output goes to this process's
+/// streams. Ctrl+C reaches only this process: when `isStopped` returns true, sends the program SIGTERM and waits for
+/// its end.
 ProgramEnd runProgram(const std::string& program, std::vector<std::string> arguments, bool (*isStopped)());
 
 }   // namespace angiopose::io

@@ -7,7 +7,7 @@
 
 namespace angiopose::io {
 
-/// Lines for a file that is written while nothing can be trusted: no memory is asked for, no lock is taken.
+/// Writes lines of a file within a signal handler: allocates no memory and takes no lock.
 class SignalText {
 public:
     explicit SignalText(int file) : file_(file) {}
@@ -28,7 +28,7 @@ private:
     std::size_t size_ = 0;
 };
 
-/// "2026-01-31T08:05:09Z" from seconds since 1970.
+/// Formats seconds since 1970 as "2026-01-31T08:05:09Z".
 struct SignalTime {
     explicit SignalTime(std::int64_t seconds);
     std::array<char, 21> text{};

@@ -5,8 +5,8 @@
 
 namespace angiopose::io {
 
-/// How helper programs are started: no signal is blocked or ignored, and they are a group of their own: Ctrl+C is for
-/// the program that asks, which then stops them.
+/// Start attributes of helper programs: no signal is blocked or ignored, and each has its own process group, so that
+/// Ctrl+C reaches only the parent, which then stops them.
 class SpawnAttributes {
 public:
     SpawnAttributes()

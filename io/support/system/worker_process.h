@@ -7,12 +7,12 @@
 
 namespace angiopose::io {
 
-/// A program that runs beside ours and does what it is told, line by line, until it is told nothing more. It hears and
-/// answers on descriptor 3; its own output is dropped, its messages go where ours go. Ctrl+C is for us alone. Killed,
-/// if it still runs, with the object.
+/// A helper program that executes commands line by line until there are no more. It receives and answers on descriptor
+/// 3; its standard output is discarded, and its error messages go to this process's. Ctrl+C reaches only the parent.
+/// The destructor kills the worker if it still runs.
 class WorkerProcess {
 public:
-    /// `environment`: "NAME=value", over what this process has.
+    /// `environment`: "NAME=value", overriding the variables of this process.
     WorkerProcess(const std::string& program, std::vector<std::string> arguments,
                   const std::vector<std::string>& environment);
     WorkerProcess(const WorkerProcess&) = delete;
@@ -22,36 +22,36 @@ public:
     bool isStarted() const { return id_ > 0; }
     int id() const { return id_; }
 
-    /// False where it is not there any more.
+    /// Sends a line; returns false if the worker no longer runs.
     bool tell(const std::string& line) const;
 
     enum class Heard { Nothing, Line, End };
-    /// What it has said by now, one line a time, without waiting; `line` is it. End: it is there no more.
+    /// Receives the next available line into `line`, without waiting. End: the worker no longer runs.
     Heard hear(std::string& line);
 
-    /// Asks it to end what it does (SIGTERM).
+    /// Asks it to stop its current work (SIGTERM).
     void askToStop() const;
 
-    /// Kills it and waits for its end: in words how that came ("signal 11"), where it had ended by itself before.
+    /// Kills it and waits for its end; returns how it ended ("signal 11") if it had already ended on its own.
     std::string end();
 
-    /// Waits until one of them says something or ends, at most so long; a signal to us ends the waiting.
+    /// Waits until a worker sends something or ends, at most this long; a signal to this process ends the wait.
     static void waitForAny(std::span<const WorkerProcess* const> workers, int milliseconds);
 
 private:
     int id_ = -1;
     int channel_ = -1;
-    std::string heard_;   ///< less than a line
+    std::string heard_;   ///< received part of an incomplete line
 };
 
-/// The worker's side of it.
+/// The worker's end of the channel.
 class WorkerChannel {
 public:
-    /// Makes this process one that ends when the one that started it, `parent`, does. False where that is gone already,
-    /// or nobody is at the other end.
+    /// Makes this process end when `parent`, which started it, ends. Returns false if the parent has already ended, or
+    /// nobody is at the other end of the channel.
     static bool open(int parent);
 
-    /// The next line that it is told; false at the end, or when a signal came and `isStopped` says that it is meant.
+    /// Receives the next line; returns false at the end, or when a signal arrives and `isStopped` returns true.
     static bool hear(std::string& line, bool (*isStopped)());
     static bool say(const std::string& line);
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where a 3-D vessel tree lies in a 2-D angiogram: all of the library.
+// AngioPose registers a 3-D vessel tree to a 2-D angiogram. Includes the whole library.
 
 #include "angiopose/angiogram.h"
 #include "angiopose/bending.h"

@@ -5,7 +5,7 @@
     "AngioPose needs C++20: compile with -std=c++20, or link the CMake target AngioPose::AngioPose, which asks for it."
 #endif
 
-/// Marks what the library shows; everything else stays inside it.
+/// Marks the exported symbols of the library; all others are hidden.
 #if defined(ANGIOPOSE_BUILDS_LIBRARY)
 #define ANGIOPOSE_EXPORT __attribute__((visibility("default")))
 #else

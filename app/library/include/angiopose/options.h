@@ -9,12 +9,12 @@
 
 namespace angiopose {
 
-/// Which method solves a registration, and its settings: those of `methods()`, by key. What is not set has its default.
-/// A key that no method knows is refused; a setting of another method is kept, and does nothing.
+/// Registration method and its settings, by the keys that `methods()` lists. Unset settings have their defaults.
+/// Unknown keys are rejected; settings of another method are kept but have no effect.
 struct RegistrationOptions {
     std::string method = "angiopose";
-    std::map<std::string, std::string> values;   ///< a number, or one of the choices by name
-    std::vector<std::string> locks;   ///< degrees of freedom kept: right, up, along-ray, roll, lao-rao, cra-cau
+    std::map<std::string, std::string> values;   ///< a number, or the name of a choice
+    std::vector<std::string> locks;   ///< locked degrees of freedom: right, up, along-ray, roll, lao-rao, cra-cau
 
     ANGIOPOSE_EXPORT RegistrationOptions& set(const std::string& key, double value);
     ANGIOPOSE_EXPORT RegistrationOptions& set(const std::string& key, std::string_view choice);
@@ -24,22 +24,22 @@ struct RegistrationOptions {
 struct OptionInfo {
     std::string key;
     std::string unit;   ///< "px", "mm", "°" or empty
-    std::string help;   ///< the effect, one sentence
+    std::string help;   ///< effect, in one sentence
     double min = 0.0;
     double max = 0.0;
-    std::vector<std::string> choices;   ///< not empty: the value is one of these
+    std::vector<std::string> choices;   ///< if not empty: the allowed values
     std::string defaultValue;
 };
 
-/// One method of registration.
+/// One registration method.
 struct MethodInfo {
     std::string id;
     std::string label;
-    std::string summary;   ///< what it minimises, its source
+    std::string summary;   ///< its cost function and its source
     std::vector<OptionInfo> options;
 };
 
-/// Every method, the default first.
+/// All methods, the default first.
 ANGIOPOSE_EXPORT std::vector<MethodInfo> methods();
 
 }   // namespace angiopose
