@@ -77,8 +77,8 @@ Alignment::Alignment(std::vector<AlignmentPoint> points, const ProjectionCamera&
         count = std::max(count, 1.0);
     }
     visibility_.assign(pointCount_.size(), 1.0);
-    buffers_.looks.here.branchWeight.reserve(pointCount_.size());
-    buffers_.looks.there.branchWeight.reserve(pointCount_.size());
+    buffers_.evaluations.here.branchWeight.reserve(pointCount_.size());
+    buffers_.evaluations.there.branchWeight.reserve(pointCount_.size());
     buffers_.residuals.reserve(points_.size());
 }
 
@@ -100,7 +100,7 @@ inline Eigen::Vector3d Alignment::cameraGradient(const SeenPoint& seen, const Ma
     return {along, found.normalX, found.normalY};
 }
 
-Agreement Alignment::look(const CentroidPose& pose, double scalePx) const
+Agreement Alignment::evaluate(const CentroidPose& pose, double scalePx) const
 {
     Agreement agreement;
     look(pose, scalePx, agreement);
@@ -137,7 +137,7 @@ inline void Alignment::addForward(double scalePx, const Matched& matched, Agreem
     agreement.loss = 2.0 * scalePx * scalePx * costShare;
 }
 
-void Alignment::look(const CentroidPose& pose, double scalePx, Agreement& agreement) const
+void Alignment::evaluate(const CentroidPose& pose, double scalePx, Agreement& agreement) const
 {
     SeenPoint seen;
     const auto matched = [&](std::size_t i, Match& found) {

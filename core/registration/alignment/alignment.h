@@ -31,10 +31,10 @@ class Alignment {
 public:
     Alignment(std::vector<AlignmentPoint> points, const ProjectionCamera& camera, const TargetLines& target);
 
-    Agreement look(const CentroidPose& pose, double scalePx) const;
+    Agreement evaluate(const CentroidPose& pose, double scalePx) const;
 
     /// Overload that reuses an agreement; allocates nothing after the first call.
-    void look(const CentroidPose& pose, double scalePx, Agreement& agreement) const;
+    void evaluate(const CentroidPose& pose, double scalePx, Agreement& agreement) const;
 
     /// Same, but also matches in the other direction (ALGORITHMS §6.6 b): every target line attracts the branch closest
     /// to it, which makes the whole image count and not only the parts nearest to some tree point.
@@ -65,7 +65,7 @@ public:
 
     /// Buffers of a refinement, allocated once; its steps allocate nothing.
     struct Buffers {
-        LookPair<Agreement> looks;
+        EvaluationPair<Agreement> evaluations;
         std::vector<double> residuals;
         ReverseMatching reverse;
     };

@@ -39,7 +39,7 @@ RefinementResult FinalRefinement::refine(const CentroidPose& pose, const Refinem
     const RefinementSchedule schedule{startScalePx, options_.finalScalePx, 0.7, 2, 20, options_.maxIterations, true};
     result = core::refine(*spaced_, prior_, result.pose, schedule, observe);
     if (result.stopReason != StopReason::StoppedByUser) {
-        all_->setVisibility(spaced_->look(result.pose, result.scalePx));
+        all_->setVisibility(spaced_->evaluate(result.pose, result.scalePx));
         result.pose = refineTolerantly(*all_, prior_, result.pose, result.scalePx);
     }
     return result;

@@ -16,9 +16,9 @@ constexpr double madToStd = 1.4826;
 /// Alignment at one scale: Welsch loss plus the prior.
 class AlignmentAtScale {
 public:
-    using Place = CentroidPose;
+    using State = CentroidPose;
     using Step = Vector6d;
-    using Look = Agreement;
+    using Evaluation = Agreement;
     using Equations = NormalEquations;
 
     AlignmentAtScale(Alignment& alignment, const StartPrior& prior, const RefinementSchedule& schedule)
@@ -26,12 +26,12 @@ public:
     {
     }
 
-    bool look(const CentroidPose& pose, Agreement& agreement) const
+    bool evaluate(const CentroidPose& pose, Agreement& agreement) const
     {
         if (bothWays_) {
             alignment_.searchBothDirections(pose, scalePx_, agreement);
         } else {
-            alignment_.look(pose, scalePx_, agreement);
+            alignment_.evaluate(pose, scalePx_, agreement);
         }
         const double variance = noiseVariance(scalePx_);
         prior_.add(pose, variance, agreement.equations);
@@ -54,11 +54,11 @@ public:
         return prior_.freedom.moved(pose, step);
     }
 
-    std::optional<double> gained(const Agreement& here, const Agreement& there) const
+    std::optional<double> decrease(const Agreement& here, const Agreement& there) const
     {
         const double slack = jitter * scalePx_ * scalePx_ * static_cast<double>(alignment_.size());
-        const double gained = here.loss - there.loss;
-        return gained >= -slack ? std::optional(std::max(0.0, gained)) : std::nullopt;
+        const double decrease = here.loss - there.loss;
+        return decrease >= -slack ? std::optional(std::max(0.0, decrease)) : std::nullopt;
     }
 
     double lengthMm(const CentroidPose&, const Vector6d& step) const
@@ -113,16 +113,16 @@ RefinementResult refine(Alignment& alignment, const StartPrior& prior, const Cen
     AlignmentAtScale problem(alignment, prior, schedule);
     const StepOptions steps{.settledMm = settledRefinementMm,
                             .settledGain = settledGainPx2 * static_cast<double>(alignment.size())};
-    DampedDescent descent(problem, start, alignment.buffers().looks, steps);
+    DampedDescent descent(problem, start, alignment.buffers().evaluations, steps);
     RefinementResult result;
     const double wholeSteps = expectedSteps(schedule);
     const auto report = [&](const StepOutcome&) {
         ++result.steps;
-        return observe ? observe({descent.place(), problem.scalePx(), std::min(1.0, result.steps / wholeSteps)})
+        return observe ? observe({descent.state(), problem.scalePx(), std::min(1.0, result.steps / wholeSteps)})
                        : Verdict::Continue;
     };
     const auto finish = [&](StopReason reason) {
-        result.pose = descent.place();
+        result.pose = descent.state();
         result.scalePx = problem.scalePx();
         result.stopReason = reason;
         return result;
@@ -143,11 +143,11 @@ RefinementResult refine(Alignment& alignment, const StartPrior& prior, const Cen
             return finish(StopReason::Converged);
         }
         if (problem.scalePx() < noiseMattersPx) {
-            endScalePx = endScaleOf(schedule, problem, descent.place());
+            endScalePx = endScaleOf(schedule, problem, descent.state());
         }
         problem.setScale(std::max(endScalePx, schedule.shrink * problem.scalePx()));
-        alignment.setVisibility(descent.look());
-        descent.lookAgain();
+        alignment.setVisibility(descent.evaluation());
+        descent.reevaluate();
         descent.resetDamping();
     }
 }

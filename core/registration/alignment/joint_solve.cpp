@@ -26,7 +26,7 @@ double mmPerPx(const RegistrationProblem& problem)
 }
 
 /// Evaluation of all images at one pose.
-struct JointLook {
+struct JointEvaluation {
     double loss = 0.0;
     StackedEquations equations;
 };
@@ -34,9 +34,9 @@ struct JointLook {
 /// All images at one scale, with the priors of the first pose and of the corrections.
 class JointAtScale {
 public:
-    using Place = JointPose;
+    using State = JointPose;
     using Step = Eigen::VectorXd;
-    using Look = JointLook;
+    using Evaluation = JointEvaluation;
     using Equations = StackedEquations;
 
     JointAtScale(const JointSolve::Views& views, const std::vector<PlacedCamera>& geometry, const StartPrior& prior,
@@ -45,21 +45,24 @@ public:
     {
     }
 
-    bool look(const JointPose& joint, JointLook& look) const
+    bool evaluate(const JointPose& joint, JointEvaluation& evaluation) const
     {
         std::vector<NormalEquations> perView;
-        look.loss = 0.0;
+        evaluation.loss = 0.0;
         for (std::size_t k = 0; k < views_.size(); ++k) {
-            const Agreement agreement = views_[k]->alignment.look(poseInView(joint, geometry_, k), scalePx_);
-            look.loss += agreement.loss;
+            const Agreement agreement = views_[k]->alignment.evaluate(poseInView(joint, geometry_, k), scalePx_);
+            evaluation.loss += agreement.loss;
             perView.push_back(agreement.equations);
         }
-        look.equations = stacked(perView, joint, geometry_);
-        addPriors(joint, look);
+        evaluation.equations = stacked(perView, joint, geometry_);
+        addPriors(joint, evaluation);
         return true;
     }
 
-    const StackedEquations& equations(const JointPose&, const JointLook& look) const { return look.equations; }
+    const StackedEquations& equations(const JointPose&, const JointEvaluation& evaluation) const
+    {
+        return evaluation.equations;
+    }
 
     Eigen::VectorXd step(const JointPose&, const StackedEquations& equations, double damping) const
     {
@@ -68,7 +71,7 @@ public:
 
     JointPose moved(const JointPose& joint, const Eigen::VectorXd& step) const { return core::moved(joint, step); }
 
-    std::optional<double> gained(const JointLook& here, const JointLook& there) const
+    std::optional<double> decrease(const JointEvaluation& here, const JointEvaluation& there) const
     {
         return there.loss <= here.loss ? std::optional(here.loss - there.loss) : std::nullopt;
     }
@@ -82,7 +85,7 @@ public:
     void setScale(double scalePx) { scalePx_ = scalePx; }
 
 private:
-    void addPriors(const JointPose& joint, JointLook& look) const;
+    void addPriors(const JointPose& joint, JointEvaluation& evaluation) const;
 
     const JointSolve::Views& views_;
     const std::vector<PlacedCamera>& geometry_;
@@ -91,20 +94,20 @@ private:
     double scalePx_ = jointStartScalePx;
 };
 
-void JointAtScale::addPriors(const JointPose& joint, JointLook& look) const
+void JointAtScale::addPriors(const JointPose& joint, JointEvaluation& evaluation) const
 {
     const double variance = noiseVariance(scalePx_);
     NormalEquations start;
     prior_.add(joint.first, variance, start);
-    look.equations.hessian.topLeftCorner<6, 6>() += Matrix6d(start.hessian.selfadjointView<Eigen::Lower>());
-    look.equations.gradient.head<6>() += start.gradient;
-    look.loss += variance * prior_.cost(joint.first);
+    evaluation.equations.hessian.topLeftCorner<6, 6>() += Matrix6d(start.hessian.selfadjointView<Eigen::Lower>());
+    evaluation.equations.gradient.head<6>() += start.gradient;
+    evaluation.loss += variance * prior_.cost(joint.first);
     for (std::size_t k = 1; k < views_.size(); ++k) {
         const Vector6d weight = variance * correctionStd_[k].cwiseAbs2().cwiseInverse();
         const auto at = static_cast<Eigen::Index>(6 * k);
-        look.equations.hessian.block<6, 6>(at, at).diagonal() += weight;
-        look.equations.gradient.segment<6>(at) += weight.cwiseProduct(joint.corrections[k]);
-        look.loss += joint.corrections[k].dot(weight.cwiseProduct(joint.corrections[k]));
+        evaluation.equations.hessian.block<6, 6>(at, at).diagonal() += weight;
+        evaluation.equations.gradient.segment<6>(at) += weight.cwiseProduct(joint.corrections[k]);
+        evaluation.loss += joint.corrections[k].dot(weight.cwiseProduct(joint.corrections[k]));
     }
 }
 
@@ -166,23 +169,23 @@ JointPose JointSolve::refine(const JointPose& start, const JointObserver& observ
         view->alignment.resetVisibility();
     }
     JointAtScale problem(views_, geometry_, prior_, correctionStd_);
-    LookPair<JointLook> looks;
-    DampedDescent descent(problem, start, looks, {.settledMm = settledJointMm});
+    EvaluationPair<JointEvaluation> evaluations;
+    DampedDescent descent(problem, start, evaluations, {.settledMm = settledJointMm});
     const std::vector<double> scalesPx = jointScalesPx();
     for (std::size_t level = 0; level < scalesPx.size(); ++level) {
         problem.setScale(scalesPx[level]);
-        descent.lookAgain();
+        descent.reevaluate();
         descent.resetDamping();
         const bool isLast = level + 1 == scalesPx.size();
         const StepOutcome last = descent.descend(isLast ? jointLastSteps : jointStepsPerScale, [&](const StepOutcome&) {
             const double done = static_cast<double>(level + 1) / static_cast<double>(scalesPx.size());
-            return observe ? observe(descent.place(), problem.scalePx(), done) : Verdict::Continue;
+            return observe ? observe(descent.state(), problem.scalePx(), done) : Verdict::Continue;
         });
         if (last.isStopped) {
             break;
         }
     }
-    return descent.place();
+    return descent.state();
 }
 
 double JointSolve::scoreOf(const JointPose& joint) const

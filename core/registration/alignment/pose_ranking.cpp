@@ -42,7 +42,7 @@ void PoseRanking::add(const CentroidPose& hypothesis)
 
 void PoseRanking::addFilled(const CentroidPose& hypothesis)
 {
-    points_.setVisibility(points_.look(hypothesis, schedule.startScalePx));
+    points_.setVisibility(points_.evaluate(hypothesis, schedule.startScalePx));
     file(hypothesis);
 }
 

@@ -134,7 +134,7 @@ CentroidPose settleShift(const Alignment& alignment, const StartPrior& prior, co
     const PoseFreedom shifts = prior.freedom.alsoLocking({PoseAxis::Roll, PoseAxis::LaoRao, PoseAxis::CraCau}, pose);
     CentroidPose settled = pose;
     for (int k = 0; k < maxShapeSteps; ++k) {
-        NormalEquations equations = alignment.look(settled, scalePx).equations;
+        NormalEquations equations = alignment.evaluate(settled, scalePx).equations;
         prior.add(settled, rowVariance, equations);
         const Vector6d step = shifts.dampedStep(equations, minShapeDamping, settled);
         settled = shifts.moved(settled, step);

@@ -16,7 +16,7 @@ Matrix6d informationOfAll(const RegistrationProblem& problem, const TargetLines&
                           const CentroidPose& pose)
 {
     const Alignment all(alignmentPoints(problem.tree), problem.camera, target);
-    const Matrix6d lower = all.look(pose, scalesPx.back()).equations.hessian;
+    const Matrix6d lower = all.evaluate(pose, scalesPx.back()).equations.hessian;
     return Matrix6d(lower.selfadjointView<Eigen::Lower>()) + prior.informationAt(pose);
 }
 

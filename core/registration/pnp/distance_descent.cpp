@@ -18,7 +18,7 @@ constexpr double settledDescentShare = 1e-6;   // relative to the cost, §3.6
 constexpr double wholeSquares = 1e9;   // px; keeps Huber's loss quadratic everywhere
 
 /// Evaluation of the points at one pose.
-struct HuberLook {
+struct HuberEvaluation {
     KernelDistances distances;
     double loss = 0.0;
 };
@@ -26,26 +26,26 @@ struct HuberLook {
 /// Huber's loss of the nearest distances, with matches updated at every evaluation.
 class HuberSquares : public SourceSteps {
 public:
-    using Look = HuberLook;
+    using Evaluation = HuberEvaluation;
 
     HuberSquares(const KernelProblem& problem, Freedom freedom, double huberPx)
         : SourceSteps(problem, freedom), huberPx_(huberPx)
     {
     }
 
-    bool look(const RigidTransform& pose, HuberLook& look) const
+    bool evaluate(const RigidTransform& pose, HuberEvaluation& evaluation) const
     {
-        measure(problem(), pose, look.distances);
-        look.loss = huberLoss(problem(), look.distances, huberPx_);
+        measure(problem(), pose, evaluation.distances);
+        evaluation.loss = huberLoss(problem(), evaluation.distances, huberPx_);
         return true;
     }
 
-    NormalEquations equations(const RigidTransform&, const HuberLook& look) const
+    NormalEquations equations(const RigidTransform&, const HuberEvaluation& evaluation) const
     {
-        return huberEquations(problem(), look.distances, huberPx_);
+        return huberEquations(problem(), evaluation.distances, huberPx_);
     }
 
-    std::optional<double> gained(const HuberLook& here, const HuberLook& there) const
+    std::optional<double> decrease(const HuberEvaluation& here, const HuberEvaluation& there) const
     {
         return there.loss < here.loss ? std::optional(here.loss - there.loss) : std::nullopt;
     }
@@ -97,27 +97,28 @@ KernelPnpResult DistanceDescent::descend(const KernelProblem& problem, Freedom f
                                          const KernelObserver& observe) const
 {
     HuberSquares squares(problem, freedom, options_.huberPx);
-    LookPair<HuberLook> looks;
-    DampedDescent descent(squares, start, looks, {.triesPerStep = descentTriesPerStep});
+    EvaluationPair<HuberEvaluation> evaluations;
+    DampedDescent descent(squares, start, evaluations, {.triesPerStep = descentTriesPerStep});
     KernelPnpResult result;
     result.scalePx = options_.huberPx;
     while (result.iterations < options_.maxIterations) {
-        const double before = descent.look().loss;
+        const double before = descent.evaluation().loss;
         const bool isTaken = descent.step().isTaken;
         if (isTaken) {
             ++result.iterations;
-            const KernelIteration step{result.iterations, options_.huberPx, descent.place(), &descent.look().distances};
+            const KernelIteration step{result.iterations, options_.huberPx, descent.state(),
+                                       &descent.evaluation().distances};
             if (observe && observe(step) == Verdict::Stop) {
                 result.stopReason = StopReason::StoppedByUser;
                 break;
             }
         }
-        if (!isTaken || before - descent.look().loss < settledDescentShare * before) {
+        if (!isTaken || before - descent.evaluation().loss < settledDescentShare * before) {
             result.stopReason = StopReason::Converged;
             break;
         }
     }
-    result.pose = descent.place();
+    result.pose = descent.state();
     result.pose.rotation = nearestRotation(result.pose.rotation);
     return result;
 }

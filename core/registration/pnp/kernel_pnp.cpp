@@ -14,7 +14,7 @@ constexpr double settledKernelMm = 1e-5;
 constexpr double kernelReachInScales = 3.0;
 
 /// Evaluation of the points at one pose.
-struct KernelLook {
+struct KernelEvaluation {
     KernelDistances distances;
     double loss = 0.0;   ///< N − E_data at the current ℓ
     double pull = 0.0;   ///< cost of the prior
@@ -24,30 +24,30 @@ struct KernelLook {
 /// Kernel-weighted squares at one ℓ plus the prior. A step is accepted unless E_data falls, whatever the prior.
 class KernelAtScale : public SourceSteps {
 public:
-    using Look = KernelLook;
+    using Evaluation = KernelEvaluation;
 
     KernelAtScale(const KernelProblem& problem, const PosePrior& prior, const KernelSchedule& schedule)
         : SourceSteps(problem, schedule.freedom), prior_(prior), schedule_(schedule)
     {
     }
 
-    bool look(const RigidTransform& pose, KernelLook& look) const
+    bool evaluate(const RigidTransform& pose, KernelEvaluation& evaluation) const
     {
-        measure(problem(), pose, look.distances, scalePx_);
-        look.loss = kernelLoss(look.distances, scalePx_);
-        look.pull = priorCost(prior_, pose);
-        look.isInDepth = depthMm(pose) > schedule_.nearestMm && depthMm(pose) < schedule_.farthestMm;
+        measure(problem(), pose, evaluation.distances, scalePx_);
+        evaluation.loss = kernelLoss(evaluation.distances, scalePx_);
+        evaluation.pull = priorCost(prior_, pose);
+        evaluation.isInDepth = depthMm(pose) > schedule_.nearestMm && depthMm(pose) < schedule_.farthestMm;
         return true;
     }
 
-    NormalEquations equations(const RigidTransform& pose, const KernelLook& look) const
+    NormalEquations equations(const RigidTransform& pose, const KernelEvaluation& evaluation) const
     {
-        NormalEquations equations = kernelEquations(problem(), look.distances, scalePx_);
+        NormalEquations equations = kernelEquations(problem(), evaluation.distances, scalePx_);
         addPrior(prior_, pose, equations);
         return equations;
     }
 
-    std::optional<double> gained(const KernelLook& here, const KernelLook& there) const
+    std::optional<double> decrease(const KernelEvaluation& here, const KernelEvaluation& there) const
     {
         if (!there.isInDepth || !(there.loss <= here.loss)) {
             return {};
@@ -78,21 +78,21 @@ double startScalePx(const KernelProblem& problem, const KernelSchedule& schedule
 KernelPnpResult KernelPnp::solve(const RigidTransform& start, const KernelObserver& observe)
 {
     KernelAtScale atScale(problem_, prior_, schedule_);
-    LookPair<KernelLook> looks;
-    DampedDescent descent(atScale, start, looks, {kernelTriesPerStep, settledKernelMm});
+    EvaluationPair<KernelEvaluation> evaluations;
+    DampedDescent descent(atScale, start, evaluations, {kernelTriesPerStep, settledKernelMm});
     const auto setScale = [&](double scalePx) {
         if (scalePx == atScale.scalePx()) {
             return;
         }
         atScale.setScale(scalePx);
         if (problem_.neighbors == Neighbors::Radius) {
-            descent.lookAgain();
+            descent.reevaluate();
         } else {   // same partners with different weights
-            descent.look().loss = kernelLoss(descent.look().distances, scalePx);
+            descent.evaluation().loss = kernelLoss(descent.evaluation().distances, scalePx);
             descent.relinearize();
         }
     };
-    ScaleAnnealing annealing(schedule_.decay, startScalePx(problem_, schedule_, looks.here.distances),
+    ScaleAnnealing annealing(schedule_.decay, startScalePx(problem_, schedule_, evaluations.here.distances),
                              schedule_.finalScalePx);
     setScale(annealing.scalePx());
 
@@ -110,16 +110,16 @@ KernelPnpResult KernelPnp::solve(const RigidTransform& start, const KernelObserv
             break;
         }
         ++result.iterations;
-        const KernelDistances& distances = descent.look().distances;
+        const KernelDistances& distances = descent.evaluation().distances;
         if (observe &&
-            observe({result.iterations, annealing.scalePx(), descent.place(), &distances}) == Verdict::Stop) {
+            observe({result.iterations, annealing.scalePx(), descent.state(), &distances}) == Verdict::Stop) {
             result.stopReason = StopReason::StoppedByUser;
             break;
         }
         annealing.noteStep(countWithin(distances, kernelReachInScales * annealing.scalePx()));
         setScale(annealing.scalePx());
     }
-    result.pose = descent.place();
+    result.pose = descent.state();
     result.pose.rotation = nearestRotation(result.pose.rotation);
     result.scalePx = annealing.scalePx();
     return result;

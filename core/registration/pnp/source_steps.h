@@ -7,7 +7,7 @@ namespace angiopose::core {
 /// States and steps of descents (see DampedDescent) that rotate the points about the X-ray source.
 class SourceSteps {
 public:
-    using Place = RigidTransform;
+    using State = RigidTransform;
     using Step = Vector6d;
     using Equations = NormalEquations;
 

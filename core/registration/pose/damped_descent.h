@@ -12,31 +12,31 @@ namespace angiopose::core {
 /// Requirements on a least-squares problem for the descent below: a state (one or several poses), a step from one state
 /// to the next, and an evaluation, which holds all quantities computed at a state.
 template <class P>
-concept LeastSquaresProblem = requires(P& problem, const typename P::Place& place, typename P::Look& look,
+concept LeastSquaresProblem = requires(P& problem, const typename P::State& state, typename P::Evaluation& evaluation,
                                        const typename P::Equations& equations, const typename P::Step& step)
 {
     /// Evaluates a state; returns false if it is not feasible.
     {
-        problem.look(place, look)
+        problem.evaluate(state, evaluation)
         } -> std::same_as<bool>;
     /// Normal equations for steps about the state, weights frozen; called only before a step is taken.
     {
-        problem.equations(place, look)
+        problem.equations(state, evaluation)
         } -> std::convertible_to<typename P::Equations>;
     /// Damped step along the free directions.
     {
-        problem.step(place, equations, 1e-3)
+        problem.step(state, equations, 1e-3)
         } -> std::convertible_to<typename P::Step>;
     {
-        problem.moved(place, step)
-        } -> std::convertible_to<typename P::Place>;
+        problem.moved(state, step)
+        } -> std::convertible_to<typename P::State>;
     /// Decrease of the cost at the second evaluation; nullopt if the step must not be taken.
     {
-        problem.gained(look, look)
+        problem.decrease(evaluation, evaluation)
         } -> std::same_as<std::optional<double>>;
     /// Distance by which the step moves the points, mm.
     {
-        problem.lengthMm(place, step)
+        problem.lengthMm(state, step)
         } -> std::convertible_to<double>;
 };
 
@@ -54,37 +54,38 @@ struct StepOutcome {
 };
 
 /// Evaluations of the descent at its current and next state; must outlive it to allow buffers to be reused.
-template <class Look>
-struct LookPair {
-    Look here;
-    Look there;
+template <class Evaluation>
+struct EvaluationPair {
+    Evaluation here;
+    Evaluation there;
 };
 
 /// Levenberg–Marquardt (ALGORITHMS §1): linearize, compute the damped step, and accept it if the problem does.
 template <LeastSquaresProblem Problem>
 class DampedDescent {
 public:
-    using Place = typename Problem::Place;
-    using Look = typename Problem::Look;
+    using State = typename Problem::State;
+    using Evaluation = typename Problem::Evaluation;
 
-    DampedDescent(Problem& problem, const Place& start, LookPair<Look>& looks, const StepOptions& options)
-        : problem_(problem), options_(options), looks_(looks), place_(start)
+    DampedDescent(Problem& problem, const State& start, EvaluationPair<Evaluation>& evaluations,
+                  const StepOptions& options)
+        : problem_(problem), options_(options), evaluations_(evaluations), state_(start)
     {
-        isStanding_ = problem_.look(place_, looks_.here);
+        isFeasible_ = problem_.evaluate(state_, evaluations_.here);
     }
 
-    const Place& place() const { return place_; }
-    Look& look() { return looks_.here; }
-    bool isStanding() const { return isStanding_; }   ///< false: the problem cannot be evaluated at the initial state
+    const State& state() const { return state_; }
+    Evaluation& evaluation() { return evaluations_.here; }
+    bool isFeasible() const { return isFeasible_; }   ///< false: the problem cannot be evaluated at the initial state
 
     /// Call after the problem changed but the evaluation did not; an evaluation modified by the caller counts as
     /// current.
     void relinearize() { isLinearized_ = false; }
 
     /// Call after the problem changed: evaluates the state again.
-    void lookAgain()
+    void reevaluate()
     {
-        isStanding_ = problem_.look(place_, looks_.here);
+        isFeasible_ = problem_.evaluate(state_, evaluations_.here);
         relinearize();
     }
 
@@ -108,11 +109,11 @@ public:
 private:
     Problem& problem_;
     StepOptions options_;
-    LookPair<Look>& looks_;
-    Place place_;
+    EvaluationPair<Evaluation>& evaluations_;
+    State state_;
     typename Problem::Equations equations_;
     Damping damping_;
-    bool isStanding_ = false;
+    bool isFeasible_ = false;
     bool isLinearized_ = false;
 };
 
@@ -120,23 +121,23 @@ template <LeastSquaresProblem Problem>
 StepOutcome DampedDescent<Problem>::step()
 {
     if (!isLinearized_) {
-        equations_ = problem_.equations(place_, looks_.here);
+        equations_ = problem_.equations(state_, evaluations_.here);
         isLinearized_ = true;
     }
     for (int attempt = 0; attempt < options_.triesPerStep; ++attempt) {
-        const typename Problem::Step step = problem_.step(place_, equations_, damping_.factor());
+        const typename Problem::Step step = problem_.step(state_, equations_, damping_.factor());
         const double promised = predictedDecrease(equations_, step);
         if (!(promised > 0.0)) {
             return {false, true};
         }
-        const bool isTiny = promised < options_.settledGain || problem_.lengthMm(place_, step) < options_.settledMm;
-        const Place trial = problem_.moved(place_, step);
-        const bool isFeasible = problem_.look(trial, looks_.there);
-        const auto gained = isFeasible ? problem_.gained(looks_.here, looks_.there) : std::nullopt;
-        if (gained) {
-            damping_.accept(*gained / promised);
-            place_ = trial;
-            std::swap(looks_.here, looks_.there);
+        const bool isTiny = promised < options_.settledGain || problem_.lengthMm(state_, step) < options_.settledMm;
+        const State trial = problem_.moved(state_, step);
+        const bool canEvaluate = problem_.evaluate(trial, evaluations_.there);
+        const auto decrease = canEvaluate ? problem_.decrease(evaluations_.here, evaluations_.there) : std::nullopt;
+        if (decrease) {
+            damping_.accept(*decrease / promised);
+            state_ = trial;
+            std::swap(evaluations_.here, evaluations_.there);
             relinearize();
             return {true, isTiny};
         }

@@ -32,7 +32,7 @@ constexpr double priorDepthMm = 30.0;
 
 /// Evaluation of a pose: squared pixel errors in units of the click error and, where few pairs require it, the prior at
 /// the previous pose.
-struct LandmarkLook {
+struct LandmarkEvaluation {
     double cost = std::numeric_limits<double>::infinity();
     NormalEquations equations;
 };
@@ -40,9 +40,9 @@ struct LandmarkLook {
 /// Least-squares problem of poses about the landmarks' centroid.
 class LandmarkSquares {
 public:
-    using Place = CentroidPose;
+    using State = CentroidPose;
     using Step = Vector6d;
-    using Look = LandmarkLook;
+    using Evaluation = LandmarkEvaluation;
     using Equations = NormalEquations;
 
     LandmarkSquares(std::span<const Landmark> landmarks, const ProjectionCamera& camera,
@@ -59,9 +59,9 @@ public:
     const Eigen::Vector3d& centroid() const { return centroid_; }
 
     /// Returns false if a landmark is not in front of the source.
-    bool look(const CentroidPose& pose, LandmarkLook& look) const
+    bool evaluate(const CentroidPose& pose, LandmarkEvaluation& evaluation) const
     {
-        look = {0.0, {}};
+        evaluation = {0.0, {}};
         for (const Landmark& landmark : landmarks_) {
             const Eigen::Vector3d turned = pose.rotation * (landmark.pointInPatient - centroid_);
             const auto pixel = project(camera_, turned + pose.centroidInCamera);
@@ -69,17 +69,20 @@ public:
                 return false;
             }
             const Eigen::Vector2d residual = (*pixel - landmark.pixel) / clickStdPx;
-            look.cost += residual.squaredNorm();
-            add(turned, turned + pose.centroidInCamera, residual, look.equations);
+            evaluation.cost += residual.squaredNorm();
+            add(turned, turned + pose.centroidInCamera, residual, evaluation.equations);
         }
         if (prior_) {
-            look.cost += prior_->cost(pose);
-            prior_->add(pose, 1.0, look.equations);
+            evaluation.cost += prior_->cost(pose);
+            prior_->add(pose, 1.0, evaluation.equations);
         }
         return true;
     }
 
-    const NormalEquations& equations(const CentroidPose&, const LandmarkLook& look) const { return look.equations; }
+    const NormalEquations& equations(const CentroidPose&, const LandmarkEvaluation& evaluation) const
+    {
+        return evaluation.equations;
+    }
 
     Vector6d step(const CentroidPose&, const NormalEquations& equations, double damping) const
     {
@@ -88,7 +91,7 @@ public:
 
     CentroidPose moved(const CentroidPose& pose, const Vector6d& step) const { return core::moved(pose, step); }
 
-    std::optional<double> gained(const LandmarkLook& here, const LandmarkLook& there) const
+    std::optional<double> decrease(const LandmarkEvaluation& here, const LandmarkEvaluation& there) const
     {
         return there.cost <= here.cost ? std::optional(here.cost - there.cost) : std::nullopt;
     }
@@ -120,13 +123,13 @@ struct Fit {
 
 Fit refined(LandmarkSquares& squares, const CentroidPose& start)
 {
-    LookPair<LandmarkLook> looks;
-    DampedDescent descent(squares, start, looks, {.settledMm = settledLandmarksMm});
-    if (!descent.isStanding()) {
+    EvaluationPair<LandmarkEvaluation> evaluations;
+    DampedDescent descent(squares, start, evaluations, {.settledMm = settledLandmarksMm});
+    if (!descent.isFeasible()) {
         return {start};
     }
     descent.descend(maxLandmarkSteps, [](const StepOutcome&) { return Verdict::Continue; });
-    return {descent.place(), descent.look().cost};
+    return {descent.state(), descent.evaluation().cost};
 }
 
 /// Standard deviation of points, one per column, along the axis of their largest spread (`rank` 0) or of a smaller one.
@@ -195,9 +198,9 @@ LandmarkPose judged(const LandmarkSquares& squares, const Fit& fit, std::span<co
         sum += error * error / static_cast<double>(result.errorPx.size());
     }
     result.rmsPx = std::sqrt(sum);
-    LandmarkLook look;
-    squares.look(fit.pose, look);
-    const Matrix6d full = look.equations.hessian.selfadjointView<Eigen::Lower>();
+    LandmarkEvaluation evaluation;
+    squares.evaluate(fit.pose, evaluation);
+    const Matrix6d full = evaluation.equations.hessian.selfadjointView<Eigen::Lower>();
     const Matrix6d covariance = inverseOf(full);
     result.depthStdMm = std::sqrt(std::max(0.0, covariance(5, 5)));
     result.rotationStdDeg = degreesPerRadian * std::sqrt(std::max(0.0, covariance.diagonal().head<3>().maxCoeff()));

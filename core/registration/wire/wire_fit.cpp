@@ -30,37 +30,40 @@ struct WireSight {
 /// Half of −2 log posterior of a pose, with fixed pairs.
 class WireSquares {
 public:
-    struct LookAt {
+    struct EvaluationAt {
         double cost = 0.0;
         NormalEquations equations;
     };
-    using Place = CentroidPose;
+    using State = CentroidPose;
     using Step = Vector6d;
-    using Look = LookAt;
+    using Evaluation = EvaluationAt;
     using Equations = NormalEquations;
 
     WireSquares(const WireProblem& problem, const std::vector<WireSight>& sights) : problem_(problem), sights_(sights)
     {
     }
 
-    bool look(const CentroidPose& pose, LookAt& look) const
+    bool evaluate(const CentroidPose& pose, EvaluationAt& evaluation) const
     {
-        look = {problem_.prior.cost(pose), {}};
-        problem_.prior.add(pose, 1.0, look.equations);
+        evaluation = {problem_.prior.cost(pose), {}};
+        problem_.prior.add(pose, 1.0, evaluation.equations);
         for (const WireSight& sight : sights_) {
             const std::optional<Seen> here = seen(pose, sight.place);
             const std::optional<Seen> before = seen(pose, sight.before);
             if (!here || !before) {
                 return false;
             }
-            add(sight.whitening * (here->pixel - sight.pixel), sight.whitening * here->jacobian, look);
+            add(sight.whitening * (here->pixel - sight.pixel), sight.whitening * here->jacobian, evaluation);
             add(sight.shape * (here->pixel - before->pixel - sight.stepPx),
-                sight.shape * (here->jacobian - before->jacobian), look);
+                sight.shape * (here->jacobian - before->jacobian), evaluation);
         }
         return true;
     }
 
-    const NormalEquations& equations(const CentroidPose&, const LookAt& look) const { return look.equations; }
+    const NormalEquations& equations(const CentroidPose&, const EvaluationAt& evaluation) const
+    {
+        return evaluation.equations;
+    }
 
     Vector6d step(const CentroidPose& pose, const NormalEquations& equations, double damping) const
     {
@@ -72,7 +75,7 @@ public:
         return problem_.prior.freedom.moved(pose, step);
     }
 
-    std::optional<double> gained(const LookAt& here, const LookAt& there) const
+    std::optional<double> decrease(const EvaluationAt& here, const EvaluationAt& there) const
     {
         return there.cost <= here.cost ? std::optional(here.cost - there.cost) : std::nullopt;
     }
@@ -99,11 +102,12 @@ private:
         return seen;
     }
 
-    static void add(const Eigen::Vector2d& residual, const Eigen::Matrix<double, 2, 6>& jacobian, LookAt& look)
+    static void add(const Eigen::Vector2d& residual, const Eigen::Matrix<double, 2, 6>& jacobian,
+                    EvaluationAt& evaluation)
     {
-        look.cost += residual.squaredNorm();
-        look.equations.hessian += jacobian.transpose() * jacobian;
-        look.equations.gradient += jacobian.transpose() * residual;
+        evaluation.cost += residual.squaredNorm();
+        evaluation.equations.hessian += jacobian.transpose() * jacobian;
+        evaluation.equations.gradient += jacobian.transpose() * residual;
     }
 
     const WireProblem& problem_;
@@ -151,14 +155,14 @@ bool takeTurn(const WireProblem& problem, const WireModel& model, WireFit& fit)
     fit.alignment = alignWire(seen, problem.curveOf(fit.way), model);
     const std::vector<WireSight> sights = sightsOf(problem, fit.way, seen, fit.alignment, model);
     WireSquares squares(problem, sights);
-    LookPair<WireSquares::LookAt> looks;
-    DampedDescent descent(squares, fit.pose, looks, {.settledMm = settledWireMm});
-    if (!descent.isStanding()) {
+    EvaluationPair<WireSquares::EvaluationAt> evaluations;
+    DampedDescent descent(squares, fit.pose, evaluations, {.settledMm = settledWireMm});
+    if (!descent.isFeasible()) {
         return false;
     }
     descent.descend(stepsPerRound, [](const StepOutcome&) { return Verdict::Continue; });
-    const bool hasMoved = stepLengthMm(stepBetween(fit.pose, descent.place()), problem.spreadMm) > settledWireMm;
-    fit.pose = descent.place();
+    const bool hasMoved = stepLengthMm(stepBetween(fit.pose, descent.state()), problem.spreadMm) > settledWireMm;
+    fit.pose = descent.state();
     return hasMoved;
 }
 
@@ -168,14 +172,14 @@ void weigh(const WireProblem& problem, const WireModel& model, WireFit& fit)
     const SeenKnots seen = problem.seen(fit.way.knots, fit.pose);
     fit.alignment = alignWire(seen, problem.curveOf(fit.way), model);
     const std::vector<WireSight> sights = sightsOf(problem, fit.way, seen, fit.alignment, model);
-    WireSquares::LookAt look;
+    WireSquares::EvaluationAt evaluation;
     fit.logEvidence = -fit.alignment.cost - 0.5 * problem.prior.cost(fit.pose);
-    if (!WireSquares(problem, sights).look(fit.pose, look)) {
+    if (!WireSquares(problem, sights).evaluate(fit.pose, evaluation)) {
         return;
     }
     const StepBasis free = problem.prior.freedom.freeSteps(fit.pose);
     const Eigen::MatrixXd all =
-        free.transpose() * Matrix6d(look.equations.hessian.selfadjointView<Eigen::Lower>()) * free;
+        free.transpose() * Matrix6d(evaluation.equations.hessian.selfadjointView<Eigen::Lower>()) * free;
     const Eigen::MatrixXd before = free.transpose() * problem.prior.informationAt(fit.pose) * free;
     const auto logDeterminant = [](const Eigen::MatrixXd& matrix) {
         return 2.0 * matrix.llt().matrixLLT().diagonal().array().log().sum();

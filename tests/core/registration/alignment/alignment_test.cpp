@@ -93,7 +93,7 @@ TEST_F(AlignmentTest, LinesDrawnToTheTreePullItBack)
     CentroidPose pose = beside;
     for (int k = 0; k < 4; ++k) {
         alignment.searchBothDirections(pose, 5.0, both);
-        NormalEquations reverse = alignment.look(pose, 5.0).equations;
+        NormalEquations reverse = alignment.evaluate(pose, 5.0).equations;
         reverse.hessian = both.equations.hessian - reverse.hessian;
         reverse.gradient = both.equations.gradient - reverse.gradient;
         pose = moved(pose, dampedStep(reverse, 1e-6));
@@ -154,7 +154,7 @@ TEST_F(AlignmentTest, LookSumsUpTheRows)
         sum.hessian += row.weight * row.gradient * row.gradient.transpose();
         sum.gradient += row.weight * row.residual * row.gradient;
     }
-    const NormalEquations looked = alignment.look(beside, 3.0).equations;
+    const NormalEquations looked = alignment.evaluate(beside, 3.0).equations;
     const Matrix6d full = looked.hessian.selfadjointView<Eigen::Lower>();
     EXPECT_LT((full - sum.hessian).norm(), 1e-9 * sum.hessian.norm());
     EXPECT_LT((looked.gradient - sum.gradient).norm(), 1e-9 * sum.gradient.norm());
@@ -162,13 +162,13 @@ TEST_F(AlignmentTest, LookSumsUpTheRows)
 
 TEST_F(AlignmentTest, LeavingTheViewIsNeverCheaper)
 {
-    const double beforeLoss = alignment.look(beside, 3.0).loss;
+    const double beforeLoss = alignment.evaluate(beside, 3.0).loss;
     const double maxLoss = 2.0 * 3.0 * 3.0 * static_cast<double>(alignment.size());
     for (const double shiftMm : {100.0, 400.0, 2000.0}) {
         CentroidPose away = beside;
         away.centroidInCamera.x() += shiftMm;
-        EXPECT_GT(alignment.look(away, 3.0).loss, beforeLoss);
-        EXPECT_LE(alignment.look(away, 3.0).loss, maxLoss * (1.0 + 1e-12));
+        EXPECT_GT(alignment.evaluate(away, 3.0).loss, beforeLoss);
+        EXPECT_LE(alignment.evaluate(away, 3.0).loss, maxLoss * (1.0 + 1e-12));
     }
 }
 
@@ -176,14 +176,14 @@ TEST_F(AlignmentTest, GoingBehindTheSourceCostsTheMost)
 {
     CentroidPose behind = beside;
     behind.centroidInCamera.z() = -800.0;
-    EXPECT_DOUBLE_EQ(alignment.look(behind, 3.0).loss, 2.0 * 3.0 * 3.0 * static_cast<double>(alignment.size()));
-    EXPECT_EQ(alignment.look(behind, 3.0).equations.hessian, Matrix6d::Zero());
+    EXPECT_DOUBLE_EQ(alignment.evaluate(behind, 3.0).loss, 2.0 * 3.0 * 3.0 * static_cast<double>(alignment.size()));
+    EXPECT_EQ(alignment.evaluate(behind, 3.0).equations.hessian, Matrix6d::Zero());
 }
 
 TEST_F(AlignmentTest, TheLossAloneIsTheLossOfALook)
 {
     for (const double scalePx : {1.0, 5.0}) {
-        const Agreement look = alignment.look(beside, scalePx);
+        const Agreement look = alignment.evaluate(beside, scalePx);
         EXPECT_NEAR(alignment.loss(beside, scalePx), look.loss, 1e-9 * look.loss);
         alignment.setVisibility(look);
     }
@@ -194,8 +194,8 @@ TEST_F(AlignmentTest, VesselsAcrossTheTreeDoNotPull)
     // The whole tree rolled by a right angle: what still touches a vessel by chance crosses it.
     Vector6d roll = Vector6d::Zero();
     roll[2] = std::numbers::pi / 2.0;
-    const double along = alignment.look(truth, 1.0).equations.hessian.trace();
-    EXPECT_LT(alignment.look(moved(truth, roll), 1.0).equations.hessian.trace(), 0.1 * along);
+    const double along = alignment.evaluate(truth, 1.0).equations.hessian.trace();
+    EXPECT_LT(alignment.evaluate(moved(truth, roll), 1.0).equations.hessian.trace(), 0.1 * along);
 }
 
 }   // namespace

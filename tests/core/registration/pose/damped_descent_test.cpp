@@ -13,47 +13,47 @@ constexpr double treeSpreadMm = 40.0;
 /// Least squares of atan(steepness · θ − wish), parameter by parameter: a full step from far away overshoots.
 class Arctangents {
 public:
-    using Place = Vector6d;
+    using State = Vector6d;
     using Step = Vector6d;
-    struct Look {
+    struct Evaluation {
         double cost = 0.0;
     };
     using Equations = NormalEquations;
 
     explicit Arctangents(const Vector6d& request) : request_(request) {}
 
-    bool look(const Vector6d& place, Look& look)
+    bool evaluate(const Vector6d& state, Evaluation& evaluation)
     {
-        ++looks;
-        look.cost = residual(place).squaredNorm();
-        return place.cwiseAbs().maxCoeff() < limit;
+        ++evaluations;
+        evaluation.cost = residual(state).squaredNorm();
+        return state.cwiseAbs().maxCoeff() < limit;
     }
-    NormalEquations equations(const Vector6d& place, const Look&)
+    NormalEquations equations(const Vector6d& state, const Evaluation&)
     {
         ++linearizations;
-        const Vector6d slope = (1.0 + (place - request_).array().square()).inverse();
+        const Vector6d slope = (1.0 + (state - request_).array().square()).inverse();
         NormalEquations equations;
         equations.hessian.diagonal() = slope.cwiseAbs2();
-        equations.gradient = slope.cwiseProduct(residual(place));
+        equations.gradient = slope.cwiseProduct(residual(state));
         return equations;
     }
     Vector6d step(const Vector6d&, const NormalEquations& equations, double damping) const
     {
         return dampedStep(equations, damping);
     }
-    Vector6d moved(const Vector6d& place, const Vector6d& step) const { return place + step; }
-    std::optional<double> gained(const Look& here, const Look& there) const
+    Vector6d moved(const Vector6d& state, const Vector6d& step) const { return state + step; }
+    std::optional<double> decrease(const Evaluation& here, const Evaluation& there) const
     {
         return there.cost <= here.cost ? std::optional(here.cost - there.cost) : std::nullopt;
     }
     double lengthMm(const Vector6d&, const Vector6d& step) const { return stepLengthMm(step, treeSpreadMm); }
 
     double limit = 1e9;
-    int looks = 0;
+    int evaluations = 0;
     int linearizations = 0;
 
 private:
-    Vector6d residual(const Vector6d& place) const { return (place - request_).array().atan(); }
+    Vector6d residual(const Vector6d& state) const { return (state - request_).array().atan(); }
 
     Vector6d request_;
 };
@@ -63,28 +63,28 @@ Verdict goOn(const StepOutcome&)
     return Verdict::Continue;
 }
 
-// Only turns are wrong, and the first full step makes them worse. Measured by its shift alone it would look settled.
+// Only turns are wrong, and the first full step makes them worse. Measured by its shift alone it would evaluation settled.
 TEST(DampedDescent, ARefusedTurnIsNotTakenForSettled)
 {
     const Vector6d request = 2.5 * Vector6d::Unit(1);
     Arctangents problem(request);
-    LookPair<Arctangents::Look> looks;
-    DampedDescent descent(problem, Vector6d(Vector6d::Zero()), looks, {.settledMm = 1e-6});
+    EvaluationPair<Arctangents::Evaluation> evaluations;
+    DampedDescent descent(problem, Vector6d(Vector6d::Zero()), evaluations, {.settledMm = 1e-6});
     const StepOutcome first = descent.step();
     ASSERT_FALSE(first.isTaken);
     EXPECT_FALSE(first.isSettled);
     EXPECT_TRUE(descent.descend(100, goOn).isSettled);
-    EXPECT_LT((descent.place() - request).norm(), 1e-7);
+    EXPECT_LT((descent.state() - request).norm(), 1e-7);
 }
 
 TEST(DampedDescent, LinearizesOncePerPlaceHoweverManyTriesItTakes)
 {
     Arctangents problem(2.5 * Vector6d::Unit(1));
-    LookPair<Arctangents::Look> looks;
-    DampedDescent descent(problem, Vector6d(Vector6d::Zero()), looks, {20, 1e-6});
+    EvaluationPair<Arctangents::Evaluation> evaluations;
+    DampedDescent descent(problem, Vector6d(Vector6d::Zero()), evaluations, {20, 1e-6});
     EXPECT_TRUE(descent.step().isTaken);
     EXPECT_EQ(problem.linearizations, 1);
-    EXPECT_GT(problem.looks, 2);
+    EXPECT_GT(problem.evaluations, 2);
 }
 
 TEST(DampedDescent, AStepThatPromisesLittleSettlesIt)
@@ -92,8 +92,8 @@ TEST(DampedDescent, AStepThatPromisesLittleSettlesIt)
     const Vector6d request = 0.5 * Vector6d::Ones();
     const auto stepsUntil = [&](double settledGain) {
         Arctangents problem(request);
-        LookPair<Arctangents::Look> looks;
-        DampedDescent descent(problem, Vector6d(Vector6d::Zero()), looks,
+        EvaluationPair<Arctangents::Evaluation> evaluations;
+        DampedDescent descent(problem, Vector6d(Vector6d::Zero()), evaluations,
                               {.settledMm = 1e-9, .settledGain = settledGain});
         int steps = 0;
         const StepOutcome last = descent.descend(50, [&](const StepOutcome&) {
@@ -101,7 +101,7 @@ TEST(DampedDescent, AStepThatPromisesLittleSettlesIt)
             return Verdict::Continue;
         });
         EXPECT_TRUE(last.isSettled);
-        EXPECT_LT((descent.place() - request).norm(), 1e-3);
+        EXPECT_LT((descent.state() - request).norm(), 1e-3);
         return steps;
     };
     EXPECT_LT(stepsUntil(1e-4), stepsUntil(0.0));
@@ -111,20 +111,20 @@ TEST(DampedDescent, NeverStandsWhereItCannot)
 {
     Arctangents problem(0.9 * Vector6d::Ones());
     problem.limit = 0.5;
-    LookPair<Arctangents::Look> looks;
-    DampedDescent descent(problem, Vector6d(Vector6d::Zero()), looks, {.settledMm = 1e-6});
-    ASSERT_TRUE(descent.isStanding());
+    EvaluationPair<Arctangents::Evaluation> evaluations;
+    DampedDescent descent(problem, Vector6d(Vector6d::Zero()), evaluations, {.settledMm = 1e-6});
+    ASSERT_TRUE(descent.isFeasible());
     descent.descend(60, goOn);
-    EXPECT_LT(descent.place().maxCoeff(), 0.5);
-    EXPECT_GT(descent.place().minCoeff(), 0.4);
-    EXPECT_FALSE(DampedDescent(problem, Vector6d(Vector6d::Ones()), looks, {}).isStanding());
+    EXPECT_LT(descent.state().maxCoeff(), 0.5);
+    EXPECT_GT(descent.state().minCoeff(), 0.4);
+    EXPECT_FALSE(DampedDescent(problem, Vector6d(Vector6d::Ones()), evaluations, {}).isFeasible());
 }
 
 TEST(DampedDescent, AStopEndsItAfterTheStep)
 {
     Arctangents problem(0.9 * Vector6d::Ones());
-    LookPair<Arctangents::Look> looks;
-    DampedDescent descent(problem, Vector6d(Vector6d::Zero()), looks, {});
+    EvaluationPair<Arctangents::Evaluation> evaluations;
+    DampedDescent descent(problem, Vector6d(Vector6d::Zero()), evaluations, {});
     int steps = 0;
     const StepOutcome last =
         descent.descend(50, [&](const StepOutcome&) { return ++steps == 2 ? Verdict::Stop : Verdict::Continue; });
