@@ -5,7 +5,7 @@
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/read_dicom.h"
 #include "io/dicom/write_dicom.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/peak_frame.h"
 #include "io/raster/read_raster.h"
 #include "io/support/atomic_file.h"
@@ -26,18 +26,18 @@ core::Result<core::Angiogram> rasterAngiogram(std::string_view content, const st
     }
     core::Angiogram angiogram;
     if (raster.value().wasColor) {
-        angiogram.warnings.push_back(says::colorToGray());
+        angiogram.warnings.push_back(messages::colorToGray());
     }
     if (raster.value().hadAlpha) {
-        angiogram.warnings.push_back(says::transparencyIgnored());
+        angiogram.warnings.push_back(messages::transparencyIgnored());
     }
     if (raster.value().orientation != 1) {
-        angiogram.warnings.push_back(says::pictureTurned(raster.value().orientation));
+        angiogram.warnings.push_back(messages::pictureTurned(raster.value().orientation));
     }
     if (raster.value().isFlawed) {
-        angiogram.warnings.push_back(says::imageFlawed());
+        angiogram.warnings.push_back(messages::imageFlawed());
     }
-    angiogram.warnings.push_back(says::plainImage());
+    angiogram.warnings.push_back(messages::plainImage());
     angiogram.frames = std::move(raster).value().frames;
     return angiogram;
 }
@@ -52,9 +52,9 @@ core::Result<core::Angiogram> angiogramFrom(std::string_view content, const std:
     }
     const auto* found = describeContent(content);
     if (found == nullptr) {
-        return fileError(path, says::imageUnknown());
+        return fileError(path, messages::imageUnknown());
     }
-    return fileError(path, says::imageIsOther((*found)()));
+    return fileError(path, messages::imageIsOther((*found)()));
 }
 
 }   // namespace
@@ -76,7 +76,7 @@ core::Result<core::Angiogram> readAngiogram(const std::string& path, PeakFrame p
         auto inflatedContent =
             holdsPackedDicom(content) ? inflated(content, Packing::Gzip, maxUnpackedAngiogramBytes) : std::nullopt;
         if (!inflatedContent) {
-            return fileError(path, says::imageGzipWithoutDicom());
+            return fileError(path, messages::imageGzipWithoutDicom());
         }
         unpacked = std::move(*inflatedContent);
         content = unpacked;
@@ -87,7 +87,7 @@ core::Result<core::Angiogram> readAngiogram(const std::string& path, PeakFrame p
     }
     core::Angiogram result = std::move(angiogram).value();
     if (result.frames.size() == 1 && core::drawnMask(result.frames.front())) {
-        result.warnings.push_back(says::pictureIsMask());
+        result.warnings.push_back(messages::pictureIsMask());
     }
     if (result.frames.size() > 1 && peak == PeakFrame::Sought) {
         result.suggestedFrame = core::suggestFrame(result.frames, result.polarity, result.shutter);

@@ -7,7 +7,7 @@ std::vector<Fiducial> pointsOf(const core::Case& session)
     std::vector<Fiducial> points;
     for (const core::VesselMark& mark : session.vessels.marks) {
         const bool isRing = mark.kind == core::VesselMarkKind::OstiumRing;
-        points.push_back({mark.pointInPatient, mark.name, isRing ? "ostium ring" : "check point"});
+        points.push_back({mark.pointInPatient, mark.name, isRing ? "ostium ring" : "target point"});
     }
     for (const core::Landmark& landmark : session.shown().landmarks) {
         points.push_back({landmark.pointInPatient, landmark.name, "landmark"});

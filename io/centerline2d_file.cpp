@@ -2,7 +2,7 @@
 
 #include "core/tracing/angiogram/trace_angiogram.h"
 #include "core/vessel/polyline.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/raster/read_raster.h"
 #include "io/support/atomic_file.h"
 #include "io/support/csv_table.h"
@@ -32,13 +32,13 @@ core::Result<CurveColumns> curveColumnsOf(const CsvTable& table)
 {
     const auto x = table.column("x"), y = table.column("y");
     if (!x || !y) {
-        return fileError(table.path, says::centerlineNoColumns());
+        return fileError(table.path, messages::centerlineNoColumns());
     }
     if (table.column("z")) {
-        return fileError(table.path, says::centerlineIs3d());
+        return fileError(table.path, messages::centerlineIs3d());
     }
     if (table.rows.size() > maxPoints) {
-        return fileError(table.path, says::centerlineTooLong());
+        return fileError(table.path, messages::centerlineTooLong());
     }
     return CurveColumns{*x, *y, table.column("branch"), table.column("radius")};
 }
@@ -52,7 +52,7 @@ core::Status appendRow(const CsvTable& table, std::size_t row, const CurveColumn
         return u ? v.error() : u.error();
     }
     if (std::max(std::abs(u.value()), std::abs(v.value())) > maxCoordinatePx) {
-        return fileError(table.path, says::centerlineOutside(table.lineOfRow[row]));
+        return fileError(table.path, messages::centerlineOutside(table.lineOfRow[row]));
     }
     const auto id = columns.branch ? branchAt(table, row, *columns.branch) : core::Result<int>(1);
     if (!id) {
@@ -110,12 +110,12 @@ core::Result<Centerline2d> centerlineFromMask(std::string_view content, const st
         return raster.error();
     }
     if (raster.value().frames.size() > 1) {
-        return fileError(path, says::centerlineMaskPages(raster.value().frames.size()));
+        return fileError(path, messages::centerlineMaskPages(raster.value().frames.size()));
     }
     const core::ImageF& image = raster.value().frames.front();
     const auto [low, high] = std::minmax_element(image.pixels.begin(), image.pixels.end());
     if (*low == *high || !isMask(image, *low, *high)) {
-        return fileError(path, says::centerlineNoMask());
+        return fileError(path, messages::centerlineNoMask());
     }
     core::Mask2d mask(image.width, image.height);
     for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
@@ -139,7 +139,7 @@ core::Result<Centerline2d> readCenterline2d(const std::string& path)
     }
     const auto* found = describeContent(content);
     if (found != nullptr) {
-        return fileError(path, says::centerlineIsOther((*found)()));
+        return fileError(path, messages::centerlineIsOther((*found)()));
     }
     auto centerline = centerlineFromTable(content, path);
     if (!centerline) {

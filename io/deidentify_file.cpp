@@ -3,8 +3,7 @@
 #include "io/deidentify/output_folder.h"
 #include "io/deidentify/strip_picture.h"
 #include "io/dicom/dicom_file.h"
-#include "io/messages/says.h"
-#include "io/messages/says_deidentify.h"
+#include "io/messages/messages.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/files_in_folder.h"
@@ -87,10 +86,10 @@ core::Result<core::Messages> deidentifyFolder(const std::string& path, const std
         }
     }
     if (folder.isEmpty()) {
-        return fileError(path, says::nothingToDeidentify());
+        return fileError(path, messages::nothingToDeidentify());
     }
     if (leftOut > 0) {
-        warnings.push_back(says::filesLeftOut(leftOut, files.value().size()));
+        warnings.push_back(messages::filesLeftOut(leftOut, files.value().size()));
     }
     folder.keep();
     return warnings;

@@ -4,7 +4,7 @@
 #include "io/deidentify/strip_picture.h"
 #include "io/deidentify/strip_tiff.h"
 #include "io/dicom/dicom_file.h"
-#include "io/messages/says_deidentify.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/files_in_folder.h"
 
@@ -130,7 +130,7 @@ core::Result<DeidentifiedFiles> deidentifyFiles(const std::vector<std::string>& 
     if (cleaner.isEmpty()) {
         const auto& refused = cleaner.refused();
         return refused.size() == 1 ? core::Error(refused.front())
-                                   : fileError(paths.empty() ? output : paths.front(), says::nothingToDeidentify());
+                                   : fileError(paths.empty() ? output : paths.front(), messages::nothingToDeidentify());
     }
     return cleaner.keep();
 }

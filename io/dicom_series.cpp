@@ -2,7 +2,7 @@
 
 #include "io/dicom/dicom_file.h"
 #include "io/file_hash.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/series/group_slices.h"
 #include "io/support/file_error.h"
 #include "io/support/files_in_folder.h"
@@ -39,7 +39,7 @@ core::Result<std::vector<DicomSeries>> listSeries(const std::string& folder, con
 {
     auto series = scan(folder, Reach::Below, observe);
     if (series && series.value().empty()) {
-        return fileError(folder, says::seriesNone());
+        return fileError(folder, messages::seriesNone());
     }
     return series;
 }
@@ -68,7 +68,7 @@ core::Result<DicomSeries> seriesOfFile(const std::string& path, const ReadObserv
     }
     // The file was dropped as a copy of another file beside it: use it alone.
     std::vector<DicomSeries> alone = groupSlices({own.value()});
-    return alone.empty() ? core::Result<DicomSeries>(fileError(path, says::seriesFileWithoutImage()))
+    return alone.empty() ? core::Result<DicomSeries>(fileError(path, messages::seriesFileWithoutImage()))
                          : std::move(alone.front());
 }
 

@@ -1,6 +1,6 @@
 #include "io/fiducial_file.h"
 
-#include "io/messages/says_exchange.h"
+#include "io/messages/messages.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -35,13 +35,13 @@ bool isFiducialFile(const std::string& path)
 core::Status writeFiducials(const std::vector<Fiducial>& fiducials, const std::string& path)
 {
     if (fiducials.empty()) {
-        return fileError(path, says::fiducialsNone());
+        return fileError(path, messages::fiducialsNone());
     }
     if (lowered(path).ends_with(".mrk.json")) {
         return writeAtomically(path, fiducialMarkups(fiducials));
     }
     return extensionOf(path) == ".fcsv" ? writeAtomically(path, fiducialTable(fiducials))
-                                        : fileError(path, says::fiducialsExtension());
+                                        : fileError(path, messages::fiducialsExtension());
 }
 
 }   // namespace angiopose::io

@@ -1,6 +1,6 @@
 #include "io/file_hash.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 
@@ -14,7 +14,7 @@ core::Result<std::string> sha256OfText(std::string_view text)
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
     unsigned int size = 0;
     if (EVP_Digest(text.data(), text.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1) {
-        return core::Error(says::hashImpossible());
+        return core::Error(messages::hashImpossible());
     }
     constexpr std::string_view digits = "0123456789abcdef";
     std::string hex;

@@ -1,6 +1,6 @@
 #include "io/image_file.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/raster/png_text.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
@@ -21,12 +21,12 @@ core::Status writePixels(const PngPixels& pixels, const std::string& path,
     const auto expected = static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(pixels.height) *
                           static_cast<std::size_t>(pixels.channels) * static_cast<std::size_t>(pixels.bitDepth / 8);
     if (expected == 0 || pixels.bytes->size() != expected) {
-        return fileError(path, says::pictureMissing());
+        return fileError(path, messages::pictureMissing());
     }
     try {
         return writeAtomically(path, encodedPng(pixels, texts));
     } catch (const std::exception&) {
-        return fileError(path, says::imageSize());
+        return fileError(path, messages::imageSize());
     }
 }
 

@@ -1,7 +1,7 @@
 #include "io/label_list.h"
 
 #include "io/dicom/dicom_file.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/series/dicom_segmentation.h"
 #include "io/support/numbers.h"
 #include "io/volume/open_stored.h"
@@ -150,8 +150,8 @@ core::Result<std::vector<int>> labelsCalled(const std::vector<std::string>& want
         });
         if (found == labels.end()) {
             const std::string asked = each.substr(0, 40);
-            return core::Error(labels.empty() ? says::labelsNoSuchName(asked, says::labelsNone())
-                                              : says::labelsNoSuchName(asked, labelTexts(labels)));
+            return core::Error(labels.empty() ? messages::labelsNoSuchName(asked, messages::labelsNone())
+                                              : messages::labelsNoSuchName(asked, labelTexts(labels)));
         }
         numbers.push_back(found->label);
     }

@@ -1,7 +1,7 @@
 #include "io/observer_log.h"
 
 #include "core/geometry/pose_difference.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/snapshot_table.h"
 #include "io/support/atomic_file.h"
 #include "io/support/csv_table.h"
@@ -63,7 +63,7 @@ core::Status appendTrial(const ObserverTrial& trial, const std::string& path)
         }
         hasPivots = before.value().view().starts_with(content);
         if (!hasPivots && !before.value().view().starts_with(olderHeader() + "\n")) {
-            return fileError(path, says::noObserverLog());
+            return fileError(path, messages::noObserverLog());
         }
         content = before.value().view();
         content += content.ends_with('\n') ? "" : "\n";

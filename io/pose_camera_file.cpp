@@ -3,8 +3,7 @@
 #include "io/decode/itk_transform_file.h"
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/objects/spatial_registration.h"
-#include "io/messages/says.h"
-#include "io/messages/says_exchange.h"
+#include "io/messages/messages.h"
 #include "io/pose/itk_transform.h"
 #include "io/pose/opencv_storage.h"
 #include "io/support/atomic_file.h"
@@ -82,7 +81,7 @@ core::Result<PoseWithCamera> ofJson(std::string_view text, const std::string& pa
                           PoseWithCamera{pose.value(), camera, hashOf(root, "vessel"), hashOf(root, "angiogram")})
                     : fileError(path, pose.error());
     } catch (const PoseJson::exception&) {
-        return fileError(path, says::poseNoMatrix());
+        return fileError(path, messages::poseNoMatrix());
     }
 }
 
@@ -93,7 +92,7 @@ core::Result<PoseWithCamera> ofNumbers(const std::vector<double>& numbers, const
         return withCamera(sightOf({{"P", numbers}}), path);
     }
     if (numbers.size() != 16) {
-        return fileError(path, says::exchangeNumbers(numbers.size()));
+        return fileError(path, messages::exchangeNumbers(numbers.size()));
     }
     MatrixRows rows;
     for (auto row = numbers.begin(); row != numbers.end(); row += 4) {
@@ -119,7 +118,7 @@ core::Result<PoseWithCamera> ofText(std::string_view content, const std::string&
         return ofNumbers(numbers, path);
     }
     return extension == ".tfm" || extension == ".txt" ? poseAlone(poseFromItkText(content), path)
-                                                      : fileError(path, says::poseUnknown());
+                                                      : fileError(path, messages::poseUnknown());
 }
 
 bool isNear(double a, double b)
@@ -137,11 +136,11 @@ core::Result<PoseWithCamera> readPoseWithCamera(const std::string& path)
     }
     const std::string_view content = input.value().view();
     if (content.size() > (16U << 20)) {
-        return fileError(path, says::poseTooLarge());
+        return fileError(path, messages::poseTooLarge());
     }
     const std::string extension = extensionOf(path);
     if (extension == ".pt" || extension == ".pth") {
-        return fileError(path, says::exchangePickle());
+        return fileError(path, messages::exchangePickle());
     }
     if (looksLikeDicom(content)) {
         const auto pose = readSpatialRegistration(content, path);
@@ -153,11 +152,11 @@ core::Result<PoseWithCamera> readPoseWithCamera(const std::string& path)
     if (extension == ".mat") {
         return poseAlone(poseFromItkMatlab(content), path);
     }
-    if (describeContent(content) == &says::anHdf5File) {
+    if (describeContent(content) == &messages::anHdf5File) {
         const auto pose = poseFromItkHdf5(path);
         return pose ? core::Result<PoseWithCamera>(PoseWithCamera{pose.value(), std::nullopt}) : pose.error();
     }
-    if (describeContent(content) == &says::aJsonFile || extension == ".json") {
+    if (describeContent(content) == &messages::aJsonFile || extension == ".json") {
         return ofJson(content, path);
     }
     return ofText(content, extension, path);
@@ -177,7 +176,7 @@ bool fitsImage(const core::ProjectionCamera& camera, int width, int height)
 core::Status writeSight(const core::Sight& sight, const std::string& path)
 {
     if (!core::isRigid(sight.cameraFromPatient)) {
-        return fileError(path, says::poseNotSaved());
+        return fileError(path, messages::poseNotSaved());
     }
     const std::string extension = extensionOf(path);
     if (extension == ".txt") {
@@ -189,7 +188,8 @@ core::Status writeSight(const core::Sight& sight, const std::string& path)
     if (extension == ".xml") {
         return writeAtomically(path, openCvXml(sight));
     }
-    return extension == ".json" ? writeAtomically(path, openCvJson(sight)) : fileError(path, says::exchangeExtension());
+    return extension == ".json" ? writeAtomically(path, openCvJson(sight))
+                                : fileError(path, messages::exchangeExtension());
 }
 
 }   // namespace angiopose::io

@@ -1,6 +1,6 @@
 #include "io/pose_convention_file.h"
 
-#include "io/messages/says_exchange.h"
+#include "io/messages/messages.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -11,7 +11,7 @@ core::Result<DiffDrrParts> readDiffDrr(const std::string& path)
 {
     const std::string extension = extensionOf(path);
     if (extension == ".pt" || extension == ".pth") {
-        return fileError(path, says::exchangePickle());
+        return fileError(path, messages::exchangePickle());
     }
     const auto input = openInput(path);
     if (!input) {
@@ -23,10 +23,10 @@ core::Result<DiffDrrParts> readDiffDrr(const std::string& path)
 core::Result<core::Sight> sightOf(const DiffDrrParts& parts)
 {
     if (!parts.detector) {
-        return core::Error(says::diffDrrKeys("sdd"));
+        return core::Error(messages::diffDrrKeys("sdd"));
     }
     if (!parts.pose) {
-        return core::Error(says::diffDrrKeys("pose"));
+        return core::Error(messages::diffDrrKeys("pose"));
     }
     return core::sightFromDiffDrr(
         {*parts.detector, *parts.pose, parts.volumeCenterInPatient.value_or(Eigen::Vector3d::Zero())});
@@ -35,7 +35,7 @@ core::Result<core::Sight> sightOf(const DiffDrrParts& parts)
 core::Status writeDiffDrr(const core::DiffDrrView& view, const std::string& path)
 {
     return extensionOf(path) == ".json" ? writeAtomically(path, diffDrrText(view))
-                                        : fileError(path, says::exchangeExtension());
+                                        : fileError(path, messages::exchangeExtension());
 }
 
 }   // namespace angiopose::io

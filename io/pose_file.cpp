@@ -1,7 +1,7 @@
 #include "io/pose_file.h"
 
 #include "io/decode/itk_transform_file.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/pose/itk_transform.h"
 #include "io/pose_camera_file.h"
 #include "io/support/atomic_file.h"
@@ -35,7 +35,7 @@ core::Result<core::RigidTransform> readPose(const std::string& path)
 core::Status writePose(const core::RigidTransform& cameraFromPatient, const std::string& path)
 {
     if (!core::isRigid(cameraFromPatient)) {
-        return fileError(path, says::poseNotSaved());
+        return fileError(path, messages::poseNotSaved());
     }
     const std::string extension = extensionOf(path);
     if (extension == ".tfm") {
@@ -47,7 +47,7 @@ core::Status writePose(const core::RigidTransform& cameraFromPatient, const std:
     if (extension == ".json") {
         return writeAtomically(path, jsonText(cameraFromPatient));
     }
-    return fileError(path, says::poseExtension());
+    return fileError(path, messages::poseExtension());
 }
 
 }   // namespace angiopose::io

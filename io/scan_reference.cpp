@@ -2,7 +2,7 @@
 
 #include "io/dicom/dicom_file.h"
 #include "io/dicom_series.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ core::Result<DicomSeries> scanSeries(const std::string& path, const std::string&
         return seriesId.empty() ? !series.isAngiogram && !series.problem : series.id == seriesId;
     };
     const auto found = std::ranges::find_if(all.value(), isIt);
-    return found == all.value().end() ? core::Result<DicomSeries>(fileError(path, says::seriesNoneMakesVolume()))
+    return found == all.value().end() ? core::Result<DicomSeries>(fileError(path, messages::seriesNoneMakesVolume()))
                                       : *found;
 }
 
@@ -42,7 +42,7 @@ core::Result<ScanReference> readScanReference(const std::string& path, const std
     }
     const std::vector<SliceRecord>& slices = series.value().slices;
     if (slices.empty()) {
-        return fileError(path, says::seriesNoneMakesVolume());
+        return fileError(path, messages::seriesNoneMakesVolume());
     }
     auto source = readSourceImage(slices.front().path);
     if (!source) {

@@ -2,7 +2,7 @@
 
 #include "core/vessel/stray_points.h"
 #include "io/decode/vtk_file.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -43,23 +43,23 @@ core::Result<VtkLines> parse(std::string_view content, const std::string& path, 
     }
     const auto* found = describeContent(content);
     if (found == nullptr) {
-        return fileError(path, says::surfaceUnknown());
+        return fileError(path, messages::surfaceUnknown());
     }
-    return fileError(path, says::surfaceIsOther((*found)()));
+    return fileError(path, messages::surfaceIsOther((*found)()));
 }
 
 /// Returns what is wrong with the triangles; nullopt if nothing.
 std::optional<core::Message> findProblem(const VtkLines& surface)
 {
     if (surface.triangles.size() > maxTriangles) {
-        return says::surfaceTooLarge();
+        return messages::surfaceTooLarge();
     }
     for (const Triangle& triangle : surface.triangles) {
         if (*std::max_element(triangle.begin(), triangle.end()) >= surface.set.points.size()) {
-            return says::surfaceBadIndex();
+            return messages::surfaceBadIndex();
         }
     }
-    return surface.triangles.empty() ? std::optional(says::surfaceNoTriangles()) : std::nullopt;
+    return surface.triangles.empty() ? std::optional(messages::surfaceNoTriangles()) : std::nullopt;
 }
 
 /// Builds the surface, with a warning if points were omitted.
@@ -78,13 +78,13 @@ core::Result<LoadedSurface> surfaceOf(VtkLines surface, const CoordinateRule& ru
     mesh.triangles = std::move(surface.triangles);
     if (const std::size_t stray = core::dropStrayPoints(mesh); stray > 0) {
         loaded.warnings.push_back(
-            says::surfaceStrayPoints(stray, core::Quantity{core::largestReachMm / 1000.0, 1, "m"}));
+            messages::surfaceStrayPoints(stray, core::Quantity{core::largestReachMm / 1000.0, 1, "m"}));
     }
     const bool isPlausible = std::ranges::all_of(mesh.pointsInPatient, [](const Eigen::Vector3d& point) {
         return point.allFinite() && point.cwiseAbs().maxCoeff() <= 1e6;
     });
     if (!isPlausible) {
-        return fileError(path, says::surfaceCoordinate());
+        return fileError(path, messages::surfaceCoordinate());
     }
     bool isStopped = false;
     mesh = core::welded(mesh, [&] { return !(isStopped = isStopped || isStopRequested(observe, 1.0)); });
@@ -106,12 +106,12 @@ core::Messages doubtsAbout(const core::SurfaceMesh& mesh, double acrossMm)
     core::Messages warnings;
     const core::MeshCheck check = core::checkMesh(mesh);
     if (!check.isClosed()) {
-        warnings.push_back(says::surfaceOpen(check.openEdges, check.crowdedEdges));
+        warnings.push_back(messages::surfaceOpen(check.openEdges, check.crowdedEdges));
     } else if (!check.isOriented) {
-        warnings.push_back(says::surfaceDisoriented());
+        warnings.push_back(messages::surfaceDisoriented());
     }
     if (!isUsualSize(acrossMm)) {
-        warnings.push_back(says::surfaceUnusualSize(core::Quantity{acrossMm, 1, "mm"}));
+        warnings.push_back(messages::surfaceUnusualSize(core::Quantity{acrossMm, 1, "mm"}));
     }
     return warnings;
 }
@@ -143,7 +143,7 @@ core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm, 
     }
     LoadedSurface loaded = std::move(whole).value();
     if (loaded.mesh.triangles.empty()) {
-        return fileError(path, says::surfaceNoArea());
+        return fileError(path, messages::surfaceNoArea());
     }
     loaded.acrossMm = acrossMmOf(loaded.mesh);
     const core::Messages doubts = doubtsAbout(loaded.mesh, loaded.acrossMm);
@@ -154,7 +154,7 @@ core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm, 
 core::Status writeSurface(const core::SurfaceMesh& mesh, const std::string& path)
 {
     if (extensionOf(path) != ".stl") {
-        return fileError(path, says::surfaceExtension());
+        return fileError(path, messages::surfaceExtension());
     }
     std::string content(84 + 50 * mesh.triangles.size(), '\0');
     const std::string title = "binary STL by AngioPose, SPACE=LPS, mm";

@@ -6,7 +6,7 @@
 #include "io/dicom_series.h"
 #include "io/file_hash.h"
 #include "io/label_list.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/series/dicom_segmentation.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -60,7 +60,7 @@ core::Result<LoadedVessels> withTree(LoadedVessels loaded, core::Result<core::Tr
     loaded.pieces = std::move(vessels.pieces);
     loaded.warnings.insert(loaded.warnings.end(), vessels.warnings.begin(), vessels.warnings.end());
     if (core::isCompact(loaded.tree)) {
-        loaded.warnings.push_back(says::tracedIsCompact());
+        loaded.warnings.push_back(messages::tracedIsCompact());
     }
     return loaded;
 }
@@ -79,7 +79,7 @@ core::Result<LoadedVessels> readCenterlines(const std::string& path, const core:
     loaded.warnings = read.value().warnings;
     loaded.tree = std::move(read).value().tree;
     if (!core::isUsualSize(loaded.tree)) {
-        loaded.warnings.push_back(says::vesselsUnusualSize(
+        loaded.warnings.push_back(messages::vesselsUnusualSize(
             core::Quantity{std::round(100.0 * core::acrossMm(loaded.tree)) / 100.0, core::Quantity::asNeeded, "mm"}));
     }
     return loaded;
@@ -93,8 +93,8 @@ core::Result<LoadedVessels> traceSurface(const std::string& path, const core::Ve
         return surface.error();
     }
     if (surface.value().acrossMm > largestBodyMm) {   // voxels would be as large as vessels, or innumerable
-        return fileError(path, says::surfaceLargerThanBody(core::Quantity{std::round(surface.value().acrossMm / 1000.0),
-                                                                          core::Quantity::asNeeded, "m"}));
+        return fileError(path, messages::surfaceLargerThanBody(core::Quantity{
+                                   std::round(surface.value().acrossMm / 1000.0), core::Quantity::asNeeded, "m"}));
     }
     const core::SurfaceMesh& mesh = surface.value().mesh;
     if (isStopRequested(observe, surfaceShare)) {
@@ -118,12 +118,12 @@ core::Status chooseLabels(LoadedVessels& loaded, const core::LabelVolume& image,
 {
     const std::vector<ListedLabel> all = listedLabels(image, readLabelNames(path));
     if (all.empty()) {
-        return fileError(path, says::labelsNothingMarked());
+        return fileError(path, messages::labelsNothingMarked());
     }
     std::vector<int>& chosen = loaded.input.labels;
     for (const int label : chosen) {
         if (std::ranges::none_of(all, [label](const ListedLabel& each) { return each.label == label; })) {
-            return fileError(path, says::labelsNoSuchNumber(label, labelTexts(all)));
+            return fileError(path, messages::labelsNoSuchNumber(label, labelTexts(all)));
         }
     }
     const bool isByName = chosen.empty();
@@ -137,10 +137,10 @@ core::Status chooseLabels(LoadedVessels& loaded, const core::LabelVolume& image,
         (isChosen ? traced : leftOut).push_back(each);
     }
     if (all.size() > 1) {
-        loaded.warnings.push_back(says::labelsTraced(labelTexts(traced)));
+        loaded.warnings.push_back(messages::labelsTraced(labelTexts(traced)));
     }
     if (isByName && !leftOut.empty()) {
-        loaded.warnings.push_back(says::labelsLeftOut(labelTexts(leftOut)));
+        loaded.warnings.push_back(messages::labelsLeftOut(labelTexts(leftOut)));
     }
     return core::Done{};
 }
@@ -164,7 +164,7 @@ core::Result<LoadedVessels> traceSegmentation(const std::string& path, const cor
     }
     const auto header = isVolumeFile(path) ? describeVolume(path) : core::Result<VolumeSummary>(VolumeSummary{});
     core::Messages warnings = header ? header.value().warnings : core::Messages();
-    std::erase_if(warnings, [](const core::Message& warning) { return warning.is(says::volumeSizeOfOne); });
+    std::erase_if(warnings, [](const core::Message& warning) { return warning.is(messages::volumeSizeOfOne); });
     return traceLabelImage(untraced(input, std::move(warnings)), labels.value(), path, observe);
 }
 
@@ -179,7 +179,7 @@ core::Result<LoadedVessels> traceVolume(const std::string& path, core::VesselInp
         input.seriesId = loaded.seriesId;
     }
     if (looksLikeLabels(loaded.volume)) {
-        loaded.warnings.push_back(says::volumeHoldsLabels());
+        loaded.warnings.push_back(messages::volumeHoldsLabels());
         input.kind = VesselInputKind::Segmentation;
         return traceLabelImage(untraced(input, loaded.warnings), labelsOf(loaded.volume), path, observe);
     }
@@ -269,7 +269,7 @@ core::Result<std::string> sha256OfVesselInput(const std::string& path, const cor
             return sha256OfSeries(series);
         }
     }
-    return fileError(path, says::seriesOfCaseNotHere());
+    return fileError(path, messages::seriesOfCaseNotHere());
 }
 
 }   // namespace angiopose::io

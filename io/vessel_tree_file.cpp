@@ -1,7 +1,7 @@
 #include "io/vessel_tree_file.h"
 
 #include "io/decode/vtk_file.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -33,11 +33,11 @@ core::Result<LineSet> parseLines(std::string_view content, const std::string& pa
     }
     const std::string extension = extensionOf(path);
     const auto* found = describeContent(content);
-    if (found == &says::aJsonFile && extension == ".json") {
+    if (found == &messages::aJsonFile && extension == ".json") {
         return parseMarkups(content, path);
     }
     if (found != nullptr) {
-        return fileError(path, says::treeIsOther((*found)()));
+        return fileError(path, messages::treeIsOther((*found)()));
     }
     if (extension == ".swc") {
         return parseSwc(content, path);
@@ -46,9 +46,9 @@ core::Result<LineSet> parseLines(std::string_view content, const std::string& pa
         return parseTreeTable(content, path);
     }
     if (extension == ".vtk" || extension == ".vtp" || extension == ".vtu") {
-        return fileError(path, says::treeNoVtkBeginning());
+        return fileError(path, messages::treeNoVtkBeginning());
     }
-    return fileError(path, says::treeFormatUnknown());
+    return fileError(path, messages::treeFormatUnknown());
 }
 
 }   // namespace
@@ -104,7 +104,7 @@ core::Status writeVesselTree(const core::VesselTree& tree, const std::string& pa
     if (path.ends_with(".mrk.json")) {
         return writeAtomically(path, markupsText(tree));
     }
-    return fileError(path, says::treeExtension());
+    return fileError(path, messages::treeExtension());
 }
 
 }   // namespace angiopose::io

@@ -2,7 +2,7 @@
 
 #include "io/dicom/dicom_file.h"
 #include "io/dicom_series.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/series/dicom_segmentation.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -24,8 +24,8 @@ core::Result<DicomSeries> chosenSeries(std::vector<DicomSeries> all, const std::
         return seriesId.empty() ? series.isAngiogram || series.problem.has_value() : series.id != seriesId;
     });
     if (all.empty()) {
-        return fileError(
-            folder, seriesId.empty() ? says::seriesNoneMakesVolume() : says::seriesNotHere(seriesId.substr(0, 80)));
+        return fileError(folder, seriesId.empty() ? messages::seriesNoneMakesVolume()
+                                                  : messages::seriesNotHere(seriesId.substr(0, 80)));
     }
     if (all.size() > 1) {
         std::vector<std::string> names;
@@ -35,7 +35,7 @@ core::Result<DicomSeries> chosenSeries(std::vector<DicomSeries> all, const std::
         if (all.size() > names.size()) {
             names.emplace_back("…");
         }
-        return fileError(folder, says::seriesSeveral(all.size(), names));
+        return fileError(folder, messages::seriesSeveral(all.size(), names));
     }
     return std::move(all.front());
 }
@@ -142,7 +142,7 @@ core::Result<core::LabelVolume> readLabels(const std::string& path, const ReadOb
     if (isDicomFile(path)) {
         auto labels = readDicomSegmentation(path, observe);
         const bool isSlice = labels && (labels.value().geometry.size.array() < 2).any();
-        return isSlice ? fileError(path, says::labelsOnePlane()) : std::move(labels);
+        return isSlice ? fileError(path, messages::labelsOnePlane()) : std::move(labels);
     }
     const auto stored = openStored(path);
     return stored ? readLabelVoxels(stored.value(), observe) : stored.error();

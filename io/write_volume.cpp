@@ -1,4 +1,4 @@
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -42,7 +42,7 @@ private:
     core::Status run(Bytes bytes, int flush)
     {
         if (!isReady_) {
-            return core::Error(says::volumeNoMemoryToPack());
+            return core::Error(messages::volumeNoMemoryToPack());
         }
         stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
         stream_.avail_in = static_cast<uInt>(bytes.size());
@@ -165,19 +165,19 @@ std::optional<core::Message> findUnwritable(const core::VolumeGeometry& geometry
                                             const std::string& extension)
 {
     if (voxels == 0 || voxels != geometry.voxelCount()) {
-        return says::volumeNothingToWrite();
+        return messages::volumeNothingToWrite();
     }
     const Eigen::Vector3d& size = geometry.spacingMm;
     const bool isPlaced = size.allFinite() && geometry.originInPatient.allFinite() && geometry.direction.allFinite();
     if (!isPlaced || size.minCoeff() <= 0.0) {
-        return says::volumeNoSizeToWrite(toText(size.x()) + " x " + toText(size.y()) + " x " + toText(size.z()));
+        return messages::volumeNoSizeToWrite(toText(size.x()) + " x " + toText(size.y()) + " x " + toText(size.z()));
     }
     const bool isNifti = extension == ".nii" || extension == ".nii.gz";
     if (!isNifti && extension != ".nrrd" && extension != ".mha") {
-        return says::volumeExtension();
+        return messages::volumeExtension();
     }
     return isNifti && geometry.size.maxCoeff() > std::numeric_limits<std::int16_t>::max()
-               ? std::optional(says::niftiTooLong())
+               ? std::optional(messages::niftiTooLong())
                : std::nullopt;
 }
 

@@ -1,7 +1,7 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
 #include "app/texts/number_text.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/viewing/angle_map.h"
 #include "io/angle_map_table.h"
 
@@ -72,7 +72,7 @@ int runAngles(const AnglesArguments& arguments)
         return failInput(map.error(), arguments.format);
     }
     if (session.vessels.tree->find(arguments.branchId)->radiusMm.empty()) {
-        printWarnings({core::says::radiiAssumed()});
+        printWarnings({core::messages::radiiAssumed()});
     }
     const core::GantryAngles now = *core::gantryAnglesOf(session.shown());
     printAll({now, sight.value().from(poseAt.value()(now))}, map.value(), arguments.format);

@@ -99,7 +99,7 @@ int finishTransfer(const io::TransferReport& report, const char* done, OutputFor
         for (const std::string& folder : report.folders) {
             std::printf("%s\n", folder.c_str());
         }
-        std::printf("%zu objects %s (%s), %zu were there already, %zu failed\n", report.transferred, done,
+        std::printf("%zu objects %s (%s), %zu already present, %zu failed\n", report.transferred, done,
                     io::sizeText(report.bytes).c_str(), report.duplicates, report.failed);
     }
     if (report.end) {
@@ -241,7 +241,7 @@ int runArchiveReceive(const ArchiveReceiveArguments& arguments)
         return failInput(listening.error(), arguments.format);
     }
     io::Receiver receiver = std::move(listening).value();
-    printMessage("listening on port " + std::to_string(options.port) + ", Ctrl+C ends it");
+    printMessage("listening on port " + std::to_string(options.port) + ", Ctrl+C to stop");
     io::TransferReport report;
     const io::ArchiveObserver observer;
     const io::StoreLimit limit{bytesOf(arguments.maxGb), io::StoreLimit::WhenFull::Refuse};

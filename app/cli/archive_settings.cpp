@@ -124,7 +124,7 @@ int runArchiveCacheList(const ArchiveCacheArguments& arguments)
                                   {"whole", series.isWhole}});
         if (arguments.common.format == OutputFormat::Text) {
             std::printf("%s  %zu objects  %s%s\n", series.folder.c_str(), series.objects,
-                        io::sizeText(series.bytes).c_str(), series.isWhole ? "" : "  not whole");
+                        io::sizeText(series.bytes).c_str(), series.isWhole ? "" : "  incomplete");
         }
     }
     if (arguments.common.format == OutputFormat::Json) {
@@ -149,7 +149,7 @@ int runArchiveCacheEmpty(const ArchiveCacheArguments& arguments)
     if (arguments.common.format == OutputFormat::Json) {
         printSettingsJson({{"dropped", dropped.value()}});
     } else {
-        std::printf("%zu objects dropped\n", dropped.value());
+        std::printf("%zu objects deleted\n", dropped.value());
     }
     return exitDone;
 }

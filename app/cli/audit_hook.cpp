@@ -107,7 +107,8 @@ void tellUnaudited(const core::Message& problem)
 
 void addAudit(CLI::App& app)
 {
-    app.add_option("--audit", "File to which a line is added for all that is opened and written (FORMATS §4)")
+    app.add_option("--audit",
+                   "Audit log: file to which a line is appended for everything that is opened and written (FORMATS §4)")
         ->option_text("FILE");
     for (CLI::App* command : app.get_subcommands(nullptr)) {
         command->parse_complete_callback([&app, command] {

@@ -15,7 +15,7 @@ namespace {
 
 std::string optionList()
 {
-    std::string text = "Options of --set, with their range:";
+    std::string text = "Options for --set and their ranges:";
     for (const core::OptionField& field : core::optionFields()) {
         text += "\n  " + std::string(field.key);
         for (const std::string_view& name : core::namesOf(field)) {
@@ -28,7 +28,7 @@ std::string optionList()
 
 std::string settingList()
 {
-    std::string text = "Names of settings, options first (see register --help):";
+    std::string text = "Names of settings, method options first (see register --help):";
     for (const std::string& name : io::caseSettingNames()) {
         text += "\n  " + name;
     }
@@ -39,33 +39,33 @@ std::string settingList()
 
 void addRegister(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("register", "Find the pose of the vessel tree in the angiogram of a case");
+    auto* command = app.add_subcommand("register", "Register the vessel tree of a case to its angiogram");
     auto arguments = std::make_shared<RegisterArguments>();
     addCaseOrResult(command, arguments->casePath, arguments->from);
     command
         ->add_option("ANGIOGRAM", arguments->angiogramPath,
-                     "Angiogram, where CASE is no case but its vessels, or a scan in which they are traced")
+                     "Angiogram, if CASE is not a case file but its vessels, or a scan to trace them in")
         ->excludes("--from");
     command->add_option("--save", arguments->savedPath,
-                        "Write the case with what was found, *.angiopose, for the window and all other commands");
+                        "Case file to write with the result, *.angiopose, for the window and all other commands");
     command->add_option("--method", arguments->method, "Method id; see the list below");
-    command->add_option("--set", arguments->options, "Option of the method as key=value; may be repeated");
-    command->add_option("--auxiliary", arguments->auxiliaryBranchIds, "Branches of the auxiliary problem, e.g. 1,2,5")
-        ->delimiter(',');
-    command->add_option("--exclude", arguments->excludedBranchIds, "Branches left out, e.g. 7,9")->delimiter(',');
-    command->add_option("--lock", arguments->locks, "What stays as it is, of " + core::poseAxisIds() + ", or none")
+    command->add_option("--set", arguments->options, "Method option as key=value; may be repeated");
+    command->add_option("--auxiliary", arguments->auxiliaryBranchIds, "Auxiliary branches, e.g. 1,2,5")->delimiter(',');
+    command->add_option("--exclude", arguments->excludedBranchIds, "Branches to exclude, e.g. 7,9")->delimiter(',');
+    command->add_option("--lock", arguments->locks, "Degrees of freedom to lock: " + core::poseAxisIds() + ", or none")
         ->delimiter(',');
     addFrameOption(*command, arguments->frame, "Frame of the angiogram, from 1");
     command->add_option("--view", arguments->otherViews,
-                        "Case of the same vessels in another view, registered together; may be repeated");
+                        "Case with another view of the same vessels, registered jointly; may be repeated");
     command->add_flag("--same-patient", arguments->isSamePatient,
-                      "All images are of one patient, whatever their headers say: otherwise no result is trusted");
+                      "Confirm that all images show one patient, even if their headers differ; otherwise no result is "
+                      "rated reliable");
     command->add_flag("--deformable", arguments->isDeformation,
-                      "Bend the vessels afterwards where the image asks for it: bent.vtp, motion.csv");
+                      "Deform the vessels after the rigid registration if the image suggests it: bent.vtp, motion.csv");
     command->add_option("--output", arguments->outputFolder,
                         "Folder for result.json, overlay.png and pose.tfm (default: CASE-registered)");
     command->add_flag_callback(
-        "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print the result as JSON and nothing else");
+        "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print only the result, as JSON");
     command->footer([] {
         return methodList() + "\n\n" + optionList() +
                "\n\nExamples: angiopose-cli register case.angiopose --method angiopose --output result\n"
@@ -80,14 +80,14 @@ void addRegister(CLI::App& app, int& exitCode)
 
 void addTrack(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("track", "Follow the vessels of a case through the frames of its run");
+    auto* command = app.add_subcommand("track", "Track the vessels of a case through the frames of its run");
     auto arguments = std::make_shared<TrackArguments>();
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
     command->add_option("--output", arguments->outputPath, "Table of poses to write, .csv")->required();
     command->add_flag("--keep-pose", arguments->keepPose,
-                      "Follow from the pose of the case (default: its frame is registered first)");
+                      "Track from the pose of the case (default: its frame is registered first)");
     command->add_option("--bent", arguments->deformedFolder,
-                        "Folder for the vessels as they are bent in each frame (frame0.vtp, …), where they are");
+                        "Folder for the deformed vessels of each frame that has them (frame0.vtp, …)");
     command->footer("Example: angiopose-cli track case.angiopose --output poses.csv");
     command->callback([arguments, &exitCode] { exitCode = runTrack(*arguments); });
 }
@@ -98,19 +98,24 @@ void addProject(CLI::App& app, int& exitCode)
     auto arguments = std::make_shared<ProjectArguments>();
     addCaseOrResult(command, arguments->casePath, arguments->from);
     command->add_option("--pose", arguments->posePath,
-                        "Pose: .json, or .tfm, .mat or .h5 of ITK (default: the pose of the case)");
-    command->add_option("--output", arguments->outputPath, "Picture to write, .png or .svg")->required();
-    command->add_option("--width", arguments->widthPx, "Width of the picture in pixels (default: twice the image)")
+                        "Pose file: .json, or .tfm, .mat or .h5 from ITK (default: the pose of the case)");
+    command->add_option("--output", arguments->outputPath, "Image to write, .png or .svg")->required();
+    command
+        ->add_option("--width", arguments->widthPx,
+                     "Width of the written image in pixels (default: twice the angiogram)")
         ->check(CLI::Range(64, 8192));
     addFrameOption(*command, arguments->frame, "Frame of the angiogram, from 1");
     command->add_flag("--depth-cue", arguments->depthCue, "Depth cueing");
-    command->add_option("--swipe", arguments->swipePx, "Column of the angiogram: right of it without vessels");
-    command->add_flag("--rigid", arguments->isRigid, "The vessels rigid, where the case keeps bent ones");
+    command->add_option("--swipe", arguments->swipePx,
+                        "Swipe position, an angiogram column; no vessels are drawn to its right");
+    command->add_flag("--rigid", arguments->isRigid, "Draw the vessels rigid even if the case has deformed ones");
     command->add_flag("--motion", arguments->isMotionColored, "Colors: displacement of the deformed vessels");
-    command->add_flag("--before-after", arguments->startBeside, "The vessels at the start pose beside it, on the left");
-    command->add_option("--dpi", arguments->dotsPerInch, "Pixels to an inch, for print")->check(CLI::Range(10, 4800));
-    command->add_flag("--bare", arguments->isFrameAlone, "The image alone, without vessels");
-    command->add_flag("--16-bit", arguments->is16Bit, "The grey values of the frame alone, 16-bit .png, without texts");
+    command->add_flag("--before-after", arguments->startBeside,
+                      "Draw the vessels at the initial pose side by side, on the left");
+    command->add_option("--dpi", arguments->dotsPerInch, "Print resolution, pixels per inch")
+        ->check(CLI::Range(10, 4800));
+    command->add_flag("--bare", arguments->isFrameAlone, "Angiogram only, without vessels");
+    command->add_flag("--16-bit", arguments->is16Bit, "Gray values of the frame only, as a 16-bit .png without text");
     command->footer(
         "Examples: angiopose-cli project case.angiopose --pose result/result.json --output overlay.png\n"
         "          angiopose-cli project --from result/result.json --inputs . --output overlay.png");
@@ -122,7 +127,8 @@ void addProject(CLI::App& app, int& exitCode)
 
 void addMovie(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("movie", "Write a movie: the overlay through a run, a convergence, or a turn");
+    auto* command =
+        app.add_subcommand("movie", "Write a movie: the overlay through a run, a convergence, or a rotation");
     auto arguments = std::make_shared<MovieArguments>();
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
     command->add_option("--output", arguments->outputPath, "Movie to write, .mp4 or .gif")->required();
@@ -131,33 +137,35 @@ void addMovie(CLI::App& app, int& exitCode)
     command
         ->add_option("--show", arguments->content,
                      "run: the overlay through the frames (default); convergence: the poses of the registration, which "
-                     "is made where the case keeps none; turn: the vessels alone, turning once")
+                     "is run first if the case stores none; turn: the vessels alone, rotating once")
         ->transform(CLI::CheckedTransformer(contents, CLI::ignore_case).description("{run,convergence,turn}"));
     command->add_option("--frames", arguments->frames, "First and last frame of the run, from 1 (default: all)")
         ->expected(2);
-    command->add_flag("--back-and-forth", arguments->isBackAndForth, "The run to its end and back");
+    command->add_flag("--back-and-forth", arguments->isBackAndForth, "Play the run forward, then backward");
     command->add_flag("--register", arguments->isRegistered, "Register the frame of the case first");
     command->add_flag("--follow", arguments->isFollowed,
-                      "Follow the vessels from that pose through the run, each frame with its own");
-    command->add_option("--fps", arguments->framesPerSecond, "Pictures a second (default: as the run was taken)")
+                      "Track the vessels from that pose through the run, each frame with its own pose");
+    command->add_option("--fps", arguments->framesPerSecond, "Frames per second (default: the acquisition rate)")
         ->check(CLI::Range(0.5, 100.0));
-    command->add_option("--speed", arguments->speed, "Times as fast as that")->check(CLI::Range(0.05, 20.0));
-    command->add_option("--width", arguments->widthPx, "Width of the movie in pixels (default: twice the image)")
+    command->add_option("--speed", arguments->speed, "Speed factor relative to that rate")
+        ->check(CLI::Range(0.05, 20.0));
+    command->add_option("--width", arguments->widthPx, "Width of the movie in pixels (default: twice the angiogram)")
         ->check(CLI::Range(64, 8192));
     addFrameOption(*command, arguments->frame, "Frame of the case's pose, from 1");
     command->add_flag("--depth-cue", arguments->depthCue, "Depth cueing");
-    command->add_flag("--rigid", arguments->isRigid, "The vessels rigid, where the case keeps bent ones");
+    command->add_flag("--rigid", arguments->isRigid, "Draw the vessels rigid even if the case has deformed ones");
     command->footer("Example: angiopose-cli movie case.angiopose --register --follow --output run.mp4");
     command->callback([arguments, &exitCode] { exitCode = runMovie(*arguments); });
 }
 
 void addAngles(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("angles", "Which C-arm angles show a branch long and free of other vessels");
+    auto* command = app.add_subcommand("angles", "Find C-arm angles that show a branch long and free of other vessels");
     auto arguments = std::make_shared<AnglesArguments>();
-    command->add_option("CASE", arguments->casePath, "Case file, *.angiopose: its pose and angles count")->required();
-    command->add_option("--branch", arguments->branchId, "Branch to look at, by its number")->required();
-    command->add_flag("--take-off", arguments->isTakeOff, "Where it leaves the other branches, 10 mm around");
+    command->add_option("CASE", arguments->casePath, "Case file, *.angiopose; its pose and angles are used")
+        ->required();
+    command->add_option("--branch", arguments->branchId, "Number of the branch to view")->required();
+    command->add_flag("--take-off", arguments->isTakeOff, "View only the origin of the branch (±10 mm)");
     const auto addRange = [&](const char* name, core::AngleRange& range, const char* help) {
         command
             ->add_option_function<std::vector<double>>(
@@ -168,13 +176,13 @@ void addAngles(CLI::App& app, int& exitCode)
                 help)
             ->expected(2);
     };
-    addRange("--primary", arguments->map.primary, "RAO (-) to LAO (+) that the gantry reaches (default: -90 90)");
-    addRange("--secondary", arguments->map.secondary, "CAU (-) to CRA (+) that the gantry reaches (default: -40 40)");
-    command->add_option("--step", arguments->map.stepDeg, "Degrees between the angles of the table (default: 2.5)");
+    addRange("--primary", arguments->map.primary, "Gantry range from RAO (-) to LAO (+) (default: -90 90)");
+    addRange("--secondary", arguments->map.secondary, "Gantry range from CAU (-) to CRA (+) (default: -40 40)");
+    command->add_option("--step", arguments->map.stepDeg, "Angle step of the table in degrees (default: 2.5)");
     addFrameOption(*command, arguments->frame, "Frame of the angiogram, from 1");
     command->add_option("--output", arguments->outputPath, "Table of all angles to write, .csv");
     command->add_flag_callback(
-        "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print the angles as JSON and nothing else");
+        "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print only the angles, as JSON");
     command->footer("Example: angiopose-cli angles case.angiopose --branch 3 --take-off");
     command->callback([arguments, &exitCode] { exitCode = runAngles(*arguments); });
 }
@@ -182,22 +190,23 @@ void addAngles(CLI::App& app, int& exitCode)
 void addMeasure(CLI::App& app, int& exitCode)
 {
     auto* command =
-        app.add_subcommand("measure", "Print what was measured in the images of a case, or along its branches, as CSV");
+        app.add_subcommand("measure", "Print the measurements in the images of a case, or along its branches, as CSV");
     auto arguments = std::make_shared<MeasureArguments>();
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
-    command->add_option("--output", arguments->outputPath, "Table to write, .csv (default: it is printed)");
+    command->add_option("--output", arguments->outputPath, "Table to write, .csv (default: standard output)");
     auto* branches = command->add_flag("--branches", arguments->areBranchesWanted,
-                                       "Length, diameters, narrowest place, tortuosity and bends of every branch");
+                                       "Length, diameters, narrowest point, tortuosity and bends of every branch");
     command->add_option("--profile", arguments->profiledBranch, "Diameter and curvature along this branch, by its id")
         ->excludes(branches);
-    auto* checkPoints = command
-                            ->add_flag("--check-points", arguments->areCheckPointsWanted,
-                                       "Check points: how far the pose puts them from where they are seen, and what "
-                                       "it claims")
-                            ->excludes(branches);
+    auto* checkPoints =
+        command
+            ->add_flag(
+                "--check-points", arguments->areCheckPointsWanted,
+                "Target points: distance of each projection from its marked position, with the estimated uncertainty")
+            ->excludes(branches);
     command
         ->add_flag_callback(
-            "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Check points as JSON")
+            "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print target points as JSON")
         ->needs(checkPoints);
     command->footer("Example: angiopose-cli measure case.angiopose --branches --output branches.csv");
     command->callback([arguments, &exitCode] { exitCode = runMeasure(*arguments); });
@@ -205,54 +214,55 @@ void addMeasure(CLI::App& app, int& exitCode)
 
 void addBatch(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("batch", "Register many cases; one that fails never stops the others");
+    auto* command = app.add_subcommand("batch", "Register many cases; a failed case does not stop the others");
     auto arguments = std::make_shared<BatchArguments>();
     command
         ->add_option("MANIFEST", arguments->manifestPath,
-                     "CSV with the column case, or vessels and angiogram (paths, relative to it), and where wanted "
-                     "seeds, name, method, frame, set.NAME")
+                     "CSV with the column case, or vessels and angiogram (paths relative to it), and optionally seeds, "
+                     "name, method, frame, set.NAME")
         ->required();
-    command->add_option("--output", arguments->outputFolder, "Folder for summary.csv and a folder for each case")
+    command->add_option("--output", arguments->outputFolder, "Folder for summary.csv and one folder per case")
         ->required();
-    command->add_option("--threads", arguments->threads, "Cases at the same time (default: all cores)")
+    command->add_option("--threads", arguments->threads, "Number of cases to run in parallel (default: all cores)")
         ->check(CLI::Range(1, 1024));
-    command->add_flag("--resume", arguments->isResumed, "Leave what is done already, of the same inputs and settings");
+    command->add_flag("--resume", arguments->isResumed,
+                      "Skip cases that are already done with the same inputs and settings");
     command->add_flag(
         "--no-pictures", arguments->isWithoutPictures,
-        "Draw nothing: results, poses and tables alone, in two thirds of the time and a tenth of the room");
-    command->add_option("--time-limit", arguments->timeLimitSeconds, "Seconds that one case may take")
+        "Write no images, only results, poses and tables: two thirds of the time and a tenth of the disk space");
+    command->add_option("--time-limit", arguments->timeLimitSeconds, "Time limit per case in seconds")
         ->check(CLI::Range(0.1, 1e7));
     command->add_option("--set", arguments->settings,
-                        "Setting of all cases as name=value; may be repeated. A column set.NAME stands over it");
+                        "Setting for all cases as name=value; may be repeated. A column set.NAME overrides it");
     auto* shard = command
                       ->add_option("--shard", arguments->shard,
-                                   "Part I of N of the rows, as I/N; its table is summary-I-of-N.csv, the last "
-                                   "writes that of all")
+                                   "Part I of N of the rows, as I/N; its table is summary-I-of-N.csv, and the last "
+                                   "part writes the table of all")
                       ->capture_default_str();
     command
         ->add_option("--merge", arguments->mergedFolders,
-                     "Run nothing: write the tables of what shards have left in these folders")
+                     "Run no cases: write the tables for the results of the shards in these folders")
         ->excludes(shard);
     command->footer([] {
-        return "Exit codes: 0 all done, 3 some failed or are missing, 4 some not trustworthy, 130 stopped; summary.csv "
-               "says which.\n\n" +
+        return "Exit codes: 0 all done, 3 some failed or are missing, 4 some not reliable, 130 stopped; summary.csv "
+               "shows which.\n\n" +
                settingList() +
-               "\n\nExamples: angiopose-cli batch cases.csv --threads 8 --time-limit 600 --output results\n"
-               "          angiopose-cli batch cases.csv --resume --output results   (after an end of any kind)\n"
-               "          angiopose-cli batch cases.csv --shard 1/2 --output a   (and 2/2 to b, on another machine)\n"
-               "          angiopose-cli batch cases.csv --merge a b --output results";
+               "\n\nExamples: angiopose-cli batch cases.csv --threads 8 --time-limit 600 --output results\n          "
+               "angiopose-cli batch cases.csv --resume --output results   (after any interruption)\n          "
+               "angiopose-cli batch cases.csv --shard 1/2 --output a   (and 2/2 to b, on another machine)\n          "
+               "angiopose-cli batch cases.csv --merge a b --output results";
     });
     command->callback([arguments, &exitCode] { exitCode = runBatch(*arguments); });
 }
 
 void addBatchWorker(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("batch-worker", "Work on the cases of a batch that started it");
+    auto* command = app.add_subcommand("batch-worker", "Process cases for the batch that started this worker");
     command->group("");
     auto parent = std::make_shared<int>(0);
     auto threads = std::make_shared<int>(1);
-    command->add_option("PARENT", *parent, "Its process")->required();
-    command->add_option("THREADS", *threads, "To use")->required();
+    command->add_option("PARENT", *parent, "Process ID of the batch")->required();
+    command->add_option("THREADS", *threads, "Number of threads")->required();
     command->callback([parent, threads, &exitCode] { exitCode = runBatchWorker(*parent, *threads); });
 }
 

@@ -1,7 +1,7 @@
 #include "app/cli/case_input.h"
 
 #include "app/cli/console.h"
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "core/case/start_pose.h"
 #include "io/opening/open_case_with.h"
 #include "io/opening/open_result.h"
@@ -55,7 +55,7 @@ core::Result<core::Case> atFrame(core::Case session, std::optional<int> frame, c
     }
     const int frameCount = session.shown().angiogram ? session.shown().angiogram->frameCount() : 0;
     if (*frame < 0 || *frame >= frameCount) {
-        return core::Error(says::frameBeyondRun(*frame + 1, frameCount).about(path));
+        return core::Error(messages::frameBeyondRun(*frame + 1, frameCount).about(path));
     }
     core::View& shown = session.shown();
     if (core::findFrame(shown.followed, *frame) && *frame != shown.frame) {

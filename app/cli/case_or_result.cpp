@@ -5,14 +5,16 @@ namespace angiopose::app {
 void addCaseOrResult(CLI::App* command, std::string& casePath, FromResult& from)
 {
     auto* file = command->add_option("CASE", casePath, "Case file, *.angiopose");
-    auto* result = command
-                       ->add_option("--from", from.path,
-                                    "Instead of a case: result.json or joint.json, with all that it was found from")
-                       ->excludes(file);
+    auto* result =
+        command
+            ->add_option(
+                "--from", from.path,
+                "Result to use instead of a case: result.json or joint.json, with everything it was computed from")
+            ->excludes(file);
     command
-        ->add_option(
-            "--inputs", from.inputFolders,
-            "Folder in which the inputs of that result lie, by name and content, beside its own; may be repeated")
+        ->add_option("--inputs", from.inputFolders,
+                     "Folder with the inputs of that result, matched by name and content, in addition to its own "
+                     "folder; may be repeated")
         ->needs(result);
 }
 

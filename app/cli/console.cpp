@@ -1,6 +1,6 @@
 #include "app/cli/console.h"
 
-#include "app/messages/says_keeping.h"
+#include "app/messages/messages.h"
 #include "app/texts/number_text.h"
 #include "app/texts/printable_text.h"
 #include "io/support/message_json.h"
@@ -59,7 +59,7 @@ int finishOutput(int exitCode)
     if (isWritten) {
         return exitCode;
     }
-    printMessage(says::outputNotWritten().text());
+    printMessage(messages::outputNotWritten().text());
     return exitCode == exitDone ? exitInput : exitCode;
 }
 

@@ -1,5 +1,5 @@
 #include "app/cli/commands.h"
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "core/imaging/fill_surface.h"
 #include "io/angiogram_file.h"
 #include "io/camera_pose_file.h"
@@ -7,7 +7,7 @@
 #include "io/deidentify_file.h"
 #include "io/derived_angiogram.h"
 #include "io/dicom/dicom_file.h"
-#include "io/messages/says_deidentify.h"
+#include "io/messages/messages.h"
 #include "io/pose_camera_file.h"
 #include "io/pose_file.h"
 #include "io/support/atomic_file.h"
@@ -139,7 +139,8 @@ Status toCurves(const ConvertArguments& arguments)
         return kind.error();
     }
     if (kind.value() != VesselInputKind::Centerline) {
-        return core::Error(says::convertNoCurves(arguments.inputPath, arguments.outputPath).about(arguments.inputPath));
+        return core::Error(
+            messages::convertNoCurves(arguments.inputPath, arguments.outputPath).about(arguments.inputPath));
     }
     return convertCurves(arguments);
 }
@@ -151,7 +152,7 @@ Status toVolume(const ConvertArguments& arguments)
         return kind.error();
     }
     if (kind.value() == VesselInputKind::Centerline) {
-        return core::Error(says::convertNoVolume().about(arguments.inputPath));
+        return core::Error(messages::convertNoVolume().about(arguments.inputPath));
     }
     if (kind.value() == VesselInputKind::Segmentation) {
         return convertLabels(arguments);
@@ -199,7 +200,7 @@ Status convert(const ConvertArguments& arguments)
         const bool fits = isFolder ? io::extensionOf(out).empty() : endsWith(out, {ending.c_str()});
         return fits && (isFolder || isImageFile(arguments.inputPath))
                    ? withoutIdentity(arguments)
-                   : Status(core::Error(io::says::deidentifiedKind(ending).about(out)));
+                   : Status(core::Error(io::messages::deidentifiedKind(ending).about(out)));
     }
     if (endsWith(out, {".mrk.json", ".vtp", ".csv", ".swc"})) {
         return toCurves(arguments);
@@ -216,7 +217,7 @@ Status convert(const ConvertArguments& arguments)
     if (endsWith(out, {".dcm"})) {
         return convertAngiogram(arguments);
     }
-    return core::Error(says::convertExtension().about(out));
+    return core::Error(messages::convertExtension().about(out));
 }
 
 }   // namespace
@@ -225,7 +226,7 @@ int runConvert(const ConvertArguments& arguments)
 {
     std::error_code absent;
     if (fs::equivalent(arguments.inputPath, arguments.outputPath, absent)) {
-        return failInput(says::convertOntoInput().about(arguments.outputPath));
+        return failInput(messages::convertOntoInput().about(arguments.outputPath));
     }
     if (const Status converted = convert(arguments); !converted) {
         return failInput(converted.error());

@@ -1,13 +1,12 @@
 #include "app/cli/convert_exchange.h"
 
 #include "app/cli/case_input.h"
-#include "app/messages/says.h"
-#include "app/messages/says_exchange.h"
+#include "app/messages/messages.h"
 #include "core/exchange/projection_matrix.h"
 #include "io/camera_pose_file.h"
 #include "io/case_points.h"
 #include "io/fiducial_file.h"
-#include "io/messages/says_exchange.h"
+#include "io/messages/messages.h"
 #include "io/pose_camera_file.h"
 #include "io/pose_convention_file.h"
 #include "io/pose_file.h"
@@ -86,7 +85,7 @@ core::Result<std::optional<ExchangedPose>> givenCamera(const ExchangeArguments& 
         return read.error();
     }
     if (!read.value().pose.camera) {
-        return core::Error(io::says::exchangeNoCamera().about(exchange.cameraPath));
+        return core::Error(io::messages::exchangeNoCamera().about(exchange.cameraPath));
     }
     return std::optional(std::move(read).value());
 }
@@ -98,7 +97,7 @@ core::Result<ExchangedPose> readXreg(const std::string& path, std::optional<Exch
         return volumeFromWorld.error();
     }
     if (!camera) {
-        printWarnings({says::convertXregGuessed().about(path)});
+        printWarnings({messages::convertXregGuessed().about(path)});
     }
     const core::XregCamera theirs = camera ? core::xregCamera(*camera->pose.camera, usualSourceToDetectorMm)
                                            : core::xregCamera({-1.0, 1.0, 0.0, 0.0, 0, 0}, usualSourceToDetectorMm);
@@ -187,7 +186,7 @@ Status writeXreg(const ExchangedPose& pose, const std::string& path)
 Status writeToDiffDrr(const ExchangedPose& pose, const std::string& path, const ExchangeArguments& exchange)
 {
     if (!pose.pose.camera || pose.pose.camera->width == 0) {
-        return core::Error(io::says::exchangeNoCamera().about(path));
+        return core::Error(io::messages::exchangeNoCamera().about(path));
     }
     const auto center = volumeCenter(exchange);
     if (!center) {
@@ -220,7 +219,7 @@ Status writeExchanged(const ExchangedPose& pose, const std::string& path, const 
         return writeOwn(pose.pose, path);
     }
     return pose.pose.camera ? io::writeSight({*pose.pose.camera, pose.pose.cameraFromPatient}, path)
-                            : Status(core::Error(io::says::exchangeNoCamera().about(path)));
+                            : Status(core::Error(io::messages::exchangeNoCamera().about(path)));
 }
 
 core::Result<std::vector<io::Fiducial>> pointsOfCase(const std::string& path)
@@ -230,8 +229,9 @@ core::Result<std::vector<io::Fiducial>> pointsOfCase(const std::string& path)
         return loaded.error();
     }
     const std::vector<io::Fiducial> points = io::pointsOf(loaded.value());
-    return points.empty() ? core::Result<std::vector<io::Fiducial>>(core::Error(says::convertNoPoints().about(path)))
-                          : points;
+    return points.empty()
+               ? core::Result<std::vector<io::Fiducial>>(core::Error(messages::convertNoPoints().about(path)))
+               : points;
 }
 
 bool isPointsConversion(const ConvertArguments& arguments)
@@ -268,11 +268,10 @@ std::shared_ptr<ExchangeArguments> addExchangeOptions(CLI::App& command)
                                                             {"diffdrr", PoseConvention::DiffDrr}};
     const auto checked =
         CLI::CheckedTransformer(conventions, CLI::ignore_case).description("{angiopose,opencv,xreg,diffdrr}");
-    command.add_option("--pose-from", exchange->from, "How the input means its pose")->transform(checked);
-    command.add_option("--pose-to", exchange->to, "How the output is to mean it")->transform(checked);
-    command.add_option("--camera", exchange->cameraPath,
-                       "Whose camera goes with the pose: a case, or a pose with its camera");
-    command.add_option("--volume", exchange->volumePath, "The volume whose middle DiffDRR has in its origin");
+    command.add_option("--pose-from", exchange->from, "Pose convention of the input")->transform(checked);
+    command.add_option("--pose-to", exchange->to, "Pose convention of the output")->transform(checked);
+    command.add_option("--camera", exchange->cameraPath, "Camera for the pose: a case, or a pose file with its camera");
+    command.add_option("--volume", exchange->volumePath, "Volume whose center is the origin of DiffDRR");
     command.add_option("--source-to-detector", exchange->sourceToDetectorMm, "SID to write for DiffDRR, mm")
         ->check(CLI::Range(100.0, 10000.0));
     return exchange;
@@ -293,7 +292,7 @@ int runExchangeConversion(const ConvertArguments& arguments, const ExchangeArgum
 {
     std::error_code absent;
     if (std::filesystem::equivalent(arguments.inputPath, arguments.outputPath, absent)) {
-        return failInput(says::convertOntoInput().about(arguments.outputPath));
+        return failInput(messages::convertOntoInput().about(arguments.outputPath));
     }
     if (const Status converted = convertExchanged(arguments, exchange); !converted) {
         return failInput(converted.error());

@@ -1,6 +1,6 @@
 #include "app/cli/deidentify_options.h"
 
-#include "io/messages/says_deidentify.h"
+#include "io/messages/messages.h"
 #include "io/support/input_bytes.h"
 
 namespace angiopose::app {
@@ -15,20 +15,22 @@ std::shared_ptr<DeidentifyArguments> addDeidentifyOptions(CLI::App& command)
     auto arguments = std::make_shared<DeidentifyArguments>();
     auto* wanted =
         command.add_flag("--deidentify", arguments->isWanted,
-                         "Without names, IDs, dates, private elements and texts; UIDs and patient by others");
-    command.add_option("--dates", arguments->dates, "removed, or shifted by as much for all files of a patient")
+                         "Remove names, IDs, dates, private elements and texts; replace UIDs and the patient");
+    command
+        .add_option("--dates", arguments->dates, "removed, or shifted by the same amount for all files of a patient")
         ->check(CLI::IsMember({"removed", "shifted"}))
         ->needs(wanted);
     command
         .add_flag("--black-out", arguments->areLettersBlackedOut,
-                  "Black out letters that are drawn into projections, instead of telling of them")
+                  "Mask burned-in text in projections instead of only reporting it")
         ->needs(wanted);
     command
-        .add_option("--pseudonym", arguments->patientName, "Name and ID instead of the patient's (default: made up)")
+        .add_option("--pseudonym", arguments->patientName,
+                    "Replacement for the patient's name and ID (default: generated)")
         ->needs(wanted);
     command
         .add_option("--key", arguments->keyPath,
-                    "File with 16 or more secret bytes: exports with the same key fit together (default: a new one)")
+                    "File with 16 or more secret bytes; exports with the same key are consistent (default: a new key)")
         ->needs(wanted);
     return arguments;
 }
@@ -55,7 +57,7 @@ core::Result<io::Pseudonyms> pseudonymsOf(const DeidentifyArguments& arguments)
     }
     const std::string_view bytes = key.value().view();
     return bytes.size() < minKeyBytes
-               ? core::Result<io::Pseudonyms>(core::Error(io::says::keyTooShort().about(arguments.keyPath)))
+               ? core::Result<io::Pseudonyms>(core::Error(io::messages::keyTooShort().about(arguments.keyPath)))
                : io::Pseudonyms(std::string(bytes));
 }
 

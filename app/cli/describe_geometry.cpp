@@ -39,9 +39,9 @@ Json sourcedJson(const core::Sourced<Vector>& sourced)
 std::string shownFrom(const core::CArm& cArm)
 {
     const std::string basis = cArm.mirrored.value ? originText(cArm.mirrored.origin) + ", " + cArm.mirrored.basis
-                                                  : "assumed, the header does not tell";
-    return (cArm.mirrored.value.value_or(false) ? "mirrored, as from the source, fx > 0 ("
-                                                : "as from the detector, fx < 0 (") +
+                                                  : "assumed, not in the header";
+    return (cArm.mirrored.value.value_or(false) ? "mirrored, as seen from the source, fx > 0 ("
+                                                : "as seen from the detector, fx < 0 (") +
            basis + ")";
 }
 

@@ -1,8 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/evaluate_own.h"
 #include "app/cli/shard.h"
-#include "app/messages/says.h"
-#include "app/messages/says_own.h"
+#include "app/messages/messages.h"
 #include "core/evaluation/report/observer_report.h"
 #include "core/evaluation/report/plot.h"
 #include "core/evaluation/report/result_table.h"
@@ -10,7 +9,7 @@
 #include "io/evaluation/html_report.h"
 #include "io/evaluation/run_files.h"
 #include "io/evaluation/table_text.h"
-#include "io/messages/says_seldom.h"
+#include "io/messages/messages.h"
 #include "io/plot/svg_plot.h"
 #include "io/support/atomic_file.h"
 
@@ -60,7 +59,7 @@ core::Result<core::RunSet> mergedRuns(const EvaluateArguments& arguments)
     }
     auto runs = core::merged(parts);
     if (runs && runs.value().protocol != arguments.protocol) {
-        return core::Error(says::mergeOfOthers(runs.value().protocol, arguments.protocol));
+        return core::Error(messages::mergeOfOthers(runs.value().protocol, arguments.protocol));
     }
     return runs;
 }
@@ -108,7 +107,7 @@ core::Status makeFolder(const fs::path& folder)
 {
     std::error_code failure;
     fs::create_directories(folder, failure);
-    return failure ? core::Status(core::Error(says::folderNotMade(folder.string(), failure.message())))
+    return failure ? core::Status(core::Error(messages::folderNotMade(folder.string(), failure.message())))
                    : core::Status(core::Done{});
 }
 
@@ -153,10 +152,10 @@ int runObservers(const EvaluateArguments& arguments)
     if (!readings) {
         return failInput(readings.error());
     }
-    const Report report{"Agreement of observers", core::observerTables(readings.value()),
+    const Report report{"Observer agreement", core::observerTables(readings.value()),
                         core::observerPlots(readings.value())};
     if (report.tables.empty()) {
-        return failInput(core::Error(io::says::observerTooFew()));
+        return failInput(core::Error(io::messages::observerTooFew()));
     }
     core::Status status = makeFolder(arguments.outputFolder);
     if (status) {
@@ -170,14 +169,14 @@ std::optional<core::Message> problemOfInputs(const EvaluateArguments& arguments)
 {
     const std::size_t count = arguments.inputPaths.size();
     if (arguments.protocol == observerLogs) {
-        return count == 0 ? std::optional<core::Message>(says::observersNoLog()) : std::nullopt;
+        return count == 0 ? std::optional<core::Message>(messages::observersNoLog()) : std::nullopt;
     }
     if (!arguments.mergedFolders.empty() || arguments.protocol != ownCases) {
         return count == 0 ? std::nullopt
                           : std::optional<core::Message>(
-                                says::inputOfExperiment(arguments.protocol, arguments.inputPaths.front()));
+                                messages::inputOfExperiment(arguments.protocol, arguments.inputPaths.front()));
     }
-    return count == 1 ? std::nullopt : std::optional<core::Message>(says::ownNoManifest());
+    return count == 1 ? std::nullopt : std::optional<core::Message>(messages::ownNoManifest());
 }
 
 core::Result<core::Experiment> runExperimentOf(const EvaluateArguments& arguments)
@@ -216,7 +215,7 @@ int runEvaluate(const EvaluateArguments& arguments)
         experiment = std::move(run).value();
     }
     if (experiment.runs.runs.empty()) {
-        printMessage("No trial was finished: nothing is written.");
+        printMessage("No trial was completed; nothing was written.");
         return experiment.wasStopped ? exitStopped : exitInput;
     }
     return finishReport(writeRunReport(experiment.runs, arguments.outputFolder), arguments.outputFolder,

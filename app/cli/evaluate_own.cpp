@@ -4,13 +4,13 @@
 #include "app/cli/console.h"
 #include "app/cli/shard.h"
 #include "core/evaluation/own/judge_own.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/support/parallel_for.h"
 #include "core/support/stopwatch.h"
 #include "core/workflow/register_case.h"
 #include "io/evaluation/observer_readings.h"
 #include "io/evaluation/own_manifest.h"
-#include "io/messages/says_seldom.h"
+#include "io/messages/messages.h"
 #include "io/pose_file.h"
 #include "io/vessel_tree_file.h"
 
@@ -141,12 +141,12 @@ public:
         const auto camera =
             session ? core::cameraOf(session.value().shown()) : core::Result<core::ProjectionCamera>(session.error());
         if (!camera || !session.value().vessels.tree) {
-            tell(task, camera ? core::Error(core::says::noVesselTree()) : camera.error());
+            tell(task, camera ? core::Error(core::messages::noVesselTree()) : camera.error());
             return unknownRecords(task);
         }
         const core::VesselTree* deformed = task.truth.deformedTree.get();
         if (deformed && !core::isTruthOf(*deformed, *session.value().vessels.tree)) {
-            tell(task, core::Error(io::says::ownDeformedOther()).about(task.entry.deformedPath));
+            tell(task, core::Error(io::messages::ownDeformedOther()).about(task.entry.deformedPath));
             return unknownRecords(task);
         }
         const core::OwnCase own{*session.value().vessels.tree, camera.value(),

@@ -5,8 +5,7 @@
 #include "app/cli/console.h"
 #include "app/cli/frame_option.h"
 #include "app/cli/register_case.h"
-#include "app/messages/says_dicom.h"
-#include "app/messages/says_starting.h"
+#include "app/messages/messages.h"
 #include "app/texts/dicom_export.h"
 #include "core/case/start_pose.h"
 #include "io/support/input_bytes.h"
@@ -44,7 +43,7 @@ core::Result<DicomExport> exportFor(const ExportDicomArguments& arguments)
     for (const std::string& id : arguments.objects) {
         const auto kind = dicomKindFrom(id);
         if (!kind) {
-            return core::Error(says::dicomKindUnknown(id, dicomKindIds()).about("--objects"));
+            return core::Error(messages::dicomKindUnknown(id, dicomKindIds()).about("--objects"));
         }
         wanted.kinds.push_back(*kind);
     }
@@ -70,7 +69,7 @@ core::Result<core::Case> caseFor(const ExportDicomArguments& arguments)
     if (!arguments.isRegistered) {
         const core::Case& session = loaded.value();
         const bool isUnwanted = !arguments.isStartWanted && core::isAtStart(session.shown(), session.vessels);
-        return isUnwanted ? core::Error(says::exportAtStart().about(arguments.casePath)) : loaded;
+        return isUnwanted ? core::Error(messages::exportAtStart().about(arguments.casePath)) : loaded;
     }
     auto found = registerForCommand(std::move(loaded).value(), "registering");
     return found ? core::Result<core::Case>(std::move(found).value().session) : core::Result<core::Case>(found.error());
@@ -111,7 +110,7 @@ int runExportDicom(const ExportDicomArguments& arguments)
 
 void addExportDicom(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("export-dicom", "Write what a case shows and found as DICOM objects");
+    auto* command = app.add_subcommand("export-dicom", "Export a case and its results as DICOM objects");
     auto arguments = std::make_shared<ExportDicomArguments>();
     addCaseOrResult(command, arguments->casePath, arguments->from);
     command->add_option("--output", arguments->outputFolder, "Folder for the objects, one file each")->required();
@@ -120,21 +119,21 @@ void addExportDicom(CLI::App& app, int& exitCode)
                      "Which, of " + dicomKindIds() + " (default: all that the case allows)")
         ->delimiter(',');
     command->add_option("--report", arguments->reportPath,
-                        "PDF of the report, as `angiopose-cli report` writes it, for pdf");
+                        "PDF of the report, written by `angiopose-cli report`, for pdf");
     addFrameOption(*command, arguments->frame, "Frame of the angiogram, from 1");
-    command->add_option("--width", arguments->widthPx, "Width of pictures in pixels (default: twice the image)")
+    command->add_option("--width", arguments->widthPx, "Width of the images in pixels (default: twice the angiogram)")
         ->check(CLI::Range(64, 8192));
     command->add_flag("--register", arguments->isRegistered, "Register the frame of the case first");
     command->add_flag("--start-pose", arguments->isStartWanted,
-                      "The vessels where they start, where nothing has been registered in the case");
-    command->add_flag("--rigid", arguments->isRigid, "The vessels rigid, where the case keeps bent ones");
-    command->add_flag("--identity", arguments->isIdentityShown, "Write the patient's name into the pictures too");
-    command->add_option("--author", arguments->author, "Who made them, as Family^Given");
+                      "Use the initial pose if nothing has been registered in the case");
+    command->add_flag("--rigid", arguments->isRigid, "Draw the vessels rigid even if the case has deformed ones");
+    command->add_flag("--identity", arguments->isIdentityShown, "Also write the patient's name into the images");
+    command->add_option("--author", arguments->author, "Author of the objects, as Family^Given");
     command->footer(
-        "sc: picture, run: pictures of the run, pdf: report, ps: lines on the stored image, reg: pose, seg: vessels in "
-        "the scan, sr: measurements. Each is a new instance in the study of its image.\n\n"
-        "Examples: angiopose-cli export-dicom case.angiopose --register --output objects --objects sc,ps,reg\n"
-        "          angiopose-cli export-dicom --from result/result.json --inputs . --output objects");
+        "sc: image, run: images of the run, pdf: report, ps: lines on the stored image, reg: pose, seg: vessels in the "
+        "scan, sr: measurements. Each is a new instance in the study of its image.\n\nExamples: angiopose-cli "
+        "export-dicom case.angiopose --register --output objects --objects sc,ps,reg\n          angiopose-cli "
+        "export-dicom --from result/result.json --inputs . --output objects");
     command->callback([arguments, &exitCode] {
         needCaseOrResult(arguments->casePath, arguments->from);
         exitCode = runExportDicom(*arguments);

@@ -18,7 +18,7 @@ void addFileCommand(CLI::App& app, int& exitCode, const std::string& name, const
     auto arguments = std::make_shared<FileArguments>();
     command->add_option("FILE", arguments->path)->required();
     command->add_flag_callback(
-        "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print JSON and nothing else");
+        "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print JSON only");
     command->footer("Example: angiopose-cli " + name + " case.angiopose");
     command->callback([arguments, run, &exitCode] { exitCode = run(*arguments); });
 }
@@ -27,63 +27,64 @@ void addFileCommand(CLI::App& app, int& exitCode, const std::string& name, const
 
 void addTraceAngiogram(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("trace-angiogram", "Trace the vessels of an angiogram as 2-D centrelines");
+    auto* command = app.add_subcommand("trace-angiogram", "Trace the vessels of an angiogram as 2-D centerlines");
     auto arguments = std::make_shared<TraceAngiogramArguments>();
     command->add_option("IMAGE", arguments->imagePath, "DICOM, PNG, TIFF or JPEG")->required();
-    addFrameOption(*command, arguments->frame, "Frame, from 1 (default: the fullest)");
-    command->add_option("--output", arguments->outputPath, "Centrelines to write, .csv")->required();
+    addFrameOption(*command, arguments->frame, "Frame, from 1 (default: peak opacification)");
+    command->add_option("--output", arguments->outputPath, "Centerlines to write, .csv")->required();
     command->add_option("--apart", arguments->apartPath,
-                        "Curves that may be catheter, wire or edge of a bone go here instead, .csv: the path of a "
-                        "wire for the method wire");
+                        "Write curves that may be a catheter, guidewire or bone edge to this .csv instead; the method "
+                        "wire uses it as the path of a wire");
     command->add_option("--mask", arguments->maskPath, "Vessel mask to write, .png");
-    command->add_option("--sensitivity", arguments->sensitivity, "Above 1: fainter vessels too")
+    command->add_option("--sensitivity", arguments->sensitivity, "Above 1: also detect fainter vessels")
         ->check(CLI::Range(0.2, 5.0));
-    command->add_flag(
-        "--subtract,!--native", arguments->subtract,
-        "Subtract the frames before the contrast first, or do not (default: where the file names its mask)");
-    command->add_option("--mask-frames", arguments->maskFrames, "Frames to average and subtract, from 1")
+    command->add_flag("--subtract,!--native", arguments->subtract,
+                      "Subtract the frames before contrast arrival first, or use native frames (default: subtract if "
+                      "the file specifies a mask)");
+    command->add_option("--mask-frames", arguments->maskFrames, "Mask frames to average and subtract, from 1")
         ->delimiter(',');
-    command->add_option("--mask-shift", arguments->maskShiftPx, "Px right,down that they move (default: found)")
+    command
+        ->add_option("--mask-shift", arguments->maskShiftPx, "Pixel shift of the mask, right,down (default: automatic)")
         ->delimiter(',')
         ->expected(2);
     command
         ->add_option_function<std::string>(
             "--composite", [arguments](const std::string&) { arguments->composite = true; },
-            "Trace all frames in one: minimum (what each pixel is filled with at most)")
+            "Trace one composite of all frames: minimum (maximum opacification of each pixel)")
         ->check(CLI::IsMember({"minimum"}))
         ->excludes("--frame");
-    command->footer("Example: angiopose-cli trace-angiogram run.dcm --frame 5 --output centreline.csv --mask mask.png");
+    command->footer("Example: angiopose-cli trace-angiogram run.dcm --frame 5 --output centerline.csv --mask mask.png");
     command->callback([arguments, &exitCode] { exitCode = runTraceAngiogram(*arguments); });
 }
 
 void addStudies(CLI::App& app, int& exitCode)
 {
     auto* command =
-        app.add_subcommand("studies", "List patients, studies and series of a folder, a disc or a DICOMDIR");
+        app.add_subcommand("studies", "List the patients, studies and series of a folder, a disc or a DICOMDIR");
     auto arguments = std::make_shared<FileArguments>();
     command->add_option("FOLDER", arguments->path, "A folder, or a DICOMDIR")->required();
     command->add_flag_callback(
-        "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print JSON and nothing else");
-    command->add_flag("--all-files", arguments->allFiles, "Read files too that the DICOMDIR does not list");
+        "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print JSON only");
+    command->add_flag("--all-files", arguments->allFiles, "Also read files that the DICOMDIR does not list");
     command->footer("Example: angiopose-cli studies /media/cdrom");
     command->callback([arguments, &exitCode] { exitCode = runStudies(*arguments); });
 }
 
 void addInfo(CLI::App& app, int& exitCode)
 {
-    addFileCommand(app, exitCode, "info", "Say what a file holds and what follows from it", runInfo);
+    addFileCommand(app, exitCode, "info", "Describe a file and the values derived from it", runInfo);
 }
 
 void addValidate(CLI::App& app, int& exitCode)
 {
-    addFileCommand(app, exitCode, "validate", "Check a case file and name every problem", runValidate);
+    addFileCommand(app, exitCode, "validate", "Check a case file and list every problem", runValidate);
 }
 
 void addSchema(CLI::App& app, int& exitCode)
 {
-    CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of case files, or of results");
+    CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of case files or of results");
     auto isOfResults = std::make_shared<bool>(false);
-    command->add_flag("--result", *isOfResults, "That of result.json");
+    command->add_flag("--result", *isOfResults, "Print the schema of result.json");
     command->callback([&exitCode, isOfResults] {
         std::puts((*isOfResults ? io::resultSchema() : io::caseSchema()).c_str());
         exitCode = exitDone;

@@ -2,7 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/describe_geometry.h"
 #include "app/cli/describe_volume.h"
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "app/texts/number_text.h"
 #include "core/case/case.h"
 #include "core/case/start_pose.h"
@@ -213,7 +213,7 @@ core::Error unknownFile(const std::string& path)
         return input.error();
     }
     const auto* found = io::describeContent(input.value().view());
-    return (found == nullptr ? says::infoUnknown() : says::infoOther((*found)())).about(path);
+    return (found == nullptr ? messages::infoUnknown() : messages::infoOther((*found)())).about(path);
 }
 
 core::Result<Json> describe(const std::string& path)

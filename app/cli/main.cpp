@@ -12,7 +12,7 @@
 #include "app/cli/thumbnail_command.h"
 #include "app/cli/usage_help.h"
 #include "app/cli/vessel_commands.h"
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "io/support/crash_dumps.h"
 #include "io/support/file_limits.h"
 #include "io/support/numbers.h"
@@ -35,8 +35,7 @@ void wantFiniteNumbers(CLI::App& app)
     const CLI::Validator finite(
         [](std::string& text) {
             const auto number = io::parseNumber(text);
-            return number && !std::isfinite(*number) ? text + " is no length, angle or amount. Give a number."
-                                                     : std::string();
+            return number && !std::isfinite(*number) ? text + " is not a finite number. Give a number." : std::string();
         },
         "");
     for (CLI::Option* option : app.get_options()) {
@@ -52,12 +51,12 @@ void wantFiniteNumbers(CLI::App& app)
 int parseAndRun(int argc, char** argv)
 {
     int exitCode = exitDone;
-    CLI::App app("AngioPose: where a 3-D vessel tree lies in a 2-D angiogram. Not for clinical use.", "angiopose-cli");
+    CLI::App app("AngioPose: registers a 3-D vessel tree to a 2-D angiogram. Not for clinical use.", "angiopose-cli");
     app.set_version_flag("--version", std::string("angiopose-cli ") + ANGIOPOSE_VERSION);
     app.require_subcommand(1);
     app.footer(
-        "Exit codes: 0 done, 2 wrong usage, 3 input missing or invalid, 4 result not trustworthy, 130 stopped.\n"
-        "Help on a command: angiopose-cli COMMAND --help");
+        "Exit codes: 0 done, 2 wrong usage, 3 input missing or invalid, 4 result not reliable, 130 stopped.\nHelp on a "
+        "command: angiopose-cli COMMAND --help");
     addRegister(app, exitCode);
     addTrack(app, exitCode);
     addProject(app, exitCode);
@@ -105,8 +104,8 @@ int main(int argc, char** argv)
     try {
         return app::finishOutput(parseAndRun(argc, argv));
     } catch (const std::bad_alloc&) {
-        return app::failInput(app::says::notEnoughMemory());
+        return app::failInput(app::messages::notEnoughMemory());
     } catch (const std::exception& error) {
-        return app::failInput(app::says::unexpectedFailure(error.what()));
+        return app::failInput(app::messages::unexpectedFailure(error.what()));
     }
 }

@@ -1,6 +1,6 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "io/branch_table.h"
 #include "io/check_point_table.h"
 #include "io/measurement_table.h"
@@ -15,7 +15,7 @@ core::Result<std::string> profileOfBranch(const core::VesselTree& tree, int bran
 {
     const core::VesselBranch* branch = tree.find(branchId);
     if (!branch) {
-        return core::Error(core::says::noSuchBranch(branchId));
+        return core::Error(core::messages::noSuchBranch(branchId));
     }
     const auto profile = core::profileOf(*branch);
     return profile ? core::Result<std::string>(io::profileTable(profile.value())) : profile.error();

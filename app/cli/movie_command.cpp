@@ -2,7 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/follow_case.h"
 #include "app/cli/register_case.h"
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "app/texts/number_text.h"
 #include "core/workflow/register_case.h"
 
@@ -60,7 +60,7 @@ int runMovie(const MovieArguments& arguments)
 {
     auto loaded = loadCaseForCommand(arguments.casePath, arguments.frame);
     if (loaded && !loaded.value().shown().angiogram) {
-        loaded = core::Error(says::overlayIncomplete().about(arguments.casePath));
+        loaded = core::Error(messages::overlayIncomplete().about(arguments.casePath));
     }
     if (loaded && needsRun(arguments, loaded.value())) {
         loaded = registered(std::move(loaded).value());
@@ -80,7 +80,7 @@ int runMovie(const MovieArguments& arguments)
         return failInput(written.error());
     }
     const MovieLength length = lengthOf(session, plan);
-    std::printf("%s: %zu pictures, %s s\n", arguments.outputPath.c_str(), length.pictures,
+    std::printf("%s: %zu frames, %s s\n", arguments.outputPath.c_str(), length.pictures,
                 fixedText(length.seconds, 2).c_str());
     return exitDone;
 }

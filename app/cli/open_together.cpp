@@ -1,6 +1,6 @@
 #include "app/cli/open_together.h"
 
-#include "app/messages/says_batch.h"
+#include "app/messages/messages.h"
 #include "io/opening/assemble_case.h"
 #include "io/opening/read_inputs.h"
 #include "io/vessel_input_file.h"
@@ -41,10 +41,11 @@ core::Result<core::Case> openTogether(const InputPair& pair, const io::CaseSetti
     }
     const io::LoadedInputs inputs = std::move(read).value();
     if (!inputs.offered.empty()) {
-        return core::Error(says::batchSeveralSeries(inputs.offered.size()).about(pair.vesselsPath));
+        return core::Error(messages::batchSeveralSeries(inputs.offered.size()).about(pair.vesselsPath));
     }
     if (inputs.askedUnitsAcross) {
-        return core::Error(says::batchUnitUnclear(core::Quantity{*inputs.askedUnitsAcross, 1}).about(pair.vesselsPath));
+        return core::Error(
+            messages::batchUnitUnclear(core::Quantity{*inputs.askedUnitsAcross, 1}).about(pair.vesselsPath));
     }
     warnings.insert(warnings.end(), inputs.warnings.begin(), inputs.warnings.end());
     core::Case session = io::withInputs(core::Case(), inputs);

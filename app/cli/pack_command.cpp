@@ -44,14 +44,14 @@ int runPack(const PackArguments& arguments)
 
 void addPack(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("pack", "Put a case, its inputs and its results into one archive");
+    auto* command = app.add_subcommand("pack", "Pack a case, its inputs and its results into one ZIP archive");
     auto arguments = std::make_shared<PackArguments>();
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
     command->add_option("ARCHIVE", arguments->archivePath, "Archive to write, .zip")->required();
     arguments->identity = addDeidentifyOptions(*command);
     command->footer(
-        "Unpacked, its case.angiopose opens anywhere.\n\n"
-        "Example: angiopose-cli pack case.angiopose for-others.zip --deidentify");
+        "After unpacking, its case.angiopose opens on any computer.\n\nExample: angiopose-cli pack case.angiopose "
+        "for-others.zip --deidentify");
     command->callback([arguments, &exitCode] { exitCode = runPack(*arguments); });
 }
 

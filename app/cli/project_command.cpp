@@ -1,9 +1,6 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
-#include "app/messages/says.h"
-#include "app/messages/says_exchange.h"
-#include "app/messages/says_report.h"
-#include "app/messages/says_starting.h"
+#include "app/messages/messages.h"
 #include "app/texts/picture_file.h"
 #include "core/case/registration_input.h"
 #include "core/case/start_pose.h"
@@ -36,13 +33,13 @@ core::Status takePose(core::View& view, const std::string& path)
     const int width = view.angiogram->width(), height = view.angiogram->height();
     core::ProjectionCamera camera = *read.value().camera;
     if (!io::fitsImage(camera, width, height)) {
-        return core::Error(says::poseOtherImage(camera.width, camera.height, width, height).about(path));
+        return core::Error(messages::poseOtherImage(camera.width, camera.height, width, height).about(path));
     }
     camera.width = width;
     camera.height = height;
     const auto own = core::cameraOf(view);
     if (!own || !io::isSameCamera(own.value(), camera)) {
-        printWarnings({says::poseOtherCamera().about(path)});
+        printWarnings({messages::poseOtherCamera().about(path)});
         view.geometry.cameraOverride = camera;
     }
     return core::Done{};
@@ -71,8 +68,8 @@ std::optional<core::Message> unseenVessels(const core::View& view, const core::V
             }
         }
     }
-    return !isProjected ? std::optional(says::allBehindSource())
-           : camera     ? std::optional(says::allOutsideImage())
+    return !isProjected ? std::optional(messages::allBehindSource())
+           : camera     ? std::optional(messages::allOutsideImage())
                         : std::nullopt;
 }
 
@@ -94,18 +91,18 @@ int runProject(const ProjectArguments& arguments)
     }
     const core::View& shown = session.shown();
     if (arguments.isMotionColored && !drawableDeformation(shown, session.vessels, shown.cameraFromPatient)) {
-        return failInput(core::Error(says::noDeformedVessels().about(arguments.casePath)));
+        return failInput(core::Error(messages::noDeformedVessels().about(arguments.casePath)));
     }
     const bool isDrawn = !arguments.isFrameAlone && !arguments.is16Bit && session.vessels.tree;
     if (const auto unseen = isDrawn ? unseenVessels(shown, *session.vessels.tree) : std::nullopt) {
         const std::string& path = arguments.posePath.empty() ? arguments.casePath : arguments.posePath;
-        if (unseen->is(says::allBehindSource)) {
+        if (unseen->is(messages::allBehindSource)) {
             return failInput(core::Error(unseen->about(path)));
         }
         printWarnings({unseen->about(path)});
     }
     if (isDrawn && core::isAtStart(shown, session.vessels)) {
-        printWarnings({says::drawnAtStart().about(arguments.casePath)});
+        printWarnings({messages::drawnAtStart().about(arguments.casePath)});
     }
     const core::Centerline2d target = targetToColorBy(shown);
     OverlayPictureOptions options;

@@ -1,7 +1,7 @@
 #include "app/cli/register_case.h"
 
 #include "app/cli/console.h"
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "core/registration/methods/method_info.h"
 #include "core/registration/options/option_text.h"
 #include "core/support/utc_time.h"
@@ -20,7 +20,7 @@ core::Result<core::PoseLocks> locksFrom(const std::vector<std::string>& ids)
         if (axis) {
             locks[static_cast<std::size_t>(*axis)] = true;
         } else if (id != "none") {
-            return core::Error(says::noSuchFreedom(id, core::poseAxisIds()));
+            return core::Error(messages::noSuchFreedom(id, core::poseAxisIds()));
         }
     }
     return locks;

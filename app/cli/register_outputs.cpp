@@ -1,7 +1,6 @@
 #include "app/cli/register_outputs.h"
 
-#include "app/messages/says.h"
-#include "app/messages/says_report.h"
+#include "app/messages/messages.h"
 #include "app/texts/fit_words.h"
 #include "app/texts/number_text.h"
 #include "app/texts/overlay_picture.h"
@@ -93,7 +92,7 @@ core::Status writeView(const WrittenView& view, Pictures pictures, const std::st
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure) {
-        return core::Error(says::folderNotMade(folder.string(), failure.message()));
+        return core::Error(messages::folderNotMade(folder.string(), failure.message()));
     }
     if (auto status = io::writeAtomically((folder / "result.json").string(), view.result); !status) {
         return status;
@@ -136,7 +135,7 @@ void printViews(const RegisteredCase& registered)
         const core::View& view = registered.session.views[registered.places[k]];
         const core::DistanceMetrics& metrics = view.result->metrics;
         const core::Vector6d& correction = registered.joint->corrections[k];
-        std::printf("view %-9zu median %s px (%s mm), covered %s %%, geometry off by %s° and %s mm  %s\n",
+        std::printf("view %-9zu median %s px (%s mm), coverage %s %%, geometry off by %s° and %s mm  %s\n",
                     registered.places[k] + 1, fixedText(metrics.medianPx, 2).c_str(),
                     fixedText(metrics.medianMm, 2).c_str(), fixedText(100.0 * metrics.coverage, 0).c_str(),
                     fixedText(core::degreesPerRadian * correction.head<3>().norm(), 2).c_str(),
@@ -174,8 +173,8 @@ void printDeformed(const core::DeformableResult& deformed)
 {
     printLine("vessels",
               std::string(core::toText(deformed.verdict)) + ", evidence " + fixedText(deformed.logEvidenceGain, 0) +
-                  ", moved by " + fixedText(deformed.meanMotionMm, 1) + " mm in the mean, " +
-                  fixedText(deformed.largestMotionMm, 1) + " mm at most, " + fixedText(deformed.timeMs, 0) + " ms");
+                  ", displaced by " + fixedText(deformed.meanMotionMm, 1) + " mm on average, " +
+                  fixedText(deformed.largestMotionMm, 1) + " mm maximum, " + fixedText(deformed.timeMs, 0) + " ms");
     for (const core::Message& message : deformed.messages) {
         printLine("", message.text());
     }
@@ -183,7 +182,7 @@ void printDeformed(const core::DeformableResult& deformed)
 
 std::string sigmasText(const core::PoseSigmas& sigmas, int depthDecimals)
 {
-    return "in plane ±" + fixedText(sigmas.inPlaneMm, 2) + " mm, depth ±" + fixedText(sigmas.depthMm, depthDecimals) +
+    return "in-plane ±" + fixedText(sigmas.inPlaneMm, 2) + " mm, depth ±" + fixedText(sigmas.depthMm, depthDecimals) +
            " mm, rotation ±" + fixedText(sigmas.rotationDeg.maxCoeff(), 2) + "°";
 }
 
@@ -202,7 +201,7 @@ std::string likelihoodText(const core::RegistrationResult& result)
 void printTrust(const core::RegistrationResult& result)
 {
     printLine("trustworthy",
-              (result.trustworthy ? "yes" : "NO: " + says::notReliable().text()) + likelihoodText(result));
+              (result.trustworthy ? "yes" : "NO: " + messages::notReliable().text()) + likelihoodText(result));
     for (const core::Message& warning : result.warnings) {
         printLine("", warning.text());
     }
@@ -223,7 +222,7 @@ void printDisagreement(const RegisteredCase& registered)
         names += (names.empty() ? "" : ", ") + std::to_string(id);
     }
     printLine("", (found.branchIds.size() == 1 ? "branch " : "branches ") + names + " up to " +
-                      fixedText(found.worstMm, 1) + " mm off: perhaps unfilled in this frame, or moved");
+                      fixedText(found.worstMm, 1) + " mm off: possibly unopacified in this frame, or displaced");
 }
 
 /// Formats a path, as in "branches 3, 7, 9: 82 %, 95 % of the wire along them, 1.2 mm off their axes".
@@ -234,18 +233,18 @@ std::string wayText(const core::WirePath& way)
         branches += (branches.empty() ? "" : ", ") + std::to_string(id);
     }
     return "branches " + branches + ": " + fixedText(100.0 * way.probability, 0) + " %, " +
-           fixedText(100.0 * way.followedShare, 0) + " % of the wire along them, " + fixedText(way.offAxisMm, 1) +
-           " mm off their axes";
+           fixedText(100.0 * way.followedShare, 0) + " % of the guidewire along them, " + fixedText(way.offAxisMm, 1) +
+           " mm from their axes";
 }
 
 void printWays(const std::vector<core::WirePath>& ways)
 {
     constexpr std::size_t maxPrinted = 3;
     for (std::size_t i = 0; i < std::min(ways.size(), maxPrinted); ++i) {
-        printLine(i == 0 ? "way taken" : "or", wayText(ways[i]));
+        printLine(i == 0 ? "path taken" : "or", wayText(ways[i]));
     }
     if (ways.size() > 1) {
-        printLine("", "--set wireWay=2 takes the next likely one.");
+        printLine("", "--set wireWay=2 takes the next most likely path.");
     }
 }
 
@@ -315,9 +314,9 @@ void printRegistered(const RegisteredCase& registered, const std::string& folder
     const int depthDecimals = registered.joint ? 2 : 1;
     const std::string inSpace = sigmasText(core::sigmasOf(uncertainty.covariance), depthDecimals);
     if (result.camera) {
-        printLine("uncertainty", sigmasText(core::sigmasOf(uncertainty.imageCovariance), depthDecimals) +
-                                     " by the noise of the image only");
-        printLine("", inSpace + " in space, with the errors of the geometry");
+        printLine("uncertainty",
+                  sigmasText(core::sigmasOf(uncertainty.imageCovariance), depthDecimals) + " from image noise only");
+        printLine("", inSpace + " in 3-D, including geometry errors");
     } else {
         printLine("uncertainty", inSpace);
     }

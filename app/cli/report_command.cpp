@@ -1,7 +1,7 @@
 #include "app/cli/report_command.h"
 
 #include "app/cli/console.h"
-#include "app/messages/says_report.h"
+#include "app/messages/messages.h"
 #include "io/support/system/own_process.h"
 #include "io/support/system/run_program.h"
 
@@ -60,29 +60,30 @@ int runReport(const ReportArguments& arguments)
     const std::string program = windowProgram();
     const io::ProgramEnd end = io::runProgram(program, wordsFor(arguments), isInterrupted);
     if (!end.isStarted) {
-        return failInput(says::reportProgramMissing(program));
+        return failInput(messages::reportProgramMissing(program));
     }
-    return end.signal != 0 ? failInput(says::reportProgramFault(std::to_string(end.signal))) : end.exitCode;
+    return end.signal != 0 ? failInput(messages::reportProgramFault(std::to_string(end.signal))) : end.exitCode;
 }
 
 }   // namespace
 
 void addReport(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("report", "Write the report of a case as PDF or HTML, for people to read");
+    auto* command = app.add_subcommand("report", "Write the report of a case as PDF or HTML");
     auto arguments = std::make_shared<ReportArguments>();
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
     command->add_option("--output", arguments->outputPath, "Report to write, .pdf or .html")->required();
-    command->add_flag("--register", arguments->isRegistered, "Register the case first; else its pose is reported");
-    command->add_option("--template", arguments->templatePath, "Page to fill in, .html (default: the built-in one)");
-    command->add_option("--author", arguments->author, "Who makes it (default: the account's name)");
-    command->add_flag("--identity", arguments->isIdentityShown, "Name the patient, who is left out else");
-    command->add_option("--language", arguments->language, "Of its words (default: the window's)")
+    command->add_flag("--register", arguments->isRegistered,
+                      "Register the case first (default: report its current pose)");
+    command->add_option("--template", arguments->templatePath, "Report template, .html (default: built-in)");
+    command->add_option("--author", arguments->author, "Author of the report (default: the name of the user account)");
+    command->add_flag("--identity", arguments->isIdentityShown, "Include the patient's identity (default: left out)");
+    command->add_option("--language", arguments->language, "Language of the report (default: that of the window)")
         ->check(CLI::IsMember({"en", "de", "zh_CN"}));
     command->footer(
-        "Written by the window's program angiopose, which lies beside this one; it needs no display.\n"
-        "Exit code 4: the report says that its pose is not trustworthy.\n\n"
-        "Example: angiopose-cli report case.angiopose --register --output report.pdf");
+        "The window program angiopose, which must be in the same folder, writes the report; it needs no display.\nExit "
+        "code 4: the report says that its pose is not reliable.\n\nExample: angiopose-cli report case.angiopose "
+        "--register --output report.pdf");
     command->callback([arguments, &exitCode] { exitCode = runReport(*arguments); });
 }
 

@@ -1,6 +1,6 @@
 #include "app/cli/shard.h"
 
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 
 #include <charconv>
 
@@ -19,7 +19,7 @@ core::Result<core::Shard> shardFrom(const std::string& text)
             return core::Shard{part - 1, count};
         }
     }
-    return core::Error(says::shardUnclear(text));
+    return core::Error(messages::shardUnclear(text));
 }
 
 }   // namespace angiopose::app

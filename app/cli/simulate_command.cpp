@@ -1,7 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/shard.h"
 #include "app/cli/simulated_files.h"
-#include "app/messages/says_own.h"
+#include "app/messages/messages.h"
 #include "core/simulation/simulate_cta.h"
 #include "core/simulation/study/simulated_room.h"
 #include "core/simulation/study/simulated_study.h"
@@ -234,7 +234,7 @@ int runSimulate(const SimulateArguments& arguments)
         return runSimulateStudy(arguments);
     }
     if (!arguments.seed) {
-        printMessage(core::Message(says::simulateWhat()).text());
+        printMessage(core::Message(messages::simulateWhat()).text());
         return exitUsage;
     }
     return runSimulateOne(arguments);

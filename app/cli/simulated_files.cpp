@@ -1,11 +1,11 @@
 #include "app/cli/simulated_files.h"
 
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "core/case/case.h"
 #include "io/angiogram_file.h"
 #include "io/case/case_file.h"
 #include "io/centerline2d_file.h"
-#include "io/messages/says_keeping.h"
+#include "io/messages/messages.h"
 #include "io/pose_file.h"
 #include "io/support/case_lock.h"
 #include "io/vessel_tree_file.h"
@@ -63,12 +63,12 @@ core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const std:
     const fs::path absolute = fs::absolute(folder);
     const std::string casePath = (absolute / "case.angiopose").string();
     if (const auto holder = io::holderOf(casePath)) {   // overwriting would remove the inputs of the case open there
-        return core::Error(io::says::caseOpenElsewhere(holder->process, holder->machine).about(casePath));
+        return core::Error(io::messages::caseOpenElsewhere(holder->process, holder->machine).about(casePath));
     }
     std::error_code failure;
     fs::create_directories(folder, failure);
     if (failure) {
-        return core::Error(says::folderNotMade(folder.string(), failure.message()));
+        return core::Error(messages::folderNotMade(folder.string(), failure.message()));
     }
     if (auto status = io::writeVesselTree(simulated.tree, (folder / "tree.vtp").string()); !status) {
         return status;

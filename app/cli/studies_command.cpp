@@ -117,7 +117,7 @@ void printSeries(const io::StudySeries& each)
     const io::DicomSeries& series = each.series;
     char spacing[48] = "";
     if (each.use == io::SeriesUse::Vessels) {
-        std::snprintf(spacing, sizeof spacing, "%.2f mm apart", series.stack.geometry.spacingMm.z());
+        std::snprintf(spacing, sizeof spacing, "%.2f mm spacing", series.stack.geometry.spacingMm.z());
     } else if (each.use == io::SeriesUse::View && each.frameTimeMs > 0.0) {
         std::snprintf(spacing, sizeof spacing, "%.1f frames/s", 1000.0 / each.frameTimeMs);
     }
@@ -142,7 +142,7 @@ void printTree(const io::StudyTree& tree)
 {
     for (const io::StudyPatient& patient : tree.patients) {
         const core::StudyIdentity& who = patient.identity;
-        const std::string name = who.patientName.empty() ? "(without name)" : who.patientName;
+        const std::string name = who.patientName.empty() ? "(no name)" : who.patientName;
         printText(joinedParts({name, who.patientId, who.birthDate}));
         for (const io::Study& study : patient.studies) {
             printText("  " +
@@ -152,17 +152,17 @@ void printTree(const io::StudyTree& tree)
             }
         }
     }
-    std::printf("%zu files read, %zu of them no DICOM, %zu damaged\n", tree.readFiles, tree.otherFiles,
+    std::printf("%zu files read, %zu of them not DICOM, %zu damaged\n", tree.readFiles, tree.otherFiles,
                 tree.damaged.size());
     for (const io::DamagedFile& file : tree.damaged) {
         printText("  damaged: " + file.path + ": " + file.reason.text());
     }
     if (tree.directory && tree.directory->damage) {
-        printText("The DICOMDIR is damaged: " + tree.directory->damage->text() + "; the files themselves were read.");
+        printText("The DICOMDIR is damaged: " + tree.directory->damage->text() +
+                  "; the files were read directly instead.");
     } else if (tree.directory) {
         std::printf(
-            "The DICOMDIR lists %zu series in %zu files, of which %zu are missing; %zu more files lie beside "
-            "it.\n",
+            "The DICOMDIR lists %zu series in %zu files, of which %zu are missing; %zu other files are not listed.\n",
             tree.directory->series, tree.directory->files, tree.directory->missingFiles, tree.directory->unlistedFiles);
     }
 }

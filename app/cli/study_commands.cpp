@@ -12,7 +12,7 @@ namespace {
 
 std::string protocolList()
 {
-    std::string text = "Experiments, and their conditions (* runs when none is asked for):";
+    std::string text = "Experiments and their conditions (* runs by default):";
     for (const core::Protocol& protocol : core::protocols()) {
         text += "\n  " + std::string(protocol.id) + "  " + std::string(protocol.summary) + " " +
                 std::to_string(protocol.defaultTrials) + " trials.\n   ";
@@ -21,9 +21,8 @@ std::string protocolList()
         }
     }
     return text +
-           "\n  own  Cases of your own, with reference poses, landmarks or pairs of points.\n  observers  How "
-           "observers "
-           "agree who fitted the vessels by hand (logs of blind trials).";
+           "\n  own  Your own cases, with reference poses, landmarks or pairs of points.\n  observers  Agreement of "
+           "observers who registered the vessels manually (logs of blind trials).";
 }
 
 std::vector<std::string> protocolIds()
@@ -41,28 +40,36 @@ std::vector<std::string> protocolIds()
 
 void addSimulate(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("simulate", "Make a synthetic case whose pose is known");
+    auto* command = app.add_subcommand("simulate", "Make a synthetic case with a known pose");
     auto arguments = std::make_shared<SimulateArguments>();
-    auto* seed = command->add_option("--seed", arguments->seed, "One case: same seed, same case");
-    auto* study = command->add_option("--study", arguments->studyPath,
-                                      "Many cases: a file that describes trees, settings and their numbers (FORMATS)");
+    auto* seed = command->add_option("--seed", arguments->seed, "Seed for one case; the same seed gives the same case");
+    auto* study =
+        command->add_option("--study", arguments->studyPath,
+                            "Many cases: a file that describes trees, settings and how many of each (FORMATS)");
     study->excludes(seed);
     command->add_option("--output", arguments->outputFolder, "Folder for the case and its files")->required();
     command->add_option("--branches", arguments->branches, "Number of branches")->check(CLI::Range(1, 200));
-    command->add_option("--non-rigid", arguments->nonRigidMm, "Smooth deformation of the true vessel, std in mm")
+    command
+        ->add_option("--non-rigid", arguments->nonRigidMm,
+                     "Smooth deformation of the true vessels, standard deviation in mm")
         ->check(CLI::Range(0.0, 10.0));
     command->add_flag("--scan", arguments->withScan,
-                      "Also a CT angiogram of the same vessels, scan.nii.gz, as a scanner would give it");
-    auto* room = command
-                     ->add_option("--room", arguments->room,
-                                  "Two views of one study, view-1 and view-2, as rooms write them: siemens, standard "
-                                  "(isocenter and table told), without-table, object-plane (neither)")
-                     ->check(CLI::IsMember({"siemens", "standard", "without-table", "object-plane"}))
-                     ->needs(seed);
-    command->add_flag("--table-moves", arguments->movesTable, "Of a room: during the second view")->needs(room);
-    command->add_flag("--mirrored", arguments->isMirrored, "Of a room: the second view, as its header says")
+                      "Also write a CT angiogram of the same vessels, scan.nii.gz, as a scanner would produce it");
+    auto* room =
+        command
+            ->add_option("--room", arguments->room,
+                         "Two views of one study, view-1 and view-2, with the headers of different rooms: siemens, "
+                         "standard (isocenter and table given), without-table, object-plane (neither)")
+            ->check(CLI::IsMember({"siemens", "standard", "without-table", "object-plane"}))
+            ->needs(seed);
+    command->add_flag("--table-moves", arguments->movesTable, "With --room: the table moves during the second view")
         ->needs(room);
-    command->add_option("--threads", arguments->threads, "Of a study; the cases are the same (default: all cores)")
+    command
+        ->add_flag("--mirrored", arguments->isMirrored, "With --room: the second view is mirrored, as its header says")
+        ->needs(room);
+    command
+        ->add_option("--threads", arguments->threads,
+                     "Threads for --study; the cases do not depend on it (default: all cores)")
         ->check(CLI::Range(1, 1024))
         ->needs(study);
     command->add_option("--shard", arguments->shard, "Part I of N of a study's cases, as I/N")
@@ -76,30 +83,31 @@ void addSimulate(CLI::App& app, int& exitCode)
 
 void addEvaluate(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("evaluate", "Run an experiment whose answers are known; print and write tables");
+    auto* command = app.add_subcommand("evaluate", "Run an experiment with known answers; print and write tables");
     auto arguments = std::make_shared<EvaluateArguments>();
-    command->add_option("EXPERIMENT", arguments->protocol, "See the list below")
+    command->add_option("EXPERIMENT", arguments->protocol, "Experiment; see the list below")
         ->required()
         ->check(CLI::IsMember(protocolIds()));
     command->add_option("INPUT", arguments->inputPaths,
-                        "of own: the table of cases and their truth; of observers: logs of blind trials");
+                        "For own: the table of cases and their ground truth; for observers: logs of blind trials");
     command->add_option("--method", arguments->methods,
-                        "Methods, comma-separated, the one to compare with first; settings after colons: "
+                        "Methods, comma-separated; the first is compared with the others; settings after colons: "
                         "dynaweight:seed_mean:rotationFirst=off. Groups: all, ablation. Default: " +
-                            std::string(defaultMethods) + "; of own cases each one's own method and options");
-    command->add_option("--condition", arguments->conditions,
-                        "Conditions or their beginnings, comma-separated, or all");
-    command->add_option("--trials", arguments->trials, "Trials of each condition")
+                            std::string(defaultMethods) + "; for own cases the method and options of each case");
+    command->add_option("--condition", arguments->conditions, "Conditions or their prefixes, comma-separated, or all");
+    command->add_option("--trials", arguments->trials, "Trials per condition")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{10000000}));
-    command->add_option("--seed", arguments->seed, "Another seed, other trees and start poses")->capture_default_str();
+    command->add_option("--seed", arguments->seed, "Random seed; another seed gives other trees and initial poses")
+        ->capture_default_str();
     command
-        ->add_option("--threads", arguments->threads, "Changes the time only, never the numbers (default: all cores)")
+        ->add_option("--threads", arguments->threads,
+                     "Number of threads; changes only the time, never the numbers (default: all cores)")
         ->check(CLI::Range(1, 1024));
     auto* shard =
         command->add_option("--shard", arguments->shard, "Part I of N of the trials, as I/N")->capture_default_str();
     command
         ->add_option("--merge", arguments->mergedFolders,
-                     "Run nothing: bring the runs in these folders together (shards, methods or conditions)")
+                     "Run no trials: merge the runs in these folders (shards, methods or conditions)")
         ->excludes(shard);
     command->add_option("--output", arguments->outputFolder, "Folder for tables, plots and runs.csv")->required();
     command->footer([] {

@@ -56,7 +56,7 @@ int runSupportBundle(const SupportArguments& arguments)
         return failInput(written.error());
     }
     for (const io::SupportText& each : texts) {
-        printMessage("in it: " + each.name + ", " + std::to_string(each.text.size()) + " bytes");
+        printMessage("added: " + each.name + ", " + std::to_string(each.text.size()) + " bytes");
     }
     std::printf("%s\n", arguments.archivePath.c_str());
     return exitDone;
@@ -66,18 +66,16 @@ int runSupportBundle(const SupportArguments& arguments)
 
 void addSupportBundle(CLI::App& app, int& exitCode)
 {
-    auto* command =
-        app.add_subcommand("support-bundle", "Put what helps to mend a fault into an archive, without names");
+    auto* command = app.add_subcommand("support-bundle",
+                                       "Create an archive with diagnostic information for a bug report, without names");
     auto arguments = std::make_shared<SupportArguments>();
     auto* archive = command->add_option("OUTPUT", arguments->archivePath, "Archive to write, .zip");
-    command->add_option("--case", arguments->casePath, "Case that is summed up in it: kinds, sizes, options");
-    auto* show = command->add_flag("--show", arguments->isShownAlone, "Print all that would go in, and write nothing");
+    command->add_option("--case", arguments->casePath, "Case to summarize in it: kinds, sizes, options");
+    auto* show = command->add_flag("--show", arguments->isShownAlone, "Print the contents and write nothing");
     archive->excludes(show);
     command->footer(
-        "Versions, machine, the last dumps of faults. Names, folders, UIDs and dates are taken out; read it before "
-        "you\n"
-        "hand it on.\n\n"
-        "Example: angiopose-cli support-bundle for-support.zip --case case.angiopose");
+        "Contains versions, the machine and the last crash dumps. Names, folders, UIDs and dates are removed; read it "
+        "before you\nshare it.\n\nExample: angiopose-cli support-bundle for-support.zip --case case.angiopose");
     command->callback([arguments, archive, show, &exitCode] {
         if (archive->count() == 0 && show->count() == 0) {
             throw CLI::RequiredError("OUTPUT or --show");

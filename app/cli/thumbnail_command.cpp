@@ -65,13 +65,15 @@ int runThumbnail(const ThumbnailArguments& arguments)
 
 void addThumbnail(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("thumbnail", "Draw a case small and without words, as file managers show it");
+    auto* command = app.add_subcommand("thumbnail", "Draw a small image of a case without text, for file managers");
     auto arguments = std::make_shared<ThumbnailArguments>();
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
-    command->add_option("PICTURE", arguments->outputPath, "Picture to write, .png")->required();
-    command->add_option("--size", arguments->sizePx, "Pixels of its longer side (default: 256)")
+    command->add_option("PICTURE", arguments->outputPath, "Image to write, .png")->required();
+    command->add_option("--size", arguments->sizePx, "Length of the longer side in pixels (default: 256)")
         ->check(CLI::Range(16, 1024));
-    command->add_option("--limit", arguments->limitSeconds, "Seconds for reading, then there is none (default: 8)")
+    command
+        ->add_option("--limit", arguments->limitSeconds,
+                     "Time limit for reading in seconds; beyond it no thumbnail is written (default: 8)")
         ->check(CLI::Range(0.0, 600.0));
     command->footer("Example: angiopose-cli thumbnail case.angiopose case.png --size 128");
     command->callback([arguments, &exitCode] { exitCode = runThumbnail(*arguments); });

@@ -1,5 +1,5 @@
 #include "app/cli/commands.h"
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "core/case/devices_apart.h"
 #include "core/tracing/angiogram/frame/steady_frame.h"
 #include "core/tracing/angiogram/run/subtract_run.h"
@@ -74,7 +74,7 @@ core::Result<NamedTrace> traceAsked(const TraceAngiogramArguments& arguments, co
     options.sensitivity = arguments.sensitivity;
     const int frame = arguments.frame.value_or(angiogram.suggestedFrame);
     if (!arguments.composite && (frame < 0 || frame >= angiogram.frameCount())) {
-        return core::Error(says::frameBeyondRun(frame + 1, angiogram.frameCount()).about(arguments.imagePath));
+        return core::Error(messages::frameBeyondRun(frame + 1, angiogram.frameCount()).about(arguments.imagePath));
     }
     auto trace = arguments.composite
                      ? core::traceAngiogram(core::opacifiedComposite(angiogram.frames, angiogram.polarity),
@@ -130,8 +130,8 @@ int runTraceAngiogram(const TraceAngiogramArguments& arguments)
     std::printf("%s: %zu %s, %zu points\n", traced.value().name.c_str(), count, count == 1 ? "curve" : "curves",
                 trace.centerline.pointCount());
     if (!trace.suspectCurves.empty()) {
-        const std::string where = arguments.apartPath.empty() ? "" : ", apart in " + arguments.apartPath;
-        std::printf("may be catheter, wire or edge of a bone: curves %s%s\n", joined(trace.suspectCurves).c_str(),
+        const std::string where = arguments.apartPath.empty() ? "" : ", separately in " + arguments.apartPath;
+        std::printf("possible catheter, guidewire or bone edge: curves %s%s\n", joined(trace.suspectCurves).c_str(),
                     where.c_str());
     }
     return exitDone;

@@ -1,5 +1,5 @@
 #include "app/cli/commands.h"
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "app/texts/number_text.h"
 #include "core/tracing/volume/path/vessel_path.h"
 #include "core/vessel/add_branch.h"
@@ -34,7 +34,7 @@ core::Result<std::vector<int>> labelsAskedFor(const TraceVesselArguments& argume
     }
     const auto listed = io::labelsIn(arguments.inputPath);
     if (!listed) {
-        return core::Error(says::traceNoLabels().about(arguments.inputPath));
+        return core::Error(messages::traceNoLabels().about(arguments.inputPath));
     }
     auto labels = io::labelsCalled(arguments.labels, *listed);
     return labels ? labels : labels.error().about(arguments.inputPath);
@@ -44,15 +44,15 @@ core::Result<std::vector<int>> labelsAskedFor(const TraceVesselArguments& argume
 core::Error whyNotTraced(const std::string& path)
 {
     if (io::readVesselTree(path)) {
-        return says::traceCenterlines().about(path);
+        return messages::traceCenterlines().about(path);
     }
     const std::string extension = io::extensionOf(path);
     if (extension == ".vtp" || extension == ".vtk" || extension == ".vtu") {   // contains neither lines nor triangles
         const auto surface = io::readSurface(path);
-        return surface ? core::Error(says::traceOtherSurface().about(path)) : surface.error();
+        return surface ? core::Error(messages::traceOtherSurface().about(path)) : surface.error();
     }
     const auto volume = io::readVolume(path);   // its error states what the file is instead
-    return volume ? core::Error(says::traceNoScan().about(path)) : volume.error();
+    return volume ? core::Error(messages::traceNoScan().about(path)) : volume.error();
 }
 
 core::LabelVolume labelsOf(const core::VoxelMask& mask)
@@ -143,7 +143,7 @@ void printPieces(const std::vector<core::TracedPiece>& pieces)
                     fixedText(place.y(), 2).c_str(), fixedText(place.z(), 2).c_str());
     }
     if (crumbs > 0) {
-        std::printf("%d small pieces with %s %% of the voxels in all: left out\n", crumbs,
+        std::printf("%d small pieces with %s %% of the voxels in total: left out\n", crumbs,
                     fixedText(100.0 * shareOfCrumbs, 2).c_str());
     }
 }
@@ -166,7 +166,7 @@ int runTraceVessel(const TraceVesselArguments& arguments)
         kind = core::VesselInputKind::Segmentation;
     }
     if (arguments.tracing.tubesOnly && kind.value() != core::VesselInputKind::Volume) {
-        return failInput(core::Error(says::traceTubesOfMask().about(arguments.inputPath)));
+        return failInput(core::Error(messages::traceTubesOfMask().about(arguments.inputPath)));
     }
     const auto labels = labelsAskedFor(arguments);
     if (!labels) {

@@ -2,7 +2,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/follow_case.h"
 #include "app/cli/register_case.h"
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "app/texts/number_text.h"
 #include "core/registration/deformable/deformed_tree.h"
 #include "core/workflow/follow_frames.h"
@@ -28,7 +28,7 @@ void printFrames(const std::vector<core::FollowedFrame>& frames)
         std::printf("frame %-6d agreement %s  %s%s\n", frame.frame + 1, fixedText(frame.tracked.score, 2).c_str(),
                     verdict,
                     frame.deformed && !frame.deformedAsInFrame
-                        ? (", bent by up to " + fixedText(frame.deformed->largestMotionMm, 1) + " mm").c_str()
+                        ? (", deformed by up to " + fixedText(frame.deformed->largestMotionMm, 1) + " mm").c_str()
                         : "");
     }
 }
@@ -36,7 +36,7 @@ void printFrames(const std::vector<core::FollowedFrame>& frames)
 void printPeriod(const char* whose, const std::optional<core::PeriodicMotion>& motion)
 {
     if (motion) {
-        std::printf("%s every %s s, %s mm to and fro\n", whose, fixedText(motion->periodS, 2).c_str(),
+        std::printf("%s every %s s, %s mm peak to peak\n", whose, fixedText(motion->periodS, 2).c_str(),
                     fixedText(2.0 * motion->amplitudeMm, 1).c_str());
     }
 }
@@ -48,7 +48,7 @@ core::Status writeDeformedTrees(const core::Case& session, const std::vector<cor
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
     if (failure) {
-        return core::Error(says::folderNotMade(folder, failure.message()));
+        return core::Error(messages::folderNotMade(folder, failure.message()));
     }
     for (const core::FollowedFrame& frame : frames) {
         if (!frame.deformed || frame.deformedAsInFrame) {

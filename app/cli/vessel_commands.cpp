@@ -67,8 +67,8 @@ void addStretches(CLI::App* command, std::vector<Stretch>& stretches)
                     stretches.push_back({ends.head<3>(), ends.tail<3>()});
                 }
             },
-            "x,y,z,x,y,z (LPS mm): trace just the vessel from one place to the other, by the path that is most like a "
-            "vessel; may be repeated: later ones join the earlier")
+            "x,y,z,x,y,z (LPS mm): trace only the vessel between two points, along the most vessel-like path; may be "
+            "repeated: later ones join the earlier")
         ->allow_extra_args(false)
         ->check([](const std::string& text) {
             return numbersFrom<6>(text) ? std::string() : "give two points as x,y,z,x,y,z in mm, not '" + text + "'";
@@ -82,7 +82,7 @@ core::TracedPieces piecesCalled(const std::string& word, bool hasSeeds)
         throw CLI::ValidationError("--pieces", "'seeded' needs a --seed");
     }
     if ((word == "all" || word == "largest") && hasSeeds) {
-        throw CLI::ValidationError("--pieces", "'" + word + "' is for tracing without a --seed");
+        throw CLI::ValidationError("--pieces", "'" + word + "' cannot be combined with --seed");
     }
     return word == "all"       ? core::TracedPieces::All
            : word == "largest" ? core::TracedPieces::Largest
@@ -93,7 +93,7 @@ core::TracedPieces piecesCalled(const std::string& word, bool hasSeeds)
 
 void addTraceVessel(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("trace-vessel", "Trace the vessels of a CT angiogram as a centreline tree");
+    auto* command = app.add_subcommand("trace-vessel", "Trace the vessels of a CT angiogram as a centerline tree");
     auto arguments = std::make_shared<TraceVesselArguments>();
     auto root = std::make_shared<std::vector<Eigen::Vector3d>>();
     command
@@ -101,46 +101,53 @@ void addTraceVessel(CLI::App& app, int& exitCode)
                      "DICOM folder or slice, NIfTI, NRRD, MetaImage; also a label image, DICOM SEG or a surface")
         ->required();
     command->add_option("--output", arguments->outputPath, "Tree to write: .vtp, .csv, .swc or .mrk.json")->required();
-    command->add_option("--mask", arguments->maskPath, "Lumen to write as a label image, e.g. .nii.gz");
-    command->add_option("--series", arguments->seriesId, "Which series of a DICOM folder; `info FOLDER` lists them");
-    command->add_option("--threshold", arguments->tracing.threshold, "Least value of the lumen (default: found)");
+    command->add_option("--mask", arguments->maskPath, "Vessel mask to write as a label image, e.g. .nii.gz");
+    command->add_option("--series", arguments->seriesId, "Series of a DICOM folder; `info FOLDER` lists them");
+    command->add_option("--threshold", arguments->tracing.threshold, "Minimum value of the lumen (default: automatic)");
     addPoints(command, "--seed", arguments->tracing.seedsInPatient,
-              "x,y,z (LPS mm) anywhere in a vessel: trace what is connected to it; may be repeated (default: the great "
-              "vessel, aorta or main artery, of a scan is found, all pieces of a mask are taken)");
+              "x,y,z (LPS mm) inside a vessel: trace everything connected to it; may be repeated (default: in a scan, "
+              "the aorta or main artery is found automatically; of a mask, all pieces are traced)");
     addPoints(command, "--avoid", arguments->tracing.avoidInPatient,
-              "x,y,z (LPS mm) in the heart, a vein or bone; may be repeated");
-    command->add_flag(
-        "--tubes", arguments->tracing.tubesOnly,
-        "Thin vessels alone, from the seeds: chambers, organs and what is wider than a centimetre end them");
+              "x,y,z (LPS mm) in the heart, a vein or bone to avoid; may be repeated");
+    command->add_flag("--tubes", arguments->tracing.tubesOnly,
+                      "Trace only thin vessels, from the seeds; tracing ends at chambers, organs and anything wider "
+                      "than a centimeter");
     addStretches(command, arguments->stretches);
-    command->add_option("--into", arguments->intoPath, "Tree that vessels traced by --between are added to");
-    addPoints(command, "--root", *root, "x,y,z (LPS mm): the tree begins at the end nearest to it");
-    command->add_option("--min-length", arguments->tracing.minBranchLengthMm, "Shorter branches are removed, mm")
+    command->add_option("--into", arguments->intoPath, "Tree to which vessels traced by --between are added");
+    addPoints(command, "--root", *root, "x,y,z (LPS mm): the tree starts at the end nearest to this point");
+    command
+        ->add_option("--min-length", arguments->tracing.minBranchLengthMm,
+                     "Minimum length of a branch, mm; shorter branches are removed")
         ->check(CLI::Range(0.0, 1000.0));
-    command->add_option("--min-radius", arguments->tracing.minBranchRadiusMm, "Thinner branches are removed, mm")
+    command
+        ->add_option("--min-radius", arguments->tracing.minBranchRadiusMm,
+                     "Minimum radius of a branch, mm; thinner branches are removed")
         ->check(CLI::Range(0.0, 1000.0));
-    command->add_option("--point-spacing", arguments->tracing.pointSpacingMm, "Between points of a branch, mm")
+    command->add_option("--point-spacing", arguments->tracing.pointSpacingMm, "Distance between points of a branch, mm")
         ->check(CLI::Range(0.01, 100.0));
     command
         ->add_option("--label,--labels", arguments->labels,
                      "Labels that are vessels, by number or name, e.g. 1,2 or aorta; `info` lists them (default: those "
-                     "with names of vessels, else all)")
+                     "with vessel names, otherwise all)")
         ->delimiter(',');
     command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface, mm")
         ->check(CLI::Range(1e-6, 1e4));
     auto pieces = std::make_shared<std::string>();
     command
-        ->add_option("--pieces", *pieces,
-                     "all: every piece of a mask, of a scan those of every great vessel; largest; seeded: those that "
-                     "hold a --seed (default: seeded where there is a seed, else all of a mask, of a scan the aorta's)")
+        ->add_option(
+            "--pieces", *pieces,
+            "all: every piece of a mask, or those of every great vessel in a scan; largest; seeded: those that contain "
+            "a --seed (default: seeded if there is a seed; otherwise all of a mask, or the aorta's in a scan)")
         ->check(CLI::IsMember({"all", "largest", "seeded"}));
     auto loops = std::make_shared<std::string>();
     command
         ->add_option("--loops", *loops,
-                     "opened: at their thinnest places; kept: those that are no flaw of the lumen, such as the circle "
-                     "of Willis (default: opened)")
+                     "opened: cut at the narrowest point; kept: keep loops that are not a flaw of the lumen, such as "
+                     "the circle of Willis (default: opened)")
         ->check(CLI::IsMember({"opened", "kept"}));
-    command->add_option("--threads", arguments->tracing.threads, "Threads (default: all); the result is the same")
+    command
+        ->add_option("--threads", arguments->tracing.threads,
+                     "Number of threads (default: all); the result does not depend on it")
         ->check(CLI::Range(0, 256));
     command->footer("Example: angiopose-cli trace-vessel cta/ --output tree.vtp --mask lumen.nii.gz");
     command->callback([arguments, root, pieces, loops, &exitCode] {
@@ -155,21 +162,19 @@ void addTraceVessel(CLI::App& app, int& exitCode)
 
 void addConvert(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("convert", "Write an input in another format, by the extension of OUT");
+    auto* command = app.add_subcommand("convert", "Convert an input to another format, by the extension of OUT");
     auto arguments = std::make_shared<ConvertArguments>();
     command->add_option("IN", arguments->inputPath, "Any file that AngioPose reads, or a DICOM folder")->required();
     command
-        ->add_option(
-            "OUT", arguments->outputPath,
-            "Centrelines: .vtp .csv .swc .mrk.json; volumes: .nii .nii.gz .nrrd .mha; surfaces: .stl; poses: .json "
-            ".tfm .h5, with their camera .txt (P) .yml .yaml .xml (K, R, t); points: .fcsv .mrk.json; X-ray runs: "
-            ".dcm; "
-            "with --deidentify also DICOM slices, PNG, JPEG, and a folder for a folder")
+        ->add_option("OUT", arguments->outputPath,
+                     "Centerlines: .vtp .csv .swc .mrk.json; volumes: .nii .nii.gz .nrrd .mha; surfaces: .stl; poses: "
+                     ".json .tfm .h5, with their camera .txt (P) .yml .yaml .xml (K, R, t); points: .fcsv .mrk.json; "
+                     "X-ray runs: .dcm; with --deidentify also DICOM slices, PNG, JPEG, and a folder for a folder")
         ->required();
-    command->add_option("--series", arguments->seriesId, "Which series of a DICOM folder; `info FOLDER` lists them");
-    command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface or a centreline file, mm")
+    command->add_option("--series", arguments->seriesId, "Series of a DICOM folder; `info FOLDER` lists them");
+    command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface or a centerline file, mm")
         ->check(CLI::Range(1e-6, 1e4));
-    command->add_option("--spacing-mm", arguments->spacingMm, "Voxels that a surface is filled with, mm")
+    command->add_option("--spacing-mm", arguments->spacingMm, "Voxel size for filling a surface, mm")
         ->check(CLI::Range(0.01, 100.0));
     arguments->identity = addDeidentifyOptions(*command);
     const auto exchange = addExchangeOptions(*command);

@@ -2,7 +2,7 @@
 
 #include "app/document/edit_case.h"
 #include "app/words/mark_words.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/vessel/place_on_tree.h"
 #include "ui/actions/window_actions.h"
 #include "ui/slices/slice_model.h"
@@ -161,7 +161,7 @@ void MarkController::pickPoint(const Eigen::Vector3d& pointInPatient)
     const auto nearest = tree ? core::nearestPlace(*tree, point) : std::nullopt;
     const double reachMm = nearest ? std::max(sliceReachMm, core::radiusAt(*tree, *nearest).value_or(0.0)) : 0.0;
     if (!nearest || (core::pointAt(*tree, *nearest) - point).norm() > reachMm) {
-        emit refused(ui::messageText(core::says::markNeedsVessels()));
+        emit refused(ui::messageText(core::messages::markNeedsVessels()));
         return;
     }
     add(isPoint ? VesselMarkKind::CheckPoint : VesselMarkKind::OstiumRing, point);
@@ -175,7 +175,7 @@ void MarkController::place(MarkMode mode, const Eigen::Vector2d& pixel)
     }
     const auto point = placeUnder(pixel);
     if (!point) {
-        emit refused(ui::messageText(core::says::markNeedsVessels()));
+        emit refused(ui::messageText(core::messages::markNeedsVessels()));
         return;
     }
     add(kindOf(mode), undeformed(*point));
@@ -189,7 +189,7 @@ void MarkController::add(VesselMarkKind kind, const Eigen::Vector3d& pointInPati
     mark.name = freeMarkName(kind, marks()).toStdString();
     const auto put = putOn(*current().vessels.tree, std::move(mark), pointInPatient);
     if (!put) {
-        emit refused(ui::messageText(core::says::ringNeedsRadius()));
+        emit refused(ui::messageText(core::messages::ringNeedsRadius()));
         return;
     }
     std::vector<VesselMark> all = marks();
@@ -271,7 +271,7 @@ void MarkController::moveHandle(MarkMode mode, std::size_t handle, const Eigen::
     const auto moved =
         point ? putOn(*current().vessels.tree, marks().at(held.index), undeformed(*point)) : std::nullopt;
     if (!moved) {
-        emit refused(ui::messageText(core::says::markNeedsVessels()));
+        emit refused(ui::messageText(core::messages::markNeedsVessels()));
         show();
         return;
     }

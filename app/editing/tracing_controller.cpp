@@ -1,7 +1,7 @@
 #include "app/editing/tracing_controller.h"
 
 #include "app/document/edit_case.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/tracing/volume/lumen/blood_level.h"
 #include "core/tracing/volume/tracing_warnings.h"
 #include "ui/actions/window_actions.h"
@@ -179,8 +179,8 @@ void TracingController::followDocument()
 
 void TracingController::knowWarnings(const core::Messages& warnings)
 {
-    const auto about =
-        std::ranges::find_if(warnings, [](const core::Message& each) { return each.is(core::says::otherLumenBeside); });
+    const auto about = std::ranges::find_if(
+        warnings, [](const core::Message& each) { return each.is(core::messages::otherLumenBeside); });
     warnings_ = about == warnings.end() ? core::Messages() : core::Messages{*about};
     otherLumen_ = core::otherLumenOf(warnings_);
     warnedOf_ = document_.current().vessels.tree;

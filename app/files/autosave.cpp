@@ -3,7 +3,7 @@
 #include "app/preferences/private_mode.h"
 #include "io/case/case_file.h"
 #include "io/case/save_over.h"
-#include "io/messages/says_keeping.h"
+#include "io/messages/messages.h"
 #include "io/support/atomic_file.h"
 #include "io/support/own_leftovers.h"
 #include "io/vessel_tree_file.h"
@@ -273,8 +273,8 @@ void CaseKeeper::follow()
         [this, holder, path = path_](const core::Result<QString>&) {
             if (*holder && path == path_) {
                 const std::string name = QFileInfo(path).fileName().toStdString();
-                emit openElsewhere(
-                    ui::messageText(io::says::caseOpenElsewhere((*holder)->process, (*holder)->machine).about(name)));
+                emit openElsewhere(ui::messageText(
+                    io::messages::caseOpenElsewhere((*holder)->process, (*holder)->machine).about(name)));
             }
         });
 }

@@ -1,7 +1,7 @@
 #include "app/files/recent_controller.h"
 
 #include "app/files/recent_cases.h"
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "app/preferences/private_mode.h"
 #include "app/preferences/settings.h"
 #include "io/case/moved_inputs.h"
@@ -276,7 +276,7 @@ void RecentController::pictureOpened()
     pictures_.run(
         [snapshot = document_.current(), path]() -> core::Result<QString> {
             if (!storeCasePicture(snapshot, path)) {
-                return core::Error(says::notShown());
+                return core::Error(messages::notShown());
             }
             return path;
         },

@@ -1,7 +1,7 @@
 #include "app/files/study_controller.h"
 
 #include "app/files/study_rows.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "ui/dialogs/study_browser.h"
 #include "ui/dialogs/study_list.h"
 #include "ui/panels/bottom_strip.h"
@@ -180,7 +180,7 @@ void StudyController::take(const SharedStudies& tree)
     if (tree->patients.empty() && !isBrowserShown()) {
         abandon();
         notices_.showProblem(tr("The folder could not be opened"),
-                             ui::messageText(io::says::seriesNone().about(name_.toStdString())), folders_);
+                             ui::messageText(io::messages::seriesNone().about(name_.toStdString())), folders_);
         return;
     }
     if (usable.size() == 1 && isAllRead && !isBrowserShown()) {

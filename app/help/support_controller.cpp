@@ -34,7 +34,8 @@ constexpr std::array namedSettings{"window/theme", "window/colors", "window/lang
 /// Words of transient status notes, which no message catalog contains.
 constexpr std::array wordsThatMayPass{
     "opened saved saving written writing packed packing ready stopped finished failed traced tracing registered",
-    "could not export open save the file files case pack with without identity converged iterations median trustworthy",
+    "could not export open save the file files case pack with without identity converged iterations median trustworthy "
+    "reliable unreliable",
     "geöffnet gespeichert geschrieben gepackt bereit gestoppt fertig fehlgeschlagen nicht datei dateien fall"};
 
 QString valueOf(const QString& key, const QVariant& value)
@@ -77,7 +78,7 @@ std::string windowFacts()
     facts += driver.isThere()
                  ? QStringLiteral("OpenGL: %1, %2, %3\n").arg(driver.version, driver.vendor, driver.renderer)
                  : QStringLiteral("OpenGL: none\n");
-    facts += QStringLiteral("angiogram drawn by: %1\n")
+    facts += QStringLiteral("angiogram renderer: %1\n")
                  .arg(ui::chosenRenderer() == ui::Renderer::Vtk ? QStringLiteral("VTK") : QStringLiteral("processor"));
     return facts.toStdString();
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "core/support/result.h"
 
 #include <exception>
@@ -16,9 +16,9 @@ core::Result<T> guarded(const Work& work)
     try {
         return work();
     } catch (const std::bad_alloc&) {
-        return core::Error(says::notEnoughMemory());
+        return core::Error(messages::notEnoughMemory());
     } catch (const std::exception& problem) {
-        return core::Error(says::libraryGaveUp(problem.what()));
+        return core::Error(messages::libraryGaveUp(problem.what()));
     }
 }
 

@@ -1,7 +1,7 @@
 #include "app/jobs/scan_job.h"
 
 #include "app/jobs/freed_elsewhere.h"
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 
 #include <utility>
 
@@ -54,7 +54,7 @@ core::Result<std::shared_ptr<const ScanJob::Ready>> ScanJob::madeReady(const cor
 {
     auto fine = core::preparedVolume(what, shouldContinue);
     if (!fine) {
-        return core::Error(says::scanBesideVessels());
+        return core::Error(messages::scanBesideVessels());
     }
     core::VolumeToPrepare again;   // built from the volume that is already reduced
     again.scan = std::make_shared<const core::Volume>(fine->volume);
@@ -67,7 +67,7 @@ core::Result<std::shared_ptr<const ScanJob::Ready>> ScanJob::madeReady(const cor
     again.maxVoxels = roughVoxels;
     auto rough = core::preparedVolume(again, shouldContinue);
     if (!rough) {
-        return core::Error(says::notShown());
+        return core::Error(messages::notShown());
     }
     auto ready = std::make_shared<Ready>();
     ready->isMask = what.scan == nullptr;
@@ -86,7 +86,7 @@ core::Result<CastPicture> ScanJob::cast(const Ready& ready, const ScanPictureReq
         ready.isMask ? core::lookOfMask(wanted.look) : core::lookOf(ready.levels, wanted.look, scan.hasKinds);
     auto pixels = core::castScan(scan, look, wanted.sight, isFine ? fineStepShare : roughStepShare, shouldContinue);
     if (!pixels) {
-        return core::Error(says::notShown());   // stopped because a newer request has arrived
+        return core::Error(messages::notShown());   // stopped because a newer request has arrived
     }
     return CastPicture{wanted.sight, std::move(*pixels), wanted.detail};
 }

@@ -64,7 +64,8 @@ core::Angiogram runOf(const std::vector<Image>& frames, Polarity polarity, const
     }
     for (const Image& frame : frames) {
         if (frame.isEmpty() || frame.width != frames.front().width || frame.height != frames.front().height) {
-            throw Error("library.frame-size", "The frames of a run must have pixels, and all the same size.");
+            throw Error("library.frame-size",
+                        "The frames of a run must contain pixels and must all have the same size.");
         }
         run.frames.push_back(toCore(frame));
     }

@@ -3,7 +3,7 @@
 #include "app/library/case_content.h"
 #include "app/library/conversions.h"
 #include "app/library/relay.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 namespace angiopose::library {
 namespace {
@@ -13,7 +13,7 @@ void checkBranches(const core::VesselTree& tree, const std::vector<int>& ids)
 {
     for (const int id : ids) {
         if (tree.find(id) == nullptr) {
-            raise(core::says::noSuchBranch(id));
+            raise(core::messages::noSuchBranch(id));
         }
     }
 }

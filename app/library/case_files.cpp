@@ -51,7 +51,7 @@ void keepInputs(core::Case& values, const std::string& casePath)
 {
     (void)valueOf(io::readVessels(vesselPath, input));
     (void)valueOf(io::readAngiogram(imagePath));
-    raise(io::says::openNoAngiogram().about(imagePath));
+    raise(io::messages::openNoAngiogram().about(imagePath));
 }
 
 }   // namespace
@@ -113,8 +113,9 @@ void writeResult(const Case& session, const std::string& path)
 {
     const core::Case& values = session.content().values;
     if (!values.shown().result) {
-        throw Error("library.no-result",
-                    "The case has no result: it was not registered, or its pose was changed since.");
+        throw Error(
+            "library.no-result",
+            "The case has no result: it has not been registered, or its pose has changed since the registration.");
     }
     library::check(io::writeResult(values, path));
 }

@@ -18,10 +18,9 @@ core::RigidTransform toCore(const Pose& pose)
 {
     const core::RigidTransform converted{pose.topLeftCorner<3, 3>(), pose.topRightCorner<3, 1>()};
     if (pose.row(3) != Pose::Identity().row(3) || !core::isRigid(converted)) {
-        throw Error(
-            "library.no-pose",
-            "A pose must be a rigid motion: the 4 x 4 matrix that takes patient points to camera points, of finite "
-            "numbers, with an orthonormal rotation of determinant +1 and the last row 0, 0, 0, 1.");
+        throw Error("library.no-pose",
+                    "A pose must be a rigid motion: the 4 x 4 matrix that maps patient points to camera points, of "
+                    "finite numbers, with an orthonormal rotation of determinant +1 and the last row 0, 0, 0, 1.");
     }
     return converted;
 }

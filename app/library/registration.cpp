@@ -14,7 +14,7 @@ void requireStart(const core::View& view, const core::Vessels& vessels)
 {
     if (auto start = core::startPoseOf(view, vessels); !start) {
         throw Error("library.no-start",
-                    "The geometry of the angiogram gives no start pose; set one. " + start.error().message.text());
+                    "The geometry of the angiogram gives no initial pose; set one. " + start.error().message.text());
     }
 }
 
@@ -256,7 +256,7 @@ RegistrationResult registerCase(Case& session, const Observer& observe)
     core::Case& values = session.content().values;
     if (values.views.size() > 1) {
         throw Error("library.several-views", "The case has " + std::to_string(session.viewCount()) +
-                                                 " views of the vessels. Register them together with registerViews.");
+                                                 " views of the vessels. Register them jointly with registerViews.");
     }
     library::requireStarts(values);
     library::Relay relay(observe);

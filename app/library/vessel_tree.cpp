@@ -35,7 +35,7 @@ std::vector<Run> runsOf(const std::vector<int>& ids, const char* noun)
         }
         if (!seen.insert(ids[i]).second) {
             throw Error("library.points-apart", "The points of " + std::string(noun) + " " + std::to_string(ids[i]) +
-                                                    " do not stand together. Sort the rows by " + noun + ".");
+                                                    " are not contiguous. Sort the rows by " + noun + ".");
         }
         runs.push_back({ids[i], i, i + 1});
     }
@@ -111,7 +111,7 @@ core::Centerline2d toCore(const Centerline2d& centerline)
     const std::size_t count = centerline.points.size();
     if (centerline.curveIds.empty() && !centerline.radiusPx.empty()) {
         throw Error("library.radii-without-curves",
-                    "The radii of image points count along curves. Give curveIds too, or leave radiusPx out.");
+                    "The radii of image points are given along curves. Give curveIds too, or omit radiusPx.");
     }
     if (centerline.curveIds.empty()) {
         return core::chainPoints(centerline.points);

@@ -13,7 +13,7 @@ core::VolumeGeometry toCore(const VolumeGeometry& geometry)
 {
     const auto& [size, spacing, origin, direction] = geometry;
     if (*std::min_element(size.begin(), size.end()) < 0) {
-        throw Error("library.volume-size", "The size of a volume cannot be below 0.");
+        throw Error("library.volume-size", "The size of a volume cannot be negative.");
     }
     return {{size[0], size[1], size[2]}, spacing, origin, direction};
 }
@@ -61,15 +61,15 @@ void checkVoxels(std::size_t count, const VolumeGeometry& geometry)
 {
     if (count != geometry.voxelCount()) {
         throw Error("library.voxel-count", "The volume has " + std::to_string(count) +
-                                               " voxels, but its size asks for " +
+                                               " voxels, but its size requires " +
                                                std::to_string(geometry.voxelCount()) + ".");
     }
     const core::VolumeGeometry grid = toCore(geometry);
     if (!grid.spacingMm.allFinite() || grid.spacingMm.minCoeff() <= 0.0 || !grid.originInPatient.allFinite() ||
         !grid.direction.allFinite()) {
-        throw Error("library.volume-spacing",
-                    "The spacing, origin and directions of a volume must be numbers, and the "
-                    "spacing above 0.");
+        throw Error(
+            "library.volume-spacing",
+            "The spacing, origin and directions of a volume must be finite numbers, and the spacing must be positive.");
     }
 }
 

@@ -11,8 +11,8 @@ Angiogram angiogramOf(const Array<float>& frames, Polarity polarity, const CArm&
     checkShape(frames.ndim() == 3 || frames.ndim() == 2, "frames", "(frames, height, width)");
     if (frames.ndim() == 3 && (frames.shape(2) == 3 || frames.shape(2) == 4)) {
         throw py::value_error(
-            "frames must be grey values of shape (frames, height, width); these look like colours, "
-            "(height, width, 3 or 4)");
+            "frames must be gray values of shape (frames, height, width); these look like colors, (height, width, 3 or "
+            "4)");
     }
     const bool isOne = frames.ndim() == 2;
     const int height = static_cast<int>(frames.shape(isOne ? 0 : 1));
@@ -28,13 +28,13 @@ Angiogram angiogramOf(const Array<float>& frames, Polarity polarity, const CArm&
 
 void bindRun(py::module_& module)
 {
-    py::class_<Angiogram>(module, "Angiogram", "One X-ray run: frames of equal size with the geometry of its header.")
+    py::class_<Angiogram>(module, "Angiogram", "An X-ray run: frames of equal size with the geometry from the header.")
         .def(py::init(&angiogramOf), py::arg("frames"), py::arg("polarity") = Polarity::VesselsDark,
              py::arg_v("cArm", CArm(), "CArm()"),
              "frames: (frames, height, width), or (height, width); copied as float32.")
         .def_property_readonly("width", &Angiogram::width, "columns, px")
         .def_property_readonly("height", &Angiogram::height, "rows, px")
-        .def_property_readonly("frameCount", &Angiogram::frameCount, "how many frames the run has")
+        .def_property_readonly("frameCount", &Angiogram::frameCount, "number of frames of the run")
         .def(
             "frame",
             [](const py::object& self, int frame) {
@@ -44,18 +44,19 @@ void bindRun(py::module_& module)
             py::arg("frame"), "(height, width) float32: a read-only view of the stored values.")
         .def_property_readonly("polarity", &Angiogram::polarity, "whether vessels are dark or bright")
         .def_property_readonly(
-            "cArm", [](const Angiogram& run) { return Fixed<CArm>(run.cArm()); }, "as the header tells; a copy")
-        .def_property_readonly("frameTimeMs", &Angiogram::frameTimeMs, "from frame to frame; 0: not known")
-        .def_property_readonly("suggestedFrame", &Angiogram::suggestedFrame, "the fullest frame")
+            "cArm", [](const Angiogram& run) { return Fixed<CArm>(run.cArm()); }, "from the header; a copy")
+        .def_property_readonly("frameTimeMs", &Angiogram::frameTimeMs, "time between frames; 0: unknown")
+        .def_property_readonly("suggestedFrame", &Angiogram::suggestedFrame, "the peak-opacification frame")
         .def_property_readonly(
-            "warnings", [](const Angiogram& run) { return fixedList(run.warnings()); }, "of reading");
+            "warnings", [](const Angiogram& run) { return fixedList(run.warnings()); },
+            "warnings from reading the file");
 }
 
 void bindTrace(py::module_& module)
 {
     const TraceOptions usual;
     py::class_<TraceOptions>(module, "TraceOptions",
-                             "Lengths in px of a frame of 512 x 512; in larger frames they grow along.")
+                             "Lengths in px of a 512 x 512 frame; they scale up with larger frames.")
         .def(py::init([](double minVesselRadiusPx, double maxVesselRadiusPx, int minBranchLengthPx,
                          int minComponentLengthPx, double sensitivity) {
                  return TraceOptions{minVesselRadiusPx, maxVesselRadiusPx, minBranchLengthPx, minComponentLengthPx,
@@ -66,18 +67,18 @@ void bindTrace(py::module_& module)
              py::arg("minBranchLengthPx") = usual.minBranchLengthPx,
              py::arg("minComponentLengthPx") = usual.minComponentLengthPx, py::arg("sensitivity") = usual.sensitivity)
         .def("__copy__", [](const TraceOptions& options) { return options; })
-        .def_readwrite("minVesselRadiusPx", &TraceOptions::minVesselRadiusPx, "thinnest vessel looked for")
+        .def_readwrite("minVesselRadiusPx", &TraceOptions::minVesselRadiusPx, "thinnest vessel to detect")
         .def_readwrite("maxVesselRadiusPx", &TraceOptions::maxVesselRadiusPx,
-                       "widest vessel looked for; 0: by pixel spacing and magnification")
+                       "widest vessel to detect; 0: from pixel spacing and magnification")
         .def_readwrite("minBranchLengthPx", &TraceOptions::minBranchLengthPx, "shorter spurs are removed")
-        .def_readwrite("minComponentLengthPx", &TraceOptions::minComponentLengthPx, "shorter pieces are removed")
-        .def_readwrite("sensitivity", &TraceOptions::sensitivity, "above 1: fainter vessels too");
+        .def_readwrite("minComponentLengthPx", &TraceOptions::minComponentLengthPx, "shorter components are removed")
+        .def_readwrite("sensitivity", &TraceOptions::sensitivity, "above 1: also detect fainter vessels");
     bindFixed<TraceOptions>(module, "_FixedTraceOptions");
 
-    py::class_<AngiogramTrace>(module, "AngiogramTrace", "What tracing found in one frame. Arrays are read-only views.")
+    py::class_<AngiogramTrace>(module, "AngiogramTrace", "Result of tracing one frame. Arrays are read-only views.")
         .def_readonly("centerline", &AngiogramTrace::centerline, "the vessels as curves, px")
         .def_property_readonly("suspectCurves", asTuple<&AngiogramTrace::suspectCurves>(),
-                               "ids of curves that may be catheters, wires or edges of bones")
+                               "ids of curves that may be catheters, guidewires or bone edges")
         .def_property_readonly(
             "vesselness",
             [](const py::object& self) { return viewOf(self.cast<const AngiogramTrace&>().vesselness, self); },
@@ -89,9 +90,9 @@ void bindTrace(py::module_& module)
         .def_property_readonly(
             "fieldMask",
             [](const py::object& self) { return viewOf(self.cast<const AngiogramTrace&>().fieldMask, self); },
-            "(height, width) uint8, not 0: the image is exposed there")
+            "(height, width) uint8, not 0: exposed part of the image")
         .def_property_readonly("warnings", asTuple<&AngiogramTrace::warnings>(),
-                               "that no contrast medium comes in this run");
+                               "warnings, e.g. that no contrast agent arrives in this run");
 }
 
 }   // namespace
@@ -106,12 +107,12 @@ void bindAngiograms(py::module_& module)
     const py::call_guard<py::gil_scoped_release> unlocked;
     module.def(
         "readAngiogram", [](const Path& path) { return readAngiogram(path.string()); }, py::arg("path"), unlocked,
-        "From DICOM XA (single and multi-frame), PNG, TIFF or JPEG.");
+        "Reads DICOM XA (single and multi-frame), PNG, TIFF or JPEG.");
     module.def(
         "writeAngiogram",
         [](const Angiogram& angiogram, const Path& path) { writeAngiogram(angiogram, path.string()); },
         py::arg("angiogram"), py::arg("path"), unlocked,
-        "To uncompressed multi-frame 16-bit DICOM XA with the geometry of its C-arm.");
+        "Writes uncompressed multi-frame 16-bit DICOM XA with the geometry of its C-arm.");
     module.def(
         "traceAngiogram",
         [](const Array<float>& frame, Polarity polarity, const TraceOptions& options) {
@@ -119,11 +120,11 @@ void bindAngiograms(py::module_& module)
             return withoutLock([&] { return traceAngiogram(image, polarity, options); });
         },
         py::arg("frame"), py::arg("polarity") = Polarity::VesselsDark,
-        py::arg_v("options", TraceOptions(), "TraceOptions()"), "The vessels of one picture (height, width).");
+        py::arg_v("options", TraceOptions(), "TraceOptions()"), "Traces the vessels of one image (height, width).");
     module.def("traceFrame", &traceFrame, py::arg("run"), py::arg("frame"),
                py::arg_v("options", TraceOptions(), "TraceOptions()"), unlocked,
-               "The vessels of one frame of a run, with less noise where the run stands still. This is what\n"
-               "registering a case uses.");
+               "Traces the vessels of one frame of a run, with less noise where the run is static. Registering\na case "
+               "uses this function.");
 }
 
 }   // namespace angiopose::python

@@ -90,12 +90,12 @@ Array<T> wholeNumbers(const py::object& given, const char* name)
     }
     if (any.size() > 0 && !py::isinstance<py::array_t<T>>(any)) {
         if (std::string_view("iub").find(any.dtype().kind()) == std::string_view::npos) {
-            throw py::value_error(std::string(name) + " must be whole numbers");
+            throw py::value_error(std::string(name) + " must be integers");
         }
         const py::int_ low(any.attr("min")());
         const py::int_ high(any.attr("max")());
         if (low < py::int_(std::numeric_limits<T>::min()) || high > py::int_(std::numeric_limits<T>::max())) {
-            throw py::value_error(std::string(name) + " holds numbers that are too large");
+            throw py::value_error(std::string(name) + " contains numbers that are too large");
         }
     }
     return Array<T>::ensure(any);
@@ -152,9 +152,9 @@ struct Fixed : T {
 
 [[noreturn]] inline void refuseToSet(const std::string& name)
 {
-    throw py::attribute_error("setting '" + name +
-                              "' of what another object gave away would be lost: change a copy.copy() of it and "
-                              "assign that");
+    throw py::attribute_error(
+        "setting '" + name +
+        "' on a value returned by another object would be lost: change a copy.copy() of it and assign that");
 }
 
 template <class T>

@@ -9,21 +9,20 @@ namespace {
 void bindCamera(py::module_& module)
 {
     py::class_<ProjectionCamera>(module, "ProjectionCamera",
-                                 "Pin-hole model of X-ray source and detector: u = fx X/Z + cx, v = fy Y/Z + cy (px).")
+                                 "Pinhole model of X-ray source and detector: u = fx X/Z + cx, v = fy Y/Z + cy (px).")
         .def(py::init([](double fx, double fy, double cx, double cy, int width, int height) {
                  return ProjectionCamera{fx, fy, cx, cy, width, height};
              }),
              py::arg("fx"), py::arg("fy"), py::arg("cx"), py::arg("cy"), py::arg("width"), py::arg("height"),
-             "All px. fx is below 0 in a standard image, which is seen from the detector: with the wrong sign the "
-             "image\n"
-             "is mirrored, and a tree of few branches may still fit it. cameraFromCArm gets it right.")
+             "All px. fx is negative in a standard image, which is seen from the detector: with the wrong sign the "
+             "image\nis mirrored, and a tree with few branches may still fit it. cameraFromCArm sets the correct sign.")
         .def("__copy__", [](const ProjectionCamera& camera) { return camera; })
         .def("__repr__",
              [](const ProjectionCamera& camera) {
                  return py::str("ProjectionCamera(fx={}, fy={}, cx={}, cy={}, width={}, height={})")
                      .format(camera.fx, camera.fy, camera.cx, camera.cy, camera.width, camera.height);
              })
-        .def_readwrite("fx", &ProjectionCamera::fx, "px; below 0 in a standard image, which is seen from the detector")
+        .def_readwrite("fx", &ProjectionCamera::fx, "px; negative in a standard image, which is seen from the detector")
         .def_readwrite("fy", &ProjectionCamera::fy, "px")
         .def_readwrite("cx", &ProjectionCamera::cx, "px")
         .def_readwrite("cy", &ProjectionCamera::cy, "px")
@@ -36,7 +35,7 @@ using Length = std::optional<double>;
 
 void bindCArm(py::module_& module)
 {
-    py::class_<CArm>(module, "CArm", "C-arm as DICOM describes it; lengths mm, angles degrees, None: not known.")
+    py::class_<CArm>(module, "CArm", "C-arm as DICOM describes it; lengths in mm, angles in degrees, None: unknown.")
         .def(py::init([](Length sourceToDetectorMm, Length sourceToPatientMm, Length columnSpacingMm,
                          Length rowSpacingMm, Length primaryAngleDeg, Length secondaryAngleDeg, Length rollDeg,
                          Length principalPointUPx, Length principalPointVPx, bool mirrored,
@@ -54,17 +53,17 @@ void bindCArm(py::module_& module)
              py::arg("isocentreInPatientMm") = py::none())
         .def("__copy__", [](const CArm& cArm) { return cArm; })
         .def_readwrite("sourceToDetectorMm", &CArm::sourceToDetectorMm, "mm, source to detector (SID)")
-        .def_readwrite("sourceToPatientMm", &CArm::sourceToPatientMm, "source to isocentre")
+        .def_readwrite("sourceToPatientMm", &CArm::sourceToPatientMm, "mm, source to isocenter")
         .def_readwrite("columnSpacingMm", &CArm::columnSpacingMm, "pixel pitch on the detector along u")
         .def_readwrite("rowSpacingMm", &CArm::rowSpacingMm, "pixel pitch on the detector along v")
         .def_readwrite("primaryAngleDeg", &CArm::primaryAngleDeg, "LAO +, RAO -")
         .def_readwrite("secondaryAngleDeg", &CArm::secondaryAngleDeg, "CRA +, CAU -")
-        .def_readwrite("rollDeg", &CArm::rollDeg, "image turned clockwise on screen; None: 0")
-        .def_readwrite("principalPointUPx", &CArm::principalPointUPx, "None: image centre")
-        .def_readwrite("principalPointVPx", &CArm::principalPointVPx, "None: image centre")
+        .def_readwrite("rollDeg", &CArm::rollDeg, "clockwise rotation of the image on screen; None: 0")
+        .def_readwrite("principalPointUPx", &CArm::principalPointUPx, "None: image center")
+        .def_readwrite("principalPointVPx", &CArm::principalPointVPx, "None: image center")
         .def_readwrite("mirrored", &CArm::mirrored, "True: shown as seen from the source")
         .def_property("isocentreInPatientMm", asArray<&CArm::isocenterInPatientMm>(),
-                      assign<&CArm::isocenterInPatientMm>(), "(3,), patient LPS; None: not known");
+                      assign<&CArm::isocenterInPatientMm>(), "(3,), patient LPS; None: unknown");
     bindFixed<CArm>(module, "_FixedCArm");
 }
 
@@ -88,28 +87,31 @@ py::object projected(const ProjectionCamera& camera, const Pose& cameraFromPatie
 
 void bindGeometry(py::module_& module)
 {
-    py::enum_<Verdict>(module, "Verdict", "What an observer of long work wants next; None counts as Continue.")
+    py::enum_<Verdict>(module, "Verdict", "Answer of a progress observer; None counts as Continue.")
         .value("Continue", Verdict::Continue)
         .value("Stop", Verdict::Stop);
-    py::class_<Progress>(module, "Progress", "How far long work is. The last three are told while a registration runs.")
-        .def_readonly("stage", &Progress::stage,
-                      "\"reading\"; of a registration \"search\", \"refine\", \"settle\", ...; of tracing its steps")
+    py::class_<Progress>(module, "Progress",
+                         "Progress of a long operation. The last three attributes are set while a registration runs.")
+        .def_readonly(
+            "stage", &Progress::stage,
+            "\"reading\"; during a registration \"search\", \"refine\", \"settle\", ...; during tracing its steps")
         .def_readonly("fraction", &Progress::fraction, "0...1, never decreasing")
-        .def_readonly("view", &Progress::view, "which view of the case it is about, counted from 0")
-        .def_readonly("iteration", &Progress::iteration, "of the solver, from its begin")
-        .def_readonly("medianDistancePx", &Progress::medianDistancePx, "tree points to their nearest image point")
+        .def_readonly("view", &Progress::view, "index of the view concerned, from 0")
+        .def_readonly("iteration", &Progress::iteration, "iterations of the solver since its start")
+        .def_readonly("medianDistancePx", &Progress::medianDistancePx,
+                      "median distance of tree points to their nearest image point")
         .def_property_readonly("cameraFromPatient", asArray<&Progress::cameraFromPatient>(),
                                "(4, 4), best pose so far, patient LPS mm to camera mm; or None");
     bindCamera(module);
     bindCArm(module);
     module.def("cameraFromCArm", &cameraFromCArm, py::arg("cArm"), py::arg("width"), py::arg("height"),
-               "The camera of a C-arm for images of this size; needs sourceToDetectorMm and the spacings.");
+               "Computes the camera of a C-arm for images of this size; needs sourceToDetectorMm and the spacings.");
     module.def("cameraFromPatient", &cameraFromPatient, py::arg("cArm"), py::arg("isocentreInPatient"),
-               "The pose (4, 4) of a C-arm that turns about `isocentreInPatient` ((3,), LPS mm); needs\n"
-               "sourceToPatientMm and both angles.");
+               "Computes the pose (4, 4) of a C-arm that rotates about `isocentreInPatient` ((3,), LPS mm); "
+               "needs\nsourceToPatientMm and both angles.");
     module.def("project", &projected, py::arg("camera"), py::arg("cameraFromPatient"), py::arg("points"),
-               "The image points (N, 2) in px of patient points (N, 3) in LPS mm, or (2,) of one (3,); NaN where they\n"
-               "lie at or behind the source.");
+               "Projects patient points (N, 3) in LPS mm to image points (N, 2) in px, or one (3,) to (2,); NaN for "
+               "points\nat or behind the source.");
 }
 
 }   // namespace angiopose::python

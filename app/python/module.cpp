@@ -17,11 +17,11 @@ void raise(const py::handle& type, const Error& error)
 
 void bindErrors(py::module_& module)
 {
-    py::class_<Message>(module, "Message", "Something to tell the user: `id` stays when words change.")
-        .def_readonly("id", &Message::id, "For programs; \"text.plain\" where a sentence has no id of its own.")
+    py::class_<Message>(module, "Message", "A message for the user: `id` is stable when the wording changes.")
+        .def_readonly("id", &Message::id, "For programs; \"text.plain\" if the sentence has no id of its own.")
         .def_readonly("text", &Message::text, "The English sentence.")
         .def_property_readonly("arguments", asTuple<&Message::arguments>(),
-                               "What fills the sentence: names, numbers with their unit.")
+                               "Arguments of the sentence: names, and numbers with their unit.")
         .def("__str__", [](const Message& message) { return message.text; })
         .def("__repr__", [](const Message& message) { return "<Message " + message.id + ": " + message.text + ">"; });
 
@@ -29,8 +29,8 @@ void bindErrors(py::module_& module)
     static const py::handle errorType = py::exception<Error>(module, "Error", PyExc_RuntimeError).release();
     static const py::handle stoppedType = py::exception<Stopped>(module, "Stopped", errorType).release();
     errorType.attr("__doc__") =
-        "Work that cannot be done: which file or value, the problem, the remedy; `id` is for programs.";
-    stoppedType.attr("__doc__") = "The observer stopped work that has nothing to give back: reading, tracing.";
+        "An operation failed: the message names the file or value, the problem and the remedy; `id` is for programs.";
+    stoppedType.attr("__doc__") = "The observer stopped an operation that has no partial result: reading, tracing.";
     py::register_exception_translator([](std::exception_ptr thrown) {
         try {
             std::rethrow_exception(thrown);

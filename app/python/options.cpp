@@ -44,19 +44,18 @@ py::str textOf(const RegistrationOptions& options)
 
 void bindOptions(py::module_& module)
 {
-    py::class_<RegistrationOptions>(
-        module, "RegistrationOptions",
-        "Which method solves a registration, and its settings: those of `methods()`, by key.\n"
-        "What is not set has its default.")
+    py::class_<RegistrationOptions>(module, "RegistrationOptions",
+                                    "Method of a registration and its settings, with the keys of "
+                                    "`methods()`.\nSettings that are not set have their defaults.")
         .def(py::init(&optionsOf), py::arg("method") = "angiopose", py::arg("locks") = std::vector<std::string>(),
-             "locks: degrees of freedom kept: right, up, along-ray, roll, lao-rao, cra-cau. Settings by name:\n"
-             "RegistrationOptions(\"angiopose\", maxIterations=40, search=True).")
+             "locks: degrees of freedom to lock: right, up, along-ray, roll, lao-rao, cra-cau. Settings by "
+             "name:\nRegistrationOptions(\"angiopose\", maxIterations=40, search=True).")
         .def_readwrite("method", &RegistrationOptions::method, "the id of one of methods()")
         .def_property(
             "values", [](const RegistrationOptions& options) { return fixedDict(options.values); },
-            assign<&RegistrationOptions::values>(), "settings as texts, by key; read-only: see set")
+            assign<&RegistrationOptions::values>(), "settings as strings, by key; read-only: see set")
         .def_property("locks", asTuple<&RegistrationOptions::locks>(), assign<&RegistrationOptions::locks>(),
-                      "degrees of freedom that are kept")
+                      "locked degrees of freedom")
         .def(
             "set",
             [](const py::object& self, const std::string& key, const py::object& value) {
@@ -64,7 +63,7 @@ void bindOptions(py::module_& module)
                 return self;
             },
             py::arg("key"), py::arg("value"),
-            "A number, True or False, or a choice by name; returns the options, so that calls can follow one another.")
+            "Sets a number, True or False, or a choice by name; returns the options, so calls can be chained.")
         .def("__copy__", [](const RegistrationOptions& options) { return options; })
         .def("__repr__", &textOf);
     bindFixed<RegistrationOptions>(module, "_FixedOptions")
@@ -72,19 +71,19 @@ void bindOptions(py::module_& module)
              [](const Fixed<RegistrationOptions>&, const std::string& key, const py::object&) { refuseToSet(key); });
 
     py::class_<OptionInfo>(module, "OptionInfo", "One setting of a method.")
-        .def_readonly("key", &OptionInfo::key, "as on the command line")
+        .def_readonly("key", &OptionInfo::key, "name as on the command line")
         .def_readonly("unit", &OptionInfo::unit, "\"px\", \"mm\", a degree sign or empty")
-        .def_readonly("help", &OptionInfo::help, "the effect, one sentence")
-        .def_readonly("min", &OptionInfo::min, "least number")
-        .def_readonly("max", &OptionInfo::max, "largest number")
-        .def_property_readonly("choices", asTuple<&OptionInfo::choices>(), "not empty: the value is one of these")
+        .def_readonly("help", &OptionInfo::help, "effect, in one sentence")
+        .def_readonly("min", &OptionInfo::min, "minimum value")
+        .def_readonly("max", &OptionInfo::max, "maximum value")
+        .def_property_readonly("choices", asTuple<&OptionInfo::choices>(), "allowed values, if not empty")
         .def_readonly("defaultValue", &OptionInfo::defaultValue, "as a text");
-    py::class_<MethodInfo>(module, "MethodInfo", "One method of registration.")
-        .def_readonly("id", &MethodInfo::id, "for RegistrationOptions")
-        .def_readonly("label", &MethodInfo::label, "what it is called")
-        .def_readonly("summary", &MethodInfo::summary, "what it minimises, its source")
-        .def_property_readonly("options", asTuple<&MethodInfo::options>(), "what can be set");
-    module.def("methods", &methods, "Every method, the default first.");
+    py::class_<MethodInfo>(module, "MethodInfo", "One registration method.")
+        .def_readonly("id", &MethodInfo::id, "id for RegistrationOptions")
+        .def_readonly("label", &MethodInfo::label, "display name")
+        .def_readonly("summary", &MethodInfo::summary, "objective and source")
+        .def_property_readonly("options", asTuple<&MethodInfo::options>(), "available settings");
+    module.def("methods", &methods, "All methods, the default first.");
 }
 
 }   // namespace angiopose::python

@@ -38,24 +38,24 @@ void bindInput(py::module_& module)
 {
     using Input = RegistrationInput;
     py::class_<Input>(module, "RegistrationInput",
-                      "Everything one registration needs; the first four tell the problem.")
+                      "Everything one registration needs; the first four arguments define the problem.")
         .def(py::init(&inputFrom), py::arg("tree"), py::arg("target"), py::arg("camera"),
              py::arg("initialCameraFromPatient"), py::kw_only(), py::arg("excludedBranchIds") = std::vector<int>(),
              py::arg("auxiliaryBranchIds") = std::vector<int>(), py::arg("image") = py::none(),
              py::arg("polarity") = Polarity::VesselsDark, py::arg("volume") = py::none(),
              py::arg("lockReference") = py::none(), py::arg("lockPivotInPatient") = py::none(),
-             "initialCameraFromPatient: (4, 4), where the search begins. image: (height, width), the frame that shows\n"
-             "the target, for methods that look at it.")
+             "initialCameraFromPatient: (4, 4), the initial pose. image: (height, width), the frame that shows\nthe "
+             "target, for methods that use it.")
         .def_property("tree", copied<&Input::tree>(), assign<&Input::tree>(), "the vessels; patient LPS mm")
         .def_property("target", copied<&Input::target>(), assign<&Input::target>(), "the vessels of the image, px")
         .def_readwrite("camera", &Input::camera, "its attributes can be set")
         .def_property("initialCameraFromPatient", asArray<&Input::initialCameraFromPatient>(),
                       assign<&Input::initialCameraFromPatient>(),
-                      "(4, 4), patient LPS mm to camera mm: where the search begins")
+                      "(4, 4), patient LPS mm to camera mm: the initial pose")
         .def_property("excludedBranchIds", asTuple<&Input::excludedBranchIds>(), assign<&Input::excludedBranchIds>(),
-                      "not used at all")
+                      "excluded branches")
         .def_property("auxiliaryBranchIds", asTuple<&Input::auxiliaryBranchIds>(), assign<&Input::auxiliaryBranchIds>(),
-                      "solved first by methods that alternate")
+                      "branches that alternating methods solve first")
         .def_property(
             "image",
             [](const Input& input) {
@@ -68,9 +68,9 @@ void bindInput(py::module_& module)
         .def_readwrite("polarity", &Input::polarity, "of `image`")
         .def_readwrite("volume", &Input::volume, "the CTA that shows the tree, or None")
         .def_property("lockReference", asArray<&Input::lockReference>(), assign<&Input::lockReference>(),
-                      "(4, 4), what locked angles are counted from; None: the start")
+                      "(4, 4), reference pose of locked angles; None: the initial pose")
         .def_property("lockPivotInPatient", asArray<&Input::lockPivotInPatient>(), assign<&Input::lockPivotInPatient>(),
-                      "(3,), whose place locked shifts keep; None: the centroid");
+                      "(3,), point whose position locked shifts preserve; None: the centroid");
 }
 
 void bindMetrics(py::module_& module)
@@ -82,18 +82,18 @@ void bindMetrics(py::module_& module)
         .value("StoppedByUser", StopReason::StoppedByUser);
 
     py::class_<DistanceMetrics>(module, "DistanceMetrics",
-                                "Closest-point distances over all used tree points; mm at the depth of the centroid.")
+                                "Closest-point distances over all tree points used; mm at the depth of the centroid.")
         .def_readonly("meanPx", &DistanceMetrics::meanPx, "mean, px")
         .def_readonly("medianPx", &DistanceMetrics::medianPx, "median, px")
-        .def_readonly("p75Px", &DistanceMetrics::p75Px, "75 % are nearer, px")
-        .def_readonly("p95Px", &DistanceMetrics::p95Px, "95 % are nearer, px")
+        .def_readonly("p75Px", &DistanceMetrics::p75Px, "75th percentile, px")
+        .def_readonly("p95Px", &DistanceMetrics::p95Px, "95th percentile, px")
         .def_readonly("meanMm", &DistanceMetrics::meanMm, "mean, mm")
         .def_readonly("medianMm", &DistanceMetrics::medianMm, "median, mm")
-        .def_readonly("p75Mm", &DistanceMetrics::p75Mm, "75 % are nearer, mm")
-        .def_readonly("p95Mm", &DistanceMetrics::p95Mm, "95 % are nearer, mm")
+        .def_readonly("p75Mm", &DistanceMetrics::p75Mm, "75th percentile, mm")
+        .def_readonly("p95Mm", &DistanceMetrics::p95Mm, "95th percentile, mm")
         .def_readonly("coverage", &DistanceMetrics::coverage, "share of image points within 3 px of the tree, 0...1")
-        .def_readonly("reverseMeanPx", &DistanceMetrics::reverseMeanPx, "image points to the tree")
-        .def_readonly("reverseMeanMm", &DistanceMetrics::reverseMeanMm, "image points to the tree, mm")
+        .def_readonly("reverseMeanPx", &DistanceMetrics::reverseMeanPx, "mean distance of image points to the tree")
+        .def_readonly("reverseMeanMm", &DistanceMetrics::reverseMeanMm, "mean distance of image points to the tree, mm")
         .def("__repr__", [](const DistanceMetrics& metrics) {
             return py::str("<DistanceMetrics: median {:.3g} px, p95 {:.3g} px, coverage {:.0%}>")
                 .format(metrics.medianPx, metrics.p95Px, metrics.coverage);
@@ -101,10 +101,10 @@ void bindMetrics(py::module_& module)
 
     py::class_<PoseUncertainty>(
         module, "PoseUncertainty",
-        "Covariance of a pose about centroidInPatient in camera axes. Order: rotation x, y, z (rad), shift x, y, z\n"
-        "(mm). With c = cameraFromPatient @ centroid, (r, t) takes a camera point p to c + R(r) (p - c) + t.")
+        "Covariance of a pose about centroidInPatient in camera axes. Order: rotation x, y, z (rad), shift x, y, "
+        "z\n(mm). With c = cameraFromPatient @ centroid, (r, t) maps a camera point p to c + R(r) (p - c) + t.")
         .def_property_readonly("centroidInPatient", asArray<&PoseUncertainty::centroidInPatient>(),
-                               "(3,), LPS mm, of the whole tree by length")
+                               "(3,), LPS mm, of the whole tree, weighted by length")
         .def_property_readonly("covariance", asArray<&PoseUncertainty::covariance>(), "(6, 6)")
         .def_property_readonly("rotationDeg", asArray<&PoseUncertainty::rotationDeg>(),
                                "(3,), 1-sigma about camera x, y, z")
@@ -112,19 +112,19 @@ void bindMetrics(py::module_& module)
         .def_readonly("depthMm", &PoseUncertainty::depthMm, "1-sigma along the ray")
         .def_property_readonly(
             "observed", [](const PoseUncertainty& uncertainty) { return py::tuple(py::cast(uncertainty.observed)); },
-            "6 flags; False: the image cannot tell")
+            "6 flags; False: cannot be determined from the image")
         .def_property_readonly("weakestDirection", asArray<&PoseUncertainty::weakestDirection>(),
-                               "(6,), unit; rotations times the tree's spread in mm")
+                               "(6,), unit vector; rotations scaled by the tree's extent in mm")
         .def("__repr__", [](const PoseUncertainty& uncertainty) {
             return py::str("<PoseUncertainty: in plane {:.3g} mm, depth {:.3g} mm>")
                 .format(uncertainty.inPlaneMm, uncertainty.depthMm);
         });
 
-    py::class_<BranchResidual>(module, "BranchResidual", "How one branch agrees with the image.")
-        .def_readonly("branchId", &BranchResidual::branchId, "which branch of the tree")
-        .def_readonly("pointCount", &BranchResidual::pointCount, "how many points it has")
+    py::class_<BranchResidual>(module, "BranchResidual", "Agreement of one branch with the image.")
+        .def_readonly("branchId", &BranchResidual::branchId, "id of the branch")
+        .def_readonly("pointCount", &BranchResidual::pointCount, "number of its points")
         .def_readonly("medianPx", &BranchResidual::medianPx, "median distance to the image points")
-        .def_readonly("p95Px", &BranchResidual::p95Px, "95 % of its points are nearer")
+        .def_readonly("p95Px", &BranchResidual::p95Px, "95th percentile of that distance")
         .def_readonly("agreement", &BranchResidual::agreement, "share of its points within 3 px, 0...1");
 
     py::class_<Hypothesis>(module, "Hypothesis", "Another pose that explains the image nearly as well.")
@@ -132,13 +132,16 @@ void bindMetrics(py::module_& module)
                                "(4, 4), patient LPS mm to camera mm")
         .def_readonly("score", &Hypothesis::score, "0...1, higher is better");
 
-    py::class_<WirePath>(module, "WirePath", "One way that a wire or catheter may take through the tree.")
+    py::class_<WirePath>(module, "WirePath", "A possible path of a guidewire or catheter through the tree.")
         .def_property_readonly("branchIds", asTuple<&WirePath::branchIds>(),
-                               "in the order that the wire takes them; its tip lies in the last")
+                               "in the order along the wire; its tip lies in the last")
         .def_property_readonly("tipInPatient", asArray<&WirePath::tipInPatient>(), "(3,), LPS mm, on the branch's axis")
-        .def_readonly("probability", &WirePath::probability, "0...1, among all ways looked at and none of them")
-        .def_readonly("offAxisMm", &WirePath::offAxisMm, "rms distance of the wire from the axes, in the image")
-        .def_readonly("followedShare", &WirePath::followedShare, "of the wire's length in the image, 0...1")
+        .def_readonly("probability", &WirePath::probability,
+                      "0...1, among all paths considered and the possibility of none")
+        .def_readonly("offAxisMm", &WirePath::offAxisMm,
+                      "rms distance of the wire from the axes of the branches, in the image")
+        .def_readonly("followedShare", &WirePath::followedShare,
+                      "share of the wire's length in the image that follows the path, 0...1")
         .def_property_readonly("cameraFromPatient", asArray<&WirePath::cameraFromPatient>(),
                                "(4, 4), patient LPS mm to camera mm");
 }
@@ -146,36 +149,37 @@ void bindMetrics(py::module_& module)
 void bindResults(py::module_& module)
 {
     using Result = RegistrationResult;
-    py::class_<Result>(module, "RegistrationResult", "A pose, and how far it can be trusted.")
-        .def_readonly("method", &Result::method, "empty where a pose was only judged")
+    py::class_<Result>(module, "RegistrationResult", "A pose and its reliability.")
+        .def_readonly("method", &Result::method, "empty if the pose was only evaluated")
         .def_property_readonly("cameraFromPatient", asArray<&Result::cameraFromPatient>(),
                                "(4, 4), patient LPS mm to camera mm")
-        .def_readonly("stopReason", &Result::stopReason, "Converged where a pose was only judged")
-        .def_readonly("iterations", &Result::iterations, "of the solver")
+        .def_readonly("stopReason", &Result::stopReason, "Converged if the pose was only evaluated")
+        .def_readonly("iterations", &Result::iterations, "iterations of the solver")
         .def_readonly("metrics", &Result::metrics, "distances in px and mm")
         .def_readonly("uncertainty", &Result::uncertainty, "covariance of the pose")
-        .def_property_readonly("branches", asTuple<&Result::branches>(), "used branches, in the tree's order")
+        .def_property_readonly("branches", asTuple<&Result::branches>(), "branches used, in the tree's order")
         .def_property_readonly("alternatives", asTuple<&Result::alternatives>(),
                                "best first, without the result itself")
         .def_property_readonly("wirePaths", asTuple<&Result::wirePaths>(),
-                               "of the method wire, most likely first; the pose is that of the first")
-        .def_readonly("bent", &Result::deformed, "BentVessels where bending was asked (option deformable), else None")
-        .def_readonly("trustworthy", &Result::trustworthy, "False: look before you use the pose; `warnings` say why")
-        .def_readonly(
-            "probabilityWithin2Mm", &Result::probabilityWithin2Mm,
-            "that the overlay lies within 2 mm of the vessels, in the mean over the tree, 0...1; None where it "
-            "is not known: other methods, several views, poses that were only judged")
+                               "for the method wire, most likely first; the pose is that of the first")
+        .def_readonly("bent", &Result::deformed,
+                      "BentVessels if a deformable registration was requested (option deformable), else None")
+        .def_readonly("trustworthy", &Result::trustworthy,
+                      "False: inspect the pose before use; `warnings` give the reasons")
+        .def_readonly("probabilityWithin2Mm", &Result::probabilityWithin2Mm,
+                      "probability that the overlay lies within 2 mm of the vessels, averaged over the tree, 0...1; "
+                      "None if unknown: other methods, several views, poses that were only evaluated")
         .def_property_readonly("warnings", asTuple<&Result::warnings>(),
-                               "why it is not trustworthy, then what one view cannot tell")
-        .def_readonly("totalMs", &Result::totalMs, "how long it took")
+                               "why it is not reliable, then what a single view cannot determine")
+        .def_readonly("totalMs", &Result::totalMs, "duration of the registration")
         .def("__repr__", [](const Result& result) {
             return "<RegistrationResult " + result.method + ": median " + std::to_string(result.metrics.medianPx) +
                    " px, " + (result.trustworthy ? "trustworthy>" : "not trustworthy>");
         });
 
-    py::class_<MultiViewResult>(module, "MultiViewResult", "One tree in several views.")
+    py::class_<MultiViewResult>(module, "MultiViewResult", "Result of registering one tree to several views.")
         .def_property_readonly("views", asTuple<&MultiViewResult::views>(),
-                               "each judged at its joint pose, in the order given")
+                               "each evaluated at its joint pose, in the order given")
         .def_property_readonly(
             "corrections",
             [](const MultiViewResult& result) {
@@ -185,11 +189,12 @@ void bindResults(py::module_& module)
                 }
                 return py::tuple(corrections);
             },
-            "(6,) each: turn (rad) and shift (mm) of a view's geometry to the first, camera axes")
-        .def_readonly("uncertainty", &MultiViewResult::uncertainty, "of the first view's pose, from all views")
-        .def_readonly("bent", &MultiViewResult::deformed, "BentVessels from all views, in space; or None")
-        .def_readonly("trustworthy", &MultiViewResult::trustworthy, "False: look before you use the poses")
-        .def_property_readonly("warnings", asTuple<&MultiViewResult::warnings>(), "why not");
+            "(6,) each: rotation (rad) and shift (mm) of a view's geometry relative to the first, camera axes")
+        .def_readonly("uncertainty", &MultiViewResult::uncertainty,
+                      "covariance of the first view's pose, from all views")
+        .def_readonly("bent", &MultiViewResult::deformed, "BentVessels from all views, in 3-D; or None")
+        .def_readonly("trustworthy", &MultiViewResult::trustworthy, "False: inspect the poses before use")
+        .def_property_readonly("warnings", asTuple<&MultiViewResult::warnings>(), "why they are not reliable");
 }
 
 /// Covariances as an (n, 3, 3) view; the storage order does not matter because they are symmetric.
@@ -214,11 +219,12 @@ void bindRegistration(py::module_& module)
         },
         py::arg("input"), py::arg_v("options", RegistrationOptions(), "RegistrationOptions()"),
         py::arg("observe") = py::none(),
-        "Finds the pose that lays the projected tree onto the image points. The same input gives the same bits.\n"
-        "`observe(progress)` may return Verdict.Stop: the result keeps the best pose. Raises Error on unusable input.");
+        "Finds the pose that aligns the projected tree with the image points. The same input gives the same "
+        "bits.\n`observe(progress)` may return Verdict.Stop: the result keeps the best pose. Raises Error on unusable "
+        "input.");
     module.def("evaluatePose", &evaluatePose, py::arg("input"), py::arg("cameraFromPatient"),
                py::call_guard<py::gil_scoped_release>(),
-               "Judges a pose (4, 4) without moving it: metrics, residuals of the branches, covariance, warnings.");
+               "Evaluates a pose (4, 4) without moving it: metrics, residuals of the branches, covariance, warnings.");
     module.def(
         "registerViews",
         [](const std::vector<RegistrationInput>& views, const RegistrationOptions& options, const py::object& observe) {
@@ -227,33 +233,33 @@ void bindRegistration(py::module_& module)
         },
         py::arg("views"), py::arg_v("options", RegistrationOptions(), "RegistrationOptions()"),
         py::arg("observe") = py::none(),
-        "Registers one tree to two or more views of the same moment, which tells the depth. The start poses tell how\n"
-        "the cameras stand to each other; each view but the first may leave that by about 0.5 degrees and 1.5 mm\n"
-        "(1-sigma per axis), as headers are off by as much: `corrections` says by how much it did.");
+        "Registers one tree to two or more views of the same moment, which determines the depth. The initial poses "
+        "define\nthe geometry between the cameras; each view but the first may deviate from it by about 0.5 degrees "
+        "and 1.5 mm\n(1-sigma per axis), the typical error of headers: `corrections` gives the deviations.");
     module.def(
         "readPose", [](const Path& path) { return readPose(path.string()); }, py::arg("path"),
-        "(4, 4) from .json, or an ITK .tfm, .mat or .h5.");
+        "Reads a pose (4, 4) from .json, or an ITK .tfm, .mat or .h5.");
     module.def(
         "writePose", [](const Pose& pose, const Path& path) { writePose(pose, path.string()); },
         py::arg("cameraFromPatient"), py::arg("path"),
-        "To .json, .tfm or .h5, by the extension; every number restores to the last bit.");
+        "Writes .json, .tfm or .h5, by the extension; every number is restored to the last bit.");
 }
 
 void bindDeformation(py::module_& module)
 {
-    py::enum_<DeformationVerdict>(module, "BendVerdict", "Whether the image shows the vessels bent.")
-        .value("Rigid", DeformationVerdict::Rigid, "nothing speaks for a bend")
+    py::enum_<DeformationVerdict>(module, "BendVerdict", "Whether the image shows deformed vessels.")
+        .value("Rigid", DeformationVerdict::Rigid, "no evidence of a deformation")
         .value("Bent", DeformationVerdict::Deformed)
-        .value("Unsure", DeformationVerdict::Unsure, "bent, but how is not certain: `messages` say why");
+        .value("Unsure", DeformationVerdict::Unsure, "deformed, but how is uncertain: `messages` give the reasons");
 
     using Deformed = DeformedVessels;
     py::class_<Deformed>(
         module, "BentVessels",
-        "Vessels bent onto the image after their rigid registration (option deformable). One view tells\n"
-        "motion in its image plane; along the ray the vessels keep their shape, and covarianceMm2 says how\n"
-        "little is known there. Row i of each array tells of point i of the tree that was registered.")
-        .def_readonly("verdict", &Deformed::verdict, "rigid, bent or unsure")
-        .def_readonly("tree", &Deformed::tree, "as it was in the image, patient LPS mm")
+        "Vessels deformed to match the image after their rigid registration (option deformable). One view "
+        "determines\nmotion in its image plane; along the ray the vessels keep their shape, and covarianceMm2 reflects "
+        "that\nuncertainty. Row i of each array belongs to point i of the registered tree.")
+        .def_readonly("verdict", &Deformed::verdict, "rigid, deformed or unsure")
+        .def_readonly("tree", &Deformed::tree, "the deformed tree, patient LPS mm")
         .def_property_readonly(
             "displacementMm",
             [](const py::object& self) { return viewOf(self.cast<const Deformed&>().displacementMm, self); },
@@ -261,10 +267,10 @@ void bindDeformation(py::module_& module)
         .def_property_readonly(
             "covarianceMm2",
             [](const py::object& self) { return matricesOf(self.cast<const Deformed&>().covarianceMm2, self); },
-            "(N, 3, 3), of each point's place, camera axes of the first view")
+            "(N, 3, 3), of each point's position, camera axes of the first view")
         .def_property_readonly(
             "seenShare", [](const py::object& self) { return viewOf(self.cast<const Deformed&>().seenShare, self); },
-            "(N,), of the point's branch: share of its length that found a vessel, 0...1")
+            "(N,), of the point's branch: share of its length matched to a traced vessel, 0...1")
         .def_property_readonly(
             "viewPoses",
             [](const Deformed& deformed) {
@@ -274,18 +280,19 @@ void bindDeformation(py::module_& module)
                 }
                 return py::tuple(poses);
             },
-            "(4, 4) of each view: the rigid pose nearest to `tree`, which it is projected with")
-        .def_readonly("logEvidenceGain", &Deformed::logEvidenceGain, "of bent vessels over rigid ones")
-        .def_readonly("meanMotionMm", &Deformed::meanMotionMm, "in the image plane of one view, else in space")
+            "(4, 4) for each view: the rigid pose nearest to `tree`, used to project it")
+        .def_readonly("logEvidenceGain", &Deformed::logEvidenceGain,
+                      "log evidence of the deformation over the rigid pose")
+        .def_readonly("meanMotionMm", &Deformed::meanMotionMm, "in the image plane for one view, else in 3-D")
         .def_readonly("largestMotionMm", &Deformed::largestMotionMm, "likewise")
-        .def_readonly("spreadMm", &Deformed::spreadMm, "rms difference between runs, in the image plane")
-        .def_readonly("placeStdMm", &Deformed::placeStdMm, "rms 1-sigma of a point's place in the image plane")
-        .def_readonly("rigidOffMm", &Deformed::rigidOffMm, "how far the rigid pose lies off, in the mean")
-        .def_readonly("rigidOffMostMm", &Deformed::rigidOffMostMm, "in the mean over the branch where it is most")
-        .def_readonly("rigidOffMostAtBranch", &Deformed::rigidOffMostAtBranch, "which branch that is")
-        .def_readonly("explainedShare", &Deformed::explainedShare, "of the visible tree's length, 0...1")
-        .def_readonly("noisePx", &Deformed::noisePx, "learned, of a traced vessel")
-        .def_property_readonly("messages", asTuple<&Deformed::messages>(), "what moved, in words; why it is unsure")
+        .def_readonly("spreadMm", &Deformed::spreadMm, "rms difference between registrations, in the image plane")
+        .def_readonly("placeStdMm", &Deformed::placeStdMm, "rms 1-sigma of a point's position in the image plane")
+        .def_readonly("rigidOffMm", &Deformed::rigidOffMm, "mean error of the rigid pose")
+        .def_readonly("rigidOffMostMm", &Deformed::rigidOffMostMm, "mean error over the branch where it is largest")
+        .def_readonly("rigidOffMostAtBranch", &Deformed::rigidOffMostAtBranch, "id of that branch")
+        .def_readonly("explainedShare", &Deformed::explainedShare, "share of the visible tree's length, 0...1")
+        .def_readonly("noisePx", &Deformed::noisePx, "estimated noise of a traced vessel")
+        .def_property_readonly("messages", asTuple<&Deformed::messages>(), "the motion in words; why it is unsure")
         .def("__repr__", [](const Deformed& deformed) {
             return py::str("<BentVessels: {}, {:.3g} mm in the mean>")
                 .format(toText(deformed.verdict), deformed.meanMotionMm);

@@ -23,7 +23,7 @@ void bindGeometryOfVolumes(py::module_& module)
 {
     py::class_<VolumeGeometry>(
         module, "VolumeGeometry",
-        "Where voxels lie: voxel (i, j, k) is centred at origin + direction @ (spacing * (i, j, k)).")
+        "Voxel grid of a volume: voxel (i, j, k) is centered at origin + direction @ (spacing * (i, j, k)).")
         .def(py::init([](const std::array<int, 3>& size, const Eigen::Vector3d& spacingMm,
                          const Eigen::Vector3d& originInPatient, const Eigen::Matrix3d& direction) {
                  return VolumeGeometry{size, spacingMm, originInPatient, direction};
@@ -36,9 +36,9 @@ void bindGeometryOfVolumes(py::module_& module)
         .def_property_readonly(
             "size", [](const VolumeGeometry& geometry) { return py::tuple(py::cast(geometry.size)); },
             "voxels along i, j, k")
-        .def_property_readonly("spacingMm", asArray<&VolumeGeometry::spacingMm>(), "(3,), from voxel to voxel")
+        .def_property_readonly("spacingMm", asArray<&VolumeGeometry::spacingMm>(), "(3,), voxel spacing")
         .def_property_readonly("originInPatient", asArray<&VolumeGeometry::originInPatient>(),
-                               "(3,), centre of voxel (0, 0, 0), LPS mm")
+                               "(3,), center of voxel (0, 0, 0), LPS mm")
         .def_property_readonly("direction", asArray<&VolumeGeometry::direction>(),
                                "(3, 3), columns: patient directions of i, j, k");
 }
@@ -54,7 +54,7 @@ void bindVolume(py::module_& module)
              }),
              py::arg("voxels"), py::arg("geometry"), py::arg("slope") = 1.0, py::arg("intercept") = 0.0,
              "voxels: (k, j, i) int16, copied once.")
-        .def_property_readonly("geometry", &Volume::geometry, "where the voxels lie")
+        .def_property_readonly("geometry", &Volume::geometry, "the voxel grid")
         .def_property_readonly(
             "voxels",
             [](const py::object& self) {
@@ -95,15 +95,15 @@ auto assignPlaces(const char* name)
 void bindOptionsOfTracing(py::module_& module)
 {
     using Options = VesselTracingOptions;
-    py::enum_<TracedPieces>(module, "TracedPieces", "Which pieces are traced where there is no seed.")
+    py::enum_<TracedPieces>(module, "TracedPieces", "Pieces that are traced without a seed.")
         .value("Usual", TracedPieces::Usual)
         .value("All", TracedPieces::All)
         .value("Largest", TracedPieces::Largest);
-    py::enum_<VesselLoops>(module, "VesselLoops", "What becomes of vessels that run in a circle.")
+    py::enum_<VesselLoops>(module, "VesselLoops", "Treatment of vessels that form a loop.")
         .value("Opened", VesselLoops::Opened)
         .value("Kept", VesselLoops::Kept);
     py::class_<VesselTracingOptions>(module, "VesselTracingOptions",
-                                     "One set of defaults for every scan; places LPS mm.")
+                                     "Tracing options with one set of defaults for every scan; points in LPS mm.")
         .def(py::init([](std::optional<double> threshold, const Places& seedsInPatient, const Places& avoidInPatient,
                          const std::optional<Eigen::Vector3d>& rootInPatient, double minBranchLengthMm,
                          double minBranchRadiusMm, double pointSpacingMm, bool tubesOnly, int threads,
@@ -125,32 +125,32 @@ void bindOptionsOfTracing(py::module_& module)
              py::arg("minBranchLengthMm") = 4.0, py::arg("minBranchRadiusMm") = 0.0, py::arg("pointSpacingMm") = 1.0,
              py::arg("tubesOnly") = false, py::arg("threads") = 0, py::arg("pieces") = TracedPieces::Usual,
              py::arg("loops") = VesselLoops::Opened,
-             "threshold: value where the lumen begins; None: found by the blood. seedsInPatient: (n, 3), only vessels\n"
-             "connected to one; None: the great vessel that is found. avoidInPatient: (n, 3), places in what is no\n"
-             "vessel. rootInPatient: (3,); None: the thickest end. tubesOnly: thin vessels alone, from the seeds.\n"
-             "threads: 0: all; the result is the same for any.\n"
-             "pieces: which are traced without seeds; Usual: all of a mask, of a scan that of the great vessel.")
+             "threshold: minimum value of the lumen; None: estimated from the blood. seedsInPatient: (n, 3), only "
+             "vessels\nconnected to one; None: the great vessel found automatically. avoidInPatient: (n, 3), points "
+             "outside\nvessels. rootInPatient: (3,); None: the thickest end. tubesOnly: only thin vessels, from the "
+             "seeds.\nthreads: 0: all; the result does not depend on it.\npieces: which are traced without seeds; "
+             "Usual: all of a mask, or that of the great vessel of a scan.")
         .def_readwrite("threshold", &Options::threshold,
-                       "value of the scan (of CT: HU) where the lumen begins; None: found from the blood")
+                       "minimum value of the lumen in the scan (HU for CT); None: estimated from the blood")
         .def_property("seedsInPatient", asPlaces<&Options::seedsInPatient>(),
                       assignPlaces<&Options::seedsInPatient>("seedsInPatient"),
-                      "(n, 3): only vessels connected to one; none: the great vessel that is found")
+                      "(n, 3): only vessels connected to one; none: the great vessel found automatically")
         .def_property("avoidInPatient", asPlaces<&Options::avoidInPatient>(),
-                      assignPlaces<&Options::avoidInPatient>("avoidInPatient"), "(n, 3): places in what is no vessel")
+                      assignPlaces<&Options::avoidInPatient>("avoidInPatient"), "(n, 3): points outside vessels")
         .def_property("rootInPatient", asArray<&Options::rootInPatient>(), assign<&Options::rootInPatient>(),
-                      "(3,): the end nearest to it is the root; None: the thickest")
+                      "(3,): the end nearest to it is the root; None: the thickest end")
         .def_readwrite("minBranchLengthMm", &Options::minBranchLengthMm,
-                       "branches that leave their parent's wall by less are removed")
+                       "branches that extend less beyond their parent's wall are removed")
         .def_readwrite("minBranchRadiusMm", &Options::minBranchRadiusMm,
                        "branches that are thinner on average are removed")
-        .def_readwrite("pointSpacingMm", &Options::pointSpacingMm, "along the branches")
+        .def_readwrite("pointSpacingMm", &Options::pointSpacingMm, "distance of points along the branches")
         .def_readwrite("tubesOnly", &Options::tubesOnly,
-                       "thin vessels alone, from the seeds: chambers, organs and wide vessels end them")
-        .def_readwrite("threads", &Options::threads, "0: as many as the processor has; the result is the same")
-        .def_readwrite("pieces", &Options::pieces, "which are traced where there is no seed")
-        .def_readwrite("loops", &Options::loops, "what becomes of vessels that run in a circle");
+                       "only thin vessels, from the seeds; tracing ends at chambers, organs and wide vessels")
+        .def_readwrite("threads", &Options::threads, "0: all processors; the result does not depend on it")
+        .def_readwrite("pieces", &Options::pieces, "pieces that are traced without a seed")
+        .def_readwrite("loops", &Options::loops, "treatment of vessels that form a loop");
 
-    py::class_<VesselReadOptions>(module, "VesselReadOptions", "How the vessels of a file are read.")
+    py::class_<VesselReadOptions>(module, "VesselReadOptions", "Options for reading the vessels of a file.")
         .def(py::init([](const std::vector<int>& labels, const std::string& seriesId, double unitMm,
                          const VesselTracingOptions& tracing) {
                  return VesselReadOptions{labels, seriesId, unitMm, tracing};
@@ -158,28 +158,28 @@ void bindOptionsOfTracing(py::module_& module)
              py::kw_only(), py::arg("labels") = std::vector<int>(), py::arg("seriesId") = "", py::arg("unitMm") = 0.0,
              py::arg_v("tracing", VesselTracingOptions(), "VesselTracingOptions()"))
         .def_property("labels", asTuple<&VesselReadOptions::labels>(), assign<&VesselReadOptions::labels>(),
-                      "of a label image: those that are vessels; none: all")
-        .def_readwrite("seriesId", &VesselReadOptions::seriesId, "of a DICOM folder with several series")
+                      "labels of a label image that are vessels; none: all")
+        .def_readwrite("seriesId", &VesselReadOptions::seriesId, "series of a DICOM folder with several")
         .def_readwrite("unitMm", &VesselReadOptions::unitMm,
-                       "of a surface or centrelines: the length of one unit; 0: as the file states, else mm")
+                       "length of one unit of a surface or centerlines; 0: as the file states, else mm")
         .def_readwrite("tracing", &VesselReadOptions::tracing, "its attributes can be set");
 }
 
 void bindTraced(py::module_& module)
 {
-    py::class_<TracedVessels>(module, "TracedVessels", "A vessel tree with what was seen on the way to it.")
+    py::class_<TracedVessels>(module, "TracedVessels", "A vessel tree with the lumen and warnings of its tracing.")
         .def_readonly("tree", &TracedVessels::tree, "root first, then by generation")
-        .def_readonly("lumenGeometry", &TracedVessels::lumenGeometry, "where the voxels of the lumen lie")
+        .def_readonly("lumenGeometry", &TracedVessels::lumenGeometry, "voxel grid of the lumen")
         .def_property_readonly(
             "lumen",
             [](const py::object& self) {
                 const auto& vessels = self.cast<const TracedVessels&>();
                 return viewOf(vessels.lumen.data(), shapeOf(vessels.lumenGeometry), self);
             },
-            "(k, j, i) uint8, not 0: what was traced; a read-only view, (0, 0, 0) where nothing was traced")
-        .def_readonly("threshold", &TracedVessels::threshold, "the value at which the lumen begins; 0.5 for masks")
+            "(k, j, i) uint8, not 0: traced lumen; a read-only view, (0, 0, 0) if nothing was traced")
+        .def_readonly("threshold", &TracedVessels::threshold, "minimum value of the lumen; 0.5 for masks")
         .def_property_readonly("warnings", asTuple<&TracedVessels::warnings>(),
-                               "pieces that were left out, loops that were opened, ...");
+                               "warnings: pieces that were left out, loops that were opened, ...");
 }
 
 TracedVessels traced(const Volume& volume, const VesselTracingOptions& options, const py::object& observe)
@@ -213,18 +213,18 @@ void bindVolumes(py::module_& module)
             return withoutLock([&] { return readVolume(path.string(), seriesId, observer); });
         },
         py::arg("path"), py::arg("seriesId") = "", py::arg("observe") = py::none(),
-        "From NIfTI, NRRD, MetaImage or DICOM (a slice, an enhanced file, a folder).");
+        "Reads NIfTI, NRRD, MetaImage or DICOM (a slice, an enhanced file, a folder).");
     module.def(
         "writeVolume", [](const Volume& volume, const Path& path) { writeVolume(volume, path.string()); },
         py::arg("volume"), py::arg("path"), py::call_guard<py::gil_scoped_release>(),
-        "To .nii, .nii.gz, .nrrd or .mha, by the extension.");
+        "Writes .nii, .nii.gz, .nrrd or .mha, by the extension.");
     module.def("traceVessels", &traced, py::arg("volume"),
                py::arg_v("options", VesselTracingOptions(), "VesselTracingOptions()"), py::arg("observe") = py::none(),
-               "Contrast-filled vessels of a CT angiogram.");
+               "Traces the contrast-enhanced vessels of a CT angiogram.");
     module.def("traceMask", &tracedMask, py::arg("mask"), py::arg("geometry"),
                py::arg_v("options", VesselTracingOptions(), "VesselTracingOptions()"), py::arg("observe") = py::none(),
-               "The vessels of a mask (k, j, i; not 0: lumen), taken as it is: all its pieces, or those that hold the\n"
-               "seeds.");
+               "Traces the vessels of a mask (k, j, i; not 0: lumen), used unchanged: all its pieces, or those that "
+               "contain\nthe seeds.");
     module.def(
         "readVessels",
         [](const Path& path, const VesselReadOptions& options, const py::object& observe) {
@@ -233,7 +233,7 @@ void bindVolumes(py::module_& module)
         },
         py::arg("path"), py::arg_v("options", VesselReadOptions(), "VesselReadOptions()"),
         py::arg("observe") = py::none(),
-        "Vessels from any file that shows some: centrelines are read; scans, label images and surfaces are traced.");
+        "Reads vessels from any supported file: centerlines are read; scans, label images and surfaces are traced.");
 }
 
 }   // namespace angiopose::python

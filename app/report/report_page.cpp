@@ -1,6 +1,6 @@
 #include "app/report/report_page.h"
 
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "app/report/page_words.h"
 #include "app/report/report_captions.h"
 #include "app/report/report_html.h"
@@ -66,7 +66,7 @@ QString mismatchLines(const core::Case& session)
 QString patientWords(const ReportedView& view)
 {
     if (view.look.identity == Identity::Hidden) {
-        return ui::messageText(says::identityHidden());
+        return ui::messageText(messages::identityHidden());
     }
     const core::StudyIdentity& study = view.session.shown().angiogram->identity;
     QStringList patient;
@@ -156,7 +156,7 @@ QString reportPage(const CaseReport& report, const ReportTemplate& page, const R
     const std::size_t mark = report.views.size();
     const QHash<QString, QString> parts{
         {QStringLiteral("title"), fromCore(shown.session.title).toHtmlEscaped()},
-        {QStringLiteral("notice"), ui::messageText(says::notForClinicalUse()).toHtmlEscaped()},
+        {QStringLiteral("notice"), ui::messageText(messages::notForClinicalUse()).toHtmlEscaped()},
         {QStringLiteral("patient"), patientWords(shown).toHtmlEscaped()},
         {QStringLiteral("warnings"), mismatchLines(shown.session)},
         {QStringLiteral("views"), views},

@@ -1,6 +1,6 @@
 #include "app/report/report_parts.h"
 
-#include "app/messages/says_report.h"
+#include "app/messages/messages.h"
 #include "app/report/page_words.h"
 #include "app/report/report_html.h"
 #include "app/report/report_measures.h"
@@ -105,7 +105,7 @@ QString verdictPart(const ReportedView& view)
         ui::sentencesOf(view.judgement, *view.session.vessels.tree, mmPerPxOf(view.session));
     if (!view.judgement.trustworthy) {
         const QString meaning = PageWords::tr("This pose may be wrong. Do not use it without verification.");
-        return heading(ui::messageText(says::notReliable()), doubtfulTone) +
+        return heading(ui::messageText(messages::notReliable()), doubtfulTone) +
                card(QStringList{meaning} + said.certain + said.doubtful, doubtfulGround, PageWords::tr("Not reliable"));
     }
     const QString meaning = PageWords::tr("All checks passed. This is not proof: inspect the overlay.");

@@ -1,6 +1,6 @@
 #include "app/report/report_template.h"
 
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 
 #include <QBuffer>
 #include <QDir>
@@ -96,7 +96,7 @@ core::Status takePictures(ReportTemplate& page, const QString& path)
         QImage picture =
             name.startsWith(QLatin1String("data:image/")) ? pictureWithin(name) : pictureBeside(QFileInfo(path), name);
         if (picture.isNull()) {
-            return core::Error(says::reportTemplatePicture(name.left(80).toStdString()));
+            return core::Error(messages::reportTemplatePicture(name.left(80).toStdString()));
         }
         html += page.html.mid(done, match.capturedStart() - done) +
                 QStringLiteral("src=\"%1\"").arg(written(pictureMark + QString::number(page.pictures.size())));
@@ -122,13 +122,13 @@ core::Status checkMarks(const QString& html)
     }
     for (const QString& mark : neededMarks()) {
         if (!found.contains(mark)) {
-            return core::Error(says::reportTemplateLacks(written(mark).toStdString()));
+            return core::Error(messages::reportTemplateLacks(written(mark).toStdString()));
         }
     }
     for (const QString& mark : std::as_const(found)) {
         if (!knownMarks().contains(mark)) {
-            return core::Error(says::reportTemplateUnknown(written(mark).toStdString(),
-                                                           knownMarks().join(QStringLiteral(", ")).toStdString()));
+            return core::Error(messages::reportTemplateUnknown(written(mark).toStdString(),
+                                                               knownMarks().join(QStringLiteral(", ")).toStdString()));
         }
     }
     return core::Done{};
@@ -146,7 +146,7 @@ core::Result<ReportTemplate> readReportTemplate(const QString& path)
 {
     const auto text = path.isEmpty() ? std::optional(QString::fromUtf8(builtInReportTemplate())) : textOf(path);
     if (!text) {
-        return core::Error(says::reportTemplateUnreadable(path.toStdString()));
+        return core::Error(messages::reportTemplateUnreadable(path.toStdString()));
     }
     static const QRegularExpression comment(QStringLiteral("<!--.*?(?:-->|\\z)"),
                                             QRegularExpression::DotMatchesEverythingOption);
@@ -155,7 +155,7 @@ core::Result<ReportTemplate> readReportTemplate(const QString& path)
         QStringLiteral("<\\s*(script|link|iframe|object|embed|base)\\b|\\bsrcset\\s*=|\\burl\\s*\\(|@import"),
         QRegularExpression::CaseInsensitiveOption);
     if (const auto found = fetching.match(page.html); found.hasMatch()) {
-        return core::Error(says::reportTemplateFetches(found.captured().trimmed().toStdString()));
+        return core::Error(messages::reportTemplateFetches(found.captured().trimmed().toStdString()));
     }
     if (const auto checked = checkMarks(page.html); !checked) {
         return checked.error();

@@ -1,7 +1,7 @@
 #include "app/review/blind_trial_controller.h"
 
 #include "app/document/edit_case.h"
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "app/preferences/save_folder.h"
 #include "app/preferences/settings.h"
 #include "app/words/snapshot_texts.h"
@@ -180,7 +180,7 @@ void BlindTrialController::judge(const io::ObserverTrial& trial)
 {
     const bool isSameFrame = target_.current() && trial.frame == document_.current().shown().frame;
     auto input = isSameFrame ? core::registrationInputOf(document_.current(), *target_.current())
-                             : core::Result<core::RegistrationInput>(core::Error(says::notShown()));
+                             : core::Result<core::RegistrationInput>(core::Error(messages::notShown()));
     if (input) {
         judge_.request({std::move(input).value(), trial.finalPose});
         return;

@@ -1,6 +1,6 @@
 #include "app/review/solution_controller.h"
 
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "app/texts/overlay_picture.h"
 #include "core/geometry/pose_difference.h"
 #include "ui/panels/solution_strip.h"

@@ -1,6 +1,6 @@
 #include "app/start/write_report.h"
 
-#include "app/messages/says_report.h"
+#include "app/messages/messages.h"
 #include "app/preferences/applied_choices.h"
 #include "app/preferences/language_controller.h"
 #include "app/preferences/private_mode.h"
@@ -142,7 +142,7 @@ core::Result<Reportable> registered(core::Case session, const ReportWords& words
         return found.error();
     }
     if (isStopRequested()) {
-        return core::Stopped{says::reportStopped()};
+        return core::Stopped{messages::reportStopped()};
     }
     core::RegisteredCase done = std::move(found).value();
     return Reportable{std::move(done.session), std::move(done.targets.front())};
@@ -193,7 +193,7 @@ int tellTrust(const core::RegistrationResult& judgement)
     if (judgement.trustworthy) {
         return exitWritten;
     }
-    tell(says::reportDistrusted());
+    tell(messages::reportDistrusted());
     for (const core::Message& warning : judgement.warnings) {
         tell(warning, "warning: ");
     }
@@ -217,7 +217,7 @@ int writeReportOf(const ReportWords& words)
         return failWith(views.error().about(words.casePath.toStdString()));
     }
     if (isStopRequested()) {
-        return failWith(core::Stopped{says::reportStopped()});
+        return failWith(core::Stopped{messages::reportStopped()});
     }
     if (const auto written = write(views.value(), words); !written) {
         return failWith(written.error());

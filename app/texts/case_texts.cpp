@@ -1,6 +1,6 @@
 #include "app/texts/case_texts.h"
 
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "core/case/case_patients.h"
 
 #include <algorithm>
@@ -63,8 +63,9 @@ void addAngles(core::Messages& lines, const core::CArm& cArm)
     }
     const double primary = *cArm.primaryAngleDeg.value, secondary = *cArm.secondaryAngleDeg.value;
     const core::Quantity primaryDeg{std::abs(primary), 1}, secondaryDeg{std::abs(secondary), 1};
-    lines.push_back(says::twoParts(primary < 0.0 ? says::angleRao(primaryDeg) : says::angleLao(primaryDeg),
-                                   secondary < 0.0 ? says::angleCau(secondaryDeg) : says::angleCra(secondaryDeg)));
+    lines.push_back(
+        messages::twoParts(primary < 0.0 ? messages::angleRao(primaryDeg) : messages::angleLao(primaryDeg),
+                           secondary < 0.0 ? messages::angleCau(secondaryDeg) : messages::angleCra(secondaryDeg)));
 }
 
 void addDistances(core::Messages& lines, const core::CArm& cArm)
@@ -73,13 +74,15 @@ void addDistances(core::Messages& lines, const core::CArm& cArm)
     const auto& sod = cArm.sourceToIsocenterMm.value;
     const core::Origin sidOrigin = cArm.sourceToDetectorMm.origin, sodOrigin = cArm.sourceToIsocenterMm.origin;
     if (sid && sod && sidOrigin == sodOrigin) {
-        lines.push_back(says::sidAndSod(core::Quantity{*sid}, core::inMm(*sod, 0), originWord(sidOrigin)));
+        lines.push_back(messages::sidAndSod(core::Quantity{*sid}, core::inMm(*sod, 0), originWord(sidOrigin)));
         return;
     }
-    const auto sidLine = sid ? std::optional(says::sidAlone(core::inMm(*sid, 0), originWord(sidOrigin))) : std::nullopt;
-    const auto sodLine = sod ? std::optional(says::sodAlone(core::inMm(*sod, 0), originWord(sodOrigin))) : std::nullopt;
+    const auto sidLine =
+        sid ? std::optional(messages::sidAlone(core::inMm(*sid, 0), originWord(sidOrigin))) : std::nullopt;
+    const auto sodLine =
+        sod ? std::optional(messages::sodAlone(core::inMm(*sod, 0), originWord(sodOrigin))) : std::nullopt;
     if (sidLine && sodLine) {
-        lines.push_back(says::twoParts(*sidLine, *sodLine));
+        lines.push_back(messages::twoParts(*sidLine, *sodLine));
     } else if (sidLine || sodLine) {
         lines.push_back(sidLine ? *sidLine : *sodLine);
     }
@@ -91,18 +94,18 @@ void addPixelScale(core::Messages& lines, const core::Case& session)
     std::optional<core::Message> atDetector, atVessels;
     const auto& spacing = session.shown().geometry.cArm.columnSpacingMm;
     if (spacing.value) {
-        atDetector = says::scaleAtDetector(core::Quantity{*spacing.value, 3, "mm/px"}, originWord(spacing.origin));
+        atDetector = messages::scaleAtDetector(core::Quantity{*spacing.value, 3, "mm/px"}, originWord(spacing.origin));
     }
     const auto camera = core::cameraOf(session.shown());
     if (camera && session.vessels.tree) {
         const double depthMm = (session.shown().cameraFromPatient * core::centroidInPatient(*session.vessels.tree)).z();
         if (depthMm > core::minProjectableDepthMm) {
-            atVessels =
-                says::scaleAtVessels(core::Quantity{core::millimetersPerPixel(camera.value(), depthMm), 3, "mm/px"});
+            atVessels = messages::scaleAtVessels(
+                core::Quantity{core::millimetersPerPixel(camera.value(), depthMm), 3, "mm/px"});
         }
     }
     if (atDetector && atVessels) {
-        lines.push_back(says::twoParts(*atDetector, *atVessels));
+        lines.push_back(messages::twoParts(*atDetector, *atVessels));
     } else if (atDetector || atVessels) {
         lines.push_back(atDetector ? *atDetector : *atVessels);
     }
@@ -114,17 +117,17 @@ core::Message originWord(core::Origin origin)
 {
     switch (origin) {
         case core::Origin::Header:
-            return says::originHeader();
+            return messages::originHeader();
         case core::Origin::Derived:
-            return says::originDerived();
+            return messages::originDerived();
         case core::Origin::User:
-            return says::originUser();
+            return messages::originUser();
         case core::Origin::Assumed:
-            return says::originAssumed();
+            return messages::originAssumed();
         case core::Origin::Missing:
             break;
     }
-    return says::originMissing();
+    return messages::originMissing();
 }
 
 std::string originText(core::Origin origin)
@@ -156,12 +159,12 @@ CornerLines cornerLines(const core::Case& session, Identity identity)
     CornerLines lines;
     if (session.shown().angiogram) {
         const core::StudyIdentity& study = session.shown().angiogram->identity;
-        lines.topLeft = identity == Identity::Shown ? patientLines(study) : core::Messages{says::identityHidden()};
+        lines.topLeft = identity == Identity::Shown ? patientLines(study) : core::Messages{messages::identityHidden()};
         lines.topRight = studyLines(study, identity);
     }
     if (!core::findMismatch(session).empty()) {
         const bool areSeveral = core::patientsOf(session).size() > 1;
-        lines.topLeft.push_back(areSeveral ? says::notSamePatient() : says::notTogether());
+        lines.topLeft.push_back(areSeveral ? messages::notSamePatient() : messages::notTogether());
     }
     addAngles(lines.bottomRight, core::cArmOfFrame(session.shown()));
     addDistances(lines.bottomRight, session.shown().geometry.cArm);

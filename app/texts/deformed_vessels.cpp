@@ -1,6 +1,6 @@
 #include "app/texts/deformed_vessels.h"
 
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "core/case/known_deformation.h"
 #include "core/registration/deformable/deformed_tree.h"
 
@@ -81,23 +81,23 @@ core::Messages shapeLines(const DrawnVessels& drawn)
         return {};
     }
     if (drawn.shape == VesselShape::Rigid) {
-        return {says::vesselsRigid()};
+        return {messages::vesselsRigid()};
     }
     const core::Quantity most = core::inMm(drawn.motion.largestMm, 1);
     const bool isSure = drawn.known->verdict == core::DeformationVerdict::Deformed;
-    core::Messages lines{isSure ? says::vesselsDeformed(most) : says::vesselsDeformedUnsure(most)};
+    core::Messages lines{isSure ? messages::vesselsDeformed(most) : messages::vesselsDeformedUnsure(most)};
     if (drawn.otherFrame) {
-        lines.push_back(says::deformedOnFrame(*drawn.otherFrame + 1));
+        lines.push_back(messages::deformedOnFrame(*drawn.otherFrame + 1));
     }
     if (drawn.known->viewPoses.size() == 1) {
-        lines.push_back(says::deformedDepthUnknown());
+        lines.push_back(messages::deformedDepthUnknown());
     }
     return lines;
 }
 
 core::Message motionHeading()
 {
-    return says::motionScale();
+    return messages::motionScale();
 }
 
 }   // namespace angiopose::app

@@ -1,7 +1,6 @@
 #include "app/texts/dicom_contents.h"
 
-#include "app/messages/says.h"
-#include "app/messages/says_dicom.h"
+#include "app/messages/messages.h"
 #include "app/texts/movie_steps.h"
 #include "core/measuring/measure_image.h"
 #include "core/tracing/angiogram/frame/burned_in_text.h"
@@ -97,7 +96,7 @@ core::DisplayRange shownRange(const DicomGround& ground, int frame, core::Messag
     const core::Angiogram& run = *core::storedRunOf(view);
     const bool isTreated = view.storedRun != nullptr;
     if (isTreated) {
-        notes.push_back(says::dicomTreated());
+        notes.push_back(messages::dicomTreated());
     }
     const auto& look = ground.wanted.look;
     const core::DisplayRange range =
@@ -170,7 +169,7 @@ core::Result<std::string> stateObject(const DicomGround& ground, core::Messages&
     shown.layers = vesselLayers(ground, camera.value());
     shown.layers.push_back(measuredLayer(ground.session));
     shown.layers.push_back({"NOTICE", "What the overlay is", {200, 200, 200}, {}, {}});
-    shown.layers.back().texts.push_back({"AngioPose. " + says::notForClinicalUse().text(), {8.0, 16.0}});
+    shown.layers.back().texts.push_back({"AngioPose. " + messages::notForClinicalUse().text(), {8.0, 16.0}});
     shown.frame = std::min(view.frame, core::storedRunOf(view)->frameCount() - 1);
     shown.description = "Vessels of a registered 3-D tree as vectors";
     if (ground.angiogram.isDicom) {
@@ -185,8 +184,9 @@ core::Result<std::string> pictureObject(const DicomGround& ground)
     if (!picture) {
         return picture.error();
     }
-    return io::secondaryCapture({{std::move(picture).value()}, 0.0, identityIn(ground), says::dicomDerivation().text()},
-                                ground.angiogram, ground.origin);
+    return io::secondaryCapture(
+        {{std::move(picture).value()}, 0.0, identityIn(ground), messages::dicomDerivation().text()}, ground.angiogram,
+        ground.origin);
 }
 
 core::Result<std::string> runObject(const DicomGround& ground)
@@ -197,10 +197,10 @@ core::Result<std::string> runObject(const DicomGround& ground)
     plan.followed = core::framesOf(ground.session.shown().followed);
     OverlayPictureOptions look = lookOfRun(ground);
     const MovieSteps steps(ground.session, plan, look.shape);
-    io::CapturedPictures captured{{}, run.frameTimeMs, identityIn(ground), says::dicomDerivation().text()};
+    io::CapturedPictures captured{{}, run.frameTimeMs, identityIn(ground), messages::dicomDerivation().text()};
     for (std::size_t i = 0; i < steps.count(); ++i) {
         if (ground.shouldContinue(static_cast<double>(i) / static_cast<double>(steps.count())) == core::Verdict::Stop) {
-            return core::Error(core::Stopped{says::dicomStopped()});
+            return core::Error(core::Stopped{messages::dicomStopped()});
         }
         const MovieStep step = steps.at(i);
         look.words = step.words;

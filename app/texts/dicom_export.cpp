@@ -1,6 +1,6 @@
 #include "app/texts/dicom_export.h"
 
-#include "app/messages/says_dicom.h"
+#include "app/messages/messages.h"
 #include "app/texts/dicom_objects.h"
 #include "core/case/case_patients.h"
 #include "io/camera_pose_file.h"
@@ -43,7 +43,7 @@ struct MadeFile {
 
 core::Error stoppedExport()
 {
-    return core::Error(core::Stopped{says::dicomStopped()});
+    return core::Error(core::Stopped{messages::dicomStopped()});
 }
 
 std::vector<DicomKind> kindsOf(const DicomExport& wanted)
@@ -63,7 +63,7 @@ core::Result<DicomGround> groundOf(const core::Case& session, const core::Center
         return angiogram.error();
     }
     if (!angiogram.value().isDicom) {
-        files.notes.push_back(says::dicomNewStudy());
+        files.notes.push_back(messages::dicomNewStudy());
     }
     for (const core::Message& mismatch : core::findMismatch(session)) {
         files.notes.push_back(mismatch);
@@ -105,7 +105,7 @@ core::Result<std::vector<MadeFile>> madeObjects(DicomGround& ground, const fs::p
         } else if (!ground.wanted.kinds.empty() || content.isStopped()) {
             return content.error();
         } else {
-            files.notes.push_back(says::dicomLeftOut(infoOf(kinds[i]).file, content.error().message));
+            files.notes.push_back(messages::dicomLeftOut(infoOf(kinds[i]).file, content.error().message));
         }
     }
     return made;
@@ -163,7 +163,7 @@ core::Result<DicomFiles> writeDicomObjects(const core::Case& session, const core
                                            const DicomObserver& observe)
 {
     if (!session.vessels.tree || !session.shown().angiogram || session.shown().angiogram->frames.empty()) {
-        return core::Error(says::dicomNothing());
+        return core::Error(messages::dicomNothing());
     }
     DicomFiles files;
     auto ground = groundOf(session, target, wanted, files);

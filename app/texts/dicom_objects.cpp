@@ -1,7 +1,6 @@
 #include "app/texts/dicom_objects.h"
 
-#include "app/messages/says.h"
-#include "app/messages/says_dicom.h"
+#include "app/messages/messages.h"
 #include "app/texts/dicom_contents.h"
 #include "core/imaging/mark_ball.h"
 #include "io/dicom/objects/case_measurements.h"
@@ -23,7 +22,7 @@ std::string scanFrame(const DicomGround& ground)
 core::Result<std::string> reportObject(const DicomGround& ground)
 {
     if (!ground.wanted.report) {
-        return core::Error(says::dicomNoReport());
+        return core::Error(messages::dicomNoReport());
     }
     const auto pdf = ground.wanted.report();
     // Titles and file names in the report may identify the patient even if the identity is hidden.
@@ -39,7 +38,7 @@ core::Result<std::string> registrationObject(const DicomGround& ground, core::Me
     if (!camera) {
         return camera.error();
     }
-    notes.push_back(says::dicomRigidOnly());
+    notes.push_back(messages::dicomRigidOnly());
     const io::CArmRegistration registration{view.cameraFromPatient, camera.value(), scanFrame(ground),
                                             io::cameraFrameOfReference(ground.angiogram, ground.origin),
                                             view.result ? view.result->method : std::string()};
@@ -64,7 +63,7 @@ core::Result<std::string> segmentationObject(const DicomGround& ground, core::Me
 {
     const core::Vessels& vessels = ground.session.vessels;
     if (!vessels.lumen && !vessels.scan) {
-        return core::Error(says::dicomNoScan());
+        return core::Error(messages::dicomNoScan());
     }
     auto made = vessels.lumen
                     ? io::vesselSegmentation(*vessels.lumen,
@@ -74,7 +73,7 @@ core::Result<std::string> segmentationObject(const DicomGround& ground, core::Me
                     : io::vesselSegmentation(drawnTree(*vessels.tree, vessels.scan->geometry),
                                              "Centrelines drawn as tubes of their radii", ground.scan, ground.origin);
     if (made && !ground.scan.source.isDicom) {
-        notes.push_back(says::dicomNoScanStudy());
+        notes.push_back(messages::dicomNoScanStudy());
     }
     return made;
 }

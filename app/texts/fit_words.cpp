@@ -1,6 +1,6 @@
 #include "app/texts/fit_words.h"
 
-#include "app/messages/says_report.h"
+#include "app/messages/messages.h"
 #include "app/texts/number_text.h"
 
 namespace angiopose::app {
@@ -25,13 +25,13 @@ core::Messages fitWords(const core::FitBasis& basis, const core::Vessels& vessel
     core::Messages words;
     const core::Quantity median = core::inMm(basis.wholeMedianMm, 2), p95 = core::inMm(basis.wholeP95Mm, 2);
     if (basis.judgedShare < 1.0) {
-        words.push_back(says::overOpacified(core::Quantity{100.0 * basis.judgedShare, 0, "%"}, median, p95));
+        words.push_back(messages::overOpacified(core::Quantity{100.0 * basis.judgedShare, 0, "%"}, median, p95));
     }
     if (!basis.excludedMm.empty()) {
-        words.push_back(says::withoutExcluded(namedMedians(*vessels.tree, basis.excludedMm), median, p95));
+        words.push_back(messages::withoutExcluded(namedMedians(*vessels.tree, basis.excludedMm), median, p95));
     }
     if (!basis.auxiliaryMm.empty()) {
-        words.push_back(says::auxiliaryOf(namedMedians(*vessels.tree, basis.auxiliaryMm)));
+        words.push_back(messages::auxiliaryOf(namedMedians(*vessels.tree, basis.auxiliaryMm)));
     }
     return words;
 }

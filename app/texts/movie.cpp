@@ -1,6 +1,6 @@
 #include "app/texts/movie.h"
 
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "app/texts/movie_steps.h"
 #include "io/movie/movie_writer.h"
 
@@ -43,7 +43,7 @@ core::Result<core::ColorImage> pictureOf(const MovieStep& step, const core::Cent
 
 core::Status stopped(const std::string& path)
 {
-    return core::Error(core::Stopped{says::movieStopped().about(path)});
+    return core::Error(core::Stopped{messages::movieStopped().about(path)});
 }
 
 /// Renders and writes one frame at a time, so only one is in memory.

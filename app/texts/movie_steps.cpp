@@ -1,6 +1,6 @@
 #include "app/texts/movie_steps.h"
 
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "app/texts/deformed_vessels.h"
 #include "core/case/case.h"
 #include "core/geometry/angle_units.h"
@@ -139,16 +139,16 @@ double framesPerSecondOf(const core::Angiogram& run)
 std::optional<core::Message> findProblem(const core::Case& session, const MoviePlan& plan)
 {
     if (!session.vessels.tree || !session.shown().angiogram || session.shown().angiogram->frames.empty()) {
-        return says::overlayIncomplete();
+        return messages::overlayIncomplete();
     }
     const auto& result = session.shown().result;
     if (plan.content == MovieContent::Convergence && (!result || result->history.empty())) {
-        return says::movieNoHistory();
+        return messages::movieNoHistory();
     }
     const int last = session.shown().angiogram->frameCount() - 1;
     if (plan.content == MovieContent::Run &&
         (plan.frames.first < 0 || plan.frames.last > last || plan.frames.first > plan.frames.last)) {
-        return says::movieFramesBeyond(plan.frames.first + 1, plan.frames.last + 1, last + 1);
+        return messages::movieFramesBeyond(plan.frames.first + 1, plan.frames.last + 1, last + 1);
     }
     return std::nullopt;
 }
@@ -197,8 +197,8 @@ MovieStep MovieSteps::at(std::size_t index) const
         return iterationStep(index);
     }
     const double degrees = 360.0 * static_cast<double>(index) / static_cast<double>(count());
-    const core::Message turn = says::movieTurned(core::Quantity{degrees, 0, "°"});
-    return {turnedBy(case_, degrees), turned_ ? says::twoParts(turn, *turned_) : turn,
+    const core::Message turn = messages::movieTurned(core::Quantity{degrees, 0, "°"});
+    return {turnedBy(case_, degrees), turned_ ? messages::twoParts(turn, *turned_) : turn,
             msPerSecond / plan_.framesPerSecond};
 }
 
@@ -214,12 +214,12 @@ MovieStep MovieSteps::frameStep(std::size_t index) const
     }
     const auto followed = std::ranges::find(plan_.followed, frame, &core::FollowedFrame::frame);
     if (followed == plan_.followed.end()) {
-        step.words = says::moviePoseOfFrame(own.frame + 1);
+        step.words = messages::moviePoseOfFrame(own.frame + 1);
         return step;
     }
     moveTo(step.session, followed->tracked.cameraFromPatient);
-    step.words =
-        followed->tracked.isTrustworthy && !isDistrusted(own) ? says::movieFollowed() : says::movieFollowedDistrusted();
+    step.words = followed->tracked.isTrustworthy && !isDistrusted(own) ? messages::movieFollowed()
+                                                                       : messages::movieFollowedDistrusted();
     return step;
 }
 
@@ -233,8 +233,8 @@ MovieStep MovieSteps::iterationStep(std::size_t index) const
     const double ms = msPerSecond / plan_.framesPerSecond;
     MovieStep step{case_, std::nullopt, isLast ? std::max(restMs, ms) : ms};
     moveTo(step.session, report.cameraFromPatient);
-    step.words = isDistrusted(own) ? says::movieStepDistrusted(index + 1, history.size(), median)
-                                   : says::movieStep(index + 1, history.size(), median);
+    step.words = isDistrusted(own) ? messages::movieStepDistrusted(index + 1, history.size(), median)
+                                   : messages::movieStep(index + 1, history.size(), median);
     return step;
 }
 

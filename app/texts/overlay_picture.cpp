@@ -1,8 +1,6 @@
 #include "app/texts/overlay_picture.h"
 
-#include "app/messages/says.h"
-#include "app/messages/says_report.h"
-#include "app/messages/says_starting.h"
+#include "app/messages/messages.h"
 #include "app/texts/fit_words.h"
 #include "app/texts/image_marks.h"
 #include "app/texts/number_text.h"
@@ -42,32 +40,32 @@ ui::CornerTexts exportTexts(const core::Case& session, const core::Centerline2d&
                             const std::optional<core::Message>& heading)
 {
     CornerLines lines = cornerLines(session, options.identity);
-    lines.topRight.insert(lines.topRight.begin(), says::notForClinicalUse());
+    lines.topRight.insert(lines.topRight.begin(), messages::notForClinicalUse());
     if (heading) {
         lines.bottomLeft.push_back(*heading);
     }
     if (const int count = session.shown().angiogram->frameCount(); count > 1) {
-        lines.bottomLeft.push_back(says::frameOfRun(session.shown().frame + 1, count));
+        lines.bottomLeft.push_back(messages::frameOfRun(session.shown().frame + 1, count));
     }
     if (const core::RegistrationResult* const result = core::resultOfShownFrame(session.shown())) {
         const core::Quantity median{result->metrics.medianPx, 2, "px"};
-        const core::Message pose = result->trustworthy ? says::poseOfMethod(result->method, median)
-                                                       : says::poseNotTrustworthy(result->method, median);
-        lines.bottomLeft.push_back(drawn.shape == VesselShape::Deformed ? says::ofRigidVessels(pose) : pose);
+        const core::Message pose = result->trustworthy ? messages::poseOfMethod(result->method, median)
+                                                       : messages::poseNotTrustworthy(result->method, median);
+        lines.bottomLeft.push_back(drawn.shape == VesselShape::Deformed ? messages::ofRigidVessels(pose) : pose);
         if (const auto basis = core::fitBasis(session, *result, target)) {
             const core::Messages words = fitWords(*basis, session.vessels);
             lines.bottomLeft.insert(lines.bottomLeft.end(), words.begin(), words.end());
         }
     } else if (const auto& elsewhere = session.shown().result) {   // the metrics belong to another frame
-        const core::Message pose = says::moviePoseOfFrame(elsewhere->provenance.frame.value_or(0) + 1);
+        const core::Message pose = messages::moviePoseOfFrame(elsewhere->provenance.frame.value_or(0) + 1);
         if (heading != pose) {
             lines.bottomLeft.push_back(pose);
         }
         if (!elsewhere->trustworthy) {
-            lines.bottomLeft.push_back(says::runDistrusted());
+            lines.bottomLeft.push_back(messages::runDistrusted());
         }
     } else if (!heading && core::isAtStart(session.shown(), session.vessels)) {
-        lines.bottomLeft.push_back(says::poseAtStart());
+        lines.bottomLeft.push_back(messages::poseAtStart());
     }
     if (drawn.known) {
         const core::Messages shape = shapeLines(drawn);
@@ -230,7 +228,7 @@ core::Result<Picture> drawOne(const core::Case& session, const core::Centerline2
     Picture picture = std::move(rendered).value();
     if (const auto& result = session.shown().result; result && !result->trustworthy) {
         const std::string words =
-            options.texts({.topLeft = {says::notReliable()}, .topRight = {}, .bottomLeft = {}, .bottomRight = {}})
+            options.texts({.topLeft = {messages::notReliable()}, .topRight = {}, .bottomLeft = {}, .bottomRight = {}})
                 .topLeft.front();
         ui::burnVerdict(picture, words, ui::burnSizes(width, height));
     }
@@ -269,7 +267,7 @@ core::Result<Picture> drawAs(const core::Case& session, const core::Centerline2d
                              const OverlayPictureOptions& options)
 {
     if (!session.vessels.tree || !session.shown().angiogram || session.shown().angiogram->frames.empty()) {
-        return core::Error(says::overlayIncomplete());
+        return core::Error(messages::overlayIncomplete());
     }
     if (!options.isStartBeside) {
         return drawOne<Picture>(session, target, options, options.words);
@@ -283,8 +281,8 @@ core::Result<Picture> drawAs(const core::Case& session, const core::Centerline2d
     before.shown().result.reset();
     before.shown().measurements.clear();   // their values would differ at this pose
     before.shown().sightings.clear();
-    const auto left = drawOne<Picture>(before, target, options, says::beforeAtStart());
-    const auto right = drawOne<Picture>(session, target, options, says::afterAtPose());
+    const auto left = drawOne<Picture>(before, target, options, messages::beforeAtStart());
+    const auto right = drawOne<Picture>(session, target, options, messages::afterAtPose());
     if (!left) {
         return left.error();
     }
@@ -312,7 +310,7 @@ core::Result<core::ColorImage> drawThumbnail(const core::Case& session, int widt
 {
     const auto& angiogram = session.shown().angiogram;
     if (!session.vessels.tree || !angiogram || session.shown().frame >= angiogram->frameCount()) {
-        return core::Error(says::pictureIncomplete());
+        return core::Error(messages::pictureIncomplete());
     }
     const auto camera = core::cameraOf(session.shown());
     if (!camera) {
@@ -335,7 +333,7 @@ std::map<std::string, std::string> provenanceTexts(const core::Case& session)
 {
     std::map<std::string, std::string> texts{
         {"Software", std::string("AngioPose ") + ANGIOPOSE_VERSION},
-        {"Disclaimer", says::notForClinicalUse().text()},
+        {"Disclaimer", messages::notForClinicalUse().text()},
         {"Centreline", session.vessels.file.sha256},
         {"Angiogram", session.shown().imageFile.sha256 + " frame " + std::to_string(session.shown().frame + 1)},
         {"cameraFromPatient", poseText(session.shown().cameraFromPatient)},

@@ -1,6 +1,6 @@
 #include "app/texts/picture_file.h"
 
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "io/image_file.h"
 #include "io/results/result_file.h"
 #include "io/support/atomic_file.h"
@@ -45,7 +45,7 @@ core::Result<ui::VectorPicture> pictureVectors(const core::Case& session, const 
                                                const OverlayPictureOptions& options, const PictureFile& file)
 {
     if (file.content == PictureContent::Frame16) {
-        return core::Error(says::grayPictureKind());
+        return core::Error(messages::grayPictureKind());
     }
     const bool isFrame = file.content == PictureContent::Frame;
     return isFrame ? drawOverlayVectors(frameAlone(session), {}, withoutVessels(options))
@@ -66,14 +66,14 @@ core::Status writePictureFile(const core::Case& session, const core::Centerline2
                        : core::Status(vectors.error());
     }
     if (endOf(path) != ".png") {
-        return core::Error(says::pictureKindUnknown()).about(path);
+        return core::Error(messages::pictureKindUnknown()).about(path);
     }
     std::map<std::string, std::string> texts = provenanceTexts(session);
     if (file.content == PictureContent::Frame16) {
         const auto& run = session.shown().angiogram;
         return run && session.shown().frame < run->frameCount()
                    ? io::writeGrayPng(*run, session.shown().frame, path, texts, file.dotsPerInch)
-                   : core::Status(core::Error(says::overlayIncomplete()));
+                   : core::Status(core::Error(messages::overlayIncomplete()));
     }
     const bool isFrame = file.content == PictureContent::Frame;
     if (!isFrame && session.shown().result) {

@@ -1,6 +1,6 @@
 #include "app/texts/word_of_run.h"
 
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 
 #include <algorithm>
 
@@ -51,7 +51,7 @@ FoundBy takeWordOfRun(core::RegistrationResult& judged, const core::View& view)
         (view.result && !view.result->trustworthy) || (left && left->metrics && !left->metrics->isTrustworthy);
     if (isDistrusted) {
         judged.trustworthy = false;
-        judged.warnings.push_back(says::runDistrusted());
+        judged.warnings.push_back(messages::runDistrusted());
     }
     return FoundBy::AnEarlierRun;
 }

@@ -1,9 +1,9 @@
 #include "app/views/angle_controller.h"
 
 #include "app/editing/branch_words.h"
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "app/preferences/settings.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "ui/actions/window_actions.h"
 #include "ui/words/message_text.h"
 
@@ -59,7 +59,7 @@ core::Result<AngleController::Question> AngleController::question() const
     const core::VesselBranch* branch =
         current.vessels.tree && selected.size() == 1 ? current.vessels.tree->find(*selected.begin()) : nullptr;
     if (!branch) {
-        return core::Error(says::selectOneBranch());
+        return core::Error(messages::selectOneBranch());
     }
     const auto camera = core::cameraOf(current.shown());
     const auto poseAt = core::turningGantry(current.shown());
@@ -89,7 +89,7 @@ void AngleController::ask()
     const core::VesselTree& tree = *document_.current().vessels.tree;
     dialog_->showBranch(
         tr("C-arm angles for %1").arg(branchWords(tree, {asked_->branchId})()),
-        tree.find(asked_->branchId)->radiusMm.empty() ? ui::messageText(core::says::radiiAssumed()) : QString());
+        tree.find(asked_->branchId)->radiusMm.empty() ? ui::messageText(core::messages::radiiAssumed()) : QString());
     core::AngleMapOptions options;
     options.primary = dialog_->reach().primary;
     options.secondary = dialog_->reach().secondary;

@@ -1,6 +1,6 @@
 #include "app/words/mark_words.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "ui/words/language.h"
 #include "ui/words/message_text.h"
 
@@ -21,9 +21,9 @@ constexpr double manySigmas = 2.0;
 
 QString placeWords(const core::VesselMark& mark)
 {
-    return ui::messageText(core::says::markPlace(core::inMm(mark.pointInPatient.x(), 1),
-                                                 core::inMm(mark.pointInPatient.y(), 1),
-                                                 core::inMm(mark.pointInPatient.z(), 1)));
+    return ui::messageText(core::messages::markPlace(core::inMm(mark.pointInPatient.x(), 1),
+                                                     core::inMm(mark.pointInPatient.y(), 1),
+                                                     core::inMm(mark.pointInPatient.z(), 1)));
 }
 
 QString kindWords(const core::ImageAnnotation& annotation)
@@ -75,7 +75,7 @@ ui::MarkRow markRow(const core::VesselMark& mark, const std::vector<core::Checke
 {
     const QString name = QString::fromStdString(mark.name);
     if (mark.kind == core::VesselMarkKind::OstiumRing) {
-        return {name, ui::messageText(core::says::ringWidth(core::inMm(2.0 * mark.radiusMm, 1))), placeWords(mark),
+        return {name, ui::messageText(core::messages::ringWidth(core::inMm(2.0 * mark.radiusMm, 1))), placeWords(mark),
                 false};
     }
     const auto found = std::ranges::find(checked, mark.id, [](const core::CheckedPoint& each) { return each.mark.id; });

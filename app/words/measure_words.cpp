@@ -1,7 +1,7 @@
 #include "app/words/measure_words.h"
 
 #include "core/measuring/measure_image.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "ui/slices/slice_model.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
@@ -83,7 +83,7 @@ ui::MeasureRow sliceRow(const core::SliceMeasurement& measurement, const core::V
 QString sliceLabel(const core::SliceMeasurement& measurement)
 {
     const auto value = core::valueOf(measurement);
-    return value ? ui::messageText(core::says::measuredPlain(value.value())) : QString();
+    return value ? ui::messageText(core::messages::measuredPlain(value.value())) : QString();
 }
 
 QString planeBasis(core::MeasurementPlane plane, const core::MeasuredView& seen)

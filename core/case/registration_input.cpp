@@ -1,7 +1,7 @@
 #include "core/case/registration_input.h"
 
 #include "core/case/view_step.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/problem/in_view.h"
 #include "core/registration/problem/registration_problem.h"
 #include "core/registration/register_views.h"
@@ -42,7 +42,7 @@ RegistrationOptions optionsFor(const View& view, const Vessels& vessels, Registr
 Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& vessels, Centerline2d target)
 {
     if (!vessels.tree) {
-        return Error(says::noVesselTree());
+        return Error(messages::noVesselTree());
     }
     auto camera = cameraOf(view);
     if (!camera) {
@@ -97,7 +97,7 @@ Result<JointInputs> jointInputsOf(std::span<const View> views, const Vessels& ve
             view.cameraFromPatient = step.value().viewFromFirst * views.front().cameraFromPatient;
             multiView.steps[k] = step.value().spread;
             for (const Message& note : step.value().notes) {
-                inputs.notes.push_back(says::inView(multiView.numberOf(k), note).as(note.severity()));
+                inputs.notes.push_back(messages::inView(multiView.numberOf(k), note).as(note.severity()));
             }
         }
         auto input = registrationInputOf(view, vessels, targets[k]);

@@ -1,6 +1,6 @@
 #include "core/case/start_pose.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 namespace angiopose::core {
 namespace {
@@ -9,7 +9,7 @@ Result<RigidTransform> poseFromAngles(const View& view, const Vessels& vessels)
 {
     const auto& isocenter = view.geometry.cArm.isocenterInPatientMm.value;
     if (!isocenter && !vessels.tree) {
-        return Error(says::noVesselTree());
+        return Error(messages::noVesselTree());
     }
     CArm cArm = cArmOfFrame(view);
     if (isocenter) {

@@ -1,7 +1,7 @@
 #include "core/case/view.h"
 
 #include "core/geometry/geometry_checks.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/tracing/angiogram/frame/widest_vessel.h"
 
 namespace angiopose::core {
@@ -25,12 +25,12 @@ Result<ProjectionCamera> cameraOf(const View& view)
         }
         const auto& run = view.angiogram;
         if (run && (run->width() != camera->width || run->height() != camera->height)) {
-            return Error(says::cameraOfOtherImage(camera->width, camera->height, run->width(), run->height()));
+            return Error(messages::cameraOfOtherImage(camera->width, camera->height, run->width(), run->height()));
         }
         return *camera;
     }
     if (!view.angiogram) {
-        return Error(says::noAngiogram());
+        return Error(messages::noAngiogram());
     }
     return cameraFromCArm(view.geometry.cArm, view.angiogram->width(), view.angiogram->height());
 }
@@ -121,7 +121,7 @@ Result<Centerline2d> targetOf(const View& view)
         return *given;
     }
     if (!view.angiogram || view.angiogram->frames.empty()) {
-        return Error(says::noAngiogram());
+        return Error(messages::noAngiogram());
     }
     auto trace = traceFrame(*view.angiogram, view.frame, traceOptionsOf(view));
     if (!trace) {

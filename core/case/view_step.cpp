@@ -1,7 +1,7 @@
 #include "core/case/view_step.h"
 
 #include "core/case/start_pose.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,15 +100,15 @@ Result<ViewStep> stepOfGantries(const View& first, const View& view, const Vesse
         const double alongMm = hasIsocenter ? unknownAlongMm : unknownAcrossMm;
         found.spread = {tableRotationDeg, {unknownAcrossMm, unknownAcrossMm, alongMm}};
         found.viewFromFirst = turnedInPlace(found.viewFromFirst, first, view, vessels);
-        found.notes.push_back(hasIsocenter ? says::tableUnknown()
-                                           : says::isocenterUnknown(inMm(*before.sourceToIsocenterMm.value, 0),
-                                                                    inMm(*after.sourceToIsocenterMm.value, 0)));
+        found.notes.push_back(hasIsocenter ? messages::tableUnknown()
+                                           : messages::isocenterUnknown(inMm(*before.sourceToIsocenterMm.value, 0),
+                                                                        inMm(*after.sourceToIsocenterMm.value, 0)));
     }
     const bool moves =
         (headerOf(first) && headerOf(first)->tableMoves) || (headerOf(view) && headerOf(view)->tableMoves);
     if (moves && !areOfOneMoment(first, view)) {
         found.spread.shiftMm = found.spread.shiftMm.cwiseMax(movingTableMm);
-        found.notes.push_back(says::tableMovedInView());
+        found.notes.push_back(messages::tableMovedInView());
     }
     return found;
 }

@@ -1,5 +1,5 @@
 #include "core/evaluation/run_experiment.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include <algorithm>
 #include <map>
@@ -38,12 +38,12 @@ public:
         const std::size_t condition = conditionIndex(protocol_, record.condition);
         const bool bringsItsConditions = protocol_.conditions.empty();
         if (condition == protocol_.conditions.size() && !bringsItsConditions) {
-            return Error(says::foreignCondition(record.condition, protocol_.id));
+            return Error(messages::foreignCondition(record.condition, protocol_.id));
         }
         const auto method = methods_.try_emplace(record.method, methods_.size()).first->second;
         const auto [place, isNew] = runs_.try_emplace({condition, record.trial, method}, record);
         if (!isNew && !agree(place->second, record)) {
-            return Error(says::partsDisagree(record.method, record.trial, record.condition));
+            return Error(messages::partsDisagree(record.method, record.trial, record.condition));
         }
         return Done{};
     }
@@ -69,13 +69,13 @@ Result<RunSet> merged(const std::vector<RunSet>& parts)
 {
     const Protocol* protocol = parts.empty() ? nullptr : findProtocol(parts.front().protocol);
     if (protocol == nullptr) {
-        return Error(says::nothingToMerge());
+        return Error(messages::nothingToMerge());
     }
     Merger merger(*protocol);
     for (const RunSet& part : parts) {
         if (part.protocol != parts.front().protocol || part.seed != parts.front().seed) {
-            return Error(says::runsOfOthers(part.protocol, std::to_string(part.seed), parts.front().protocol,
-                                            std::to_string(parts.front().seed)));
+            return Error(messages::runsOfOthers(part.protocol, std::to_string(part.seed), parts.front().protocol,
+                                                std::to_string(parts.front().seed)));
         }
         for (const RunRecord& record : part.runs) {
             if (const Status status = merger.add(record); !status) {

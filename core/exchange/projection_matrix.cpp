@@ -1,6 +1,6 @@
 #include "core/exchange/projection_matrix.h"
 
-#include "core/messages/says_exchange.h"
+#include "core/messages/messages.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -17,7 +17,7 @@ constexpr double zeroOfIntrinsics = 1e-9;
 
 Error skewError(double skew)
 {
-    return Error(says::projectionSkewed(Quantity{skew, Quantity::asNeeded, "px"}));
+    return Error(messages::projectionSkewed(Quantity{skew, Quantity::asNeeded, "px"}));
 }
 
 /// Returns the same projection with fy > 0. The camera rotates by 180° about its axis, which is exact.
@@ -111,11 +111,11 @@ ProjectionMatrix projectionMatrix(const Sight& sight)
 Result<Sight> sightFromProjection(const ProjectionMatrix& projection)
 {
     if (!projection.allFinite()) {
-        return Error(says::projectionNotFinite());
+        return Error(messages::projectionNotFinite());
     }
     const double scale = projection.block<1, 3>(2, 0).norm();
     if (!(scale > 0.0)) {
-        return Error(says::projectionDegenerate());
+        return Error(messages::projectionDegenerate());
     }
     const ProjectionMatrix P = projection / scale;
     const Eigen::Vector3d m1 = P.block<1, 3>(0, 0).transpose(), m2 = P.block<1, 3>(1, 0).transpose();
@@ -132,7 +132,7 @@ Result<Sight> sightFromProjection(const ProjectionMatrix& projection)
     const double skew = m1.dot(r2);
     const double least = 1e-9 * (1.0 + m1.norm() + m2.norm());   // minimum of a valid focal length
     if (!(camera.fy > least) || !(std::abs(camera.fx) > least)) {
-        return Error(says::projectionDegenerate());
+        return Error(messages::projectionDegenerate());
     }
     if (std::abs(skew) > skewTolerance * std::abs(camera.fx)) {
         return skewError(skew);
@@ -149,17 +149,17 @@ Result<Sight> sightFromIntrinsics(const Eigen::Matrix3d& intrinsic, const Eigen:
                                   const Eigen::Vector3d& translation)
 {
     if (!intrinsic.allFinite() || !rotation.allFinite() || !translation.allFinite()) {
-        return Error(says::projectionNotFinite());
+        return Error(messages::projectionNotFinite());
     }
     const double scale = intrinsic(2, 2);
     if (scale == 0.0) {
-        return Error(says::projectionIntrinsics());
+        return Error(messages::projectionIntrinsics());
     }
     const Eigen::Matrix3d K = scale == 1.0 ? intrinsic : Eigen::Matrix3d(intrinsic / scale);
     const bool isUpper = std::abs(K(1, 0)) <= zeroOfIntrinsics && std::abs(K(2, 0)) <= zeroOfIntrinsics &&
                          std::abs(K(2, 1)) <= zeroOfIntrinsics;
     if (!isUpper || K(0, 0) == 0.0 || K(1, 1) == 0.0) {
-        return Error(says::projectionIntrinsics());
+        return Error(messages::projectionIntrinsics());
     }
     if (std::abs(K(0, 1)) > skewTolerance * std::abs(K(0, 0))) {
         return skewError(K(0, 1));
@@ -169,7 +169,7 @@ Result<Sight> sightFromIntrinsics(const Eigen::Matrix3d& intrinsic, const Eigen:
     const Eigen::Matrix3d nearest = nearestRotation(R);
     const double deviation = (R - nearest).cwiseAbs().maxCoeff();
     if (!(deviation <= roundedRotation)) {
-        return Error(says::projectionNoRotation());
+        return Error(messages::projectionNoRotation());
     }
     if (deviation > exactRotation) {
         R = nearest;

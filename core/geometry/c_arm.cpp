@@ -1,7 +1,7 @@
 #include "core/geometry/c_arm.h"
 
 #include "core/geometry/angle_units.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include <cmath>
 #include <utility>
@@ -21,7 +21,7 @@ bool isKnown(const Sourced<double>& sourced)
 
 Error missing(const Message& what)
 {
-    return says::valueMissing(what);
+    return messages::valueMissing(what);
 }
 
 /// In-plane rotation of the image; positive rotates it clockwise on screen.
@@ -44,10 +44,10 @@ Eigen::Vector3d detectorDirection(double primaryAngleDeg, double secondaryAngleD
 Result<ProjectionCamera> cameraFromCArm(const CArm& cArm, int width, int height)
 {
     if (!isPositive(cArm.sourceToDetectorMm)) {
-        return missing(says::theSid());
+        return missing(messages::theSid());
     }
     if (!isPositive(cArm.columnSpacingMm) || !isPositive(cArm.rowSpacingMm)) {
-        return missing(says::theSpacing());
+        return missing(messages::theSpacing());
     }
     ProjectionCamera camera;
     camera.width = width;
@@ -68,13 +68,13 @@ Result<ProjectionCamera> cameraFromCArm(const CArm& cArm, int width, int height)
 Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d& isocenterInPatient)
 {
     if (!isPositive(cArm.sourceToIsocenterMm)) {
-        return missing(says::theSod());
+        return missing(messages::theSod());
     }
     if (!isKnown(cArm.primaryAngleDeg) || !isKnown(cArm.secondaryAngleDeg)) {
-        return Error(says::anglesMissing());
+        return Error(messages::anglesMissing());
     }
     if (!isocenterInPatient.allFinite()) {
-        return Error(says::isocenterNotFinite());
+        return Error(messages::isocenterNotFinite());
     }
     const double alpha = *cArm.primaryAngleDeg.value * radiansPerDegree;
     const double beta = *cArm.secondaryAngleDeg.value * radiansPerDegree;
@@ -118,7 +118,7 @@ CArm turnedBy(CArm cArm, const Eigen::Vector2d& incrementsDeg)
          {std::pair(&cArm.primaryAngleDeg, incrementsDeg.x()), std::pair(&cArm.secondaryAngleDeg, incrementsDeg.y())}) {
         if (angle->value && increment != 0.0) {
             *angle->value += increment;
-            angle->basis += " and this frame's increment";
+            angle->basis += " plus this frame's increment";
         }
     }
     return cArm;

@@ -1,6 +1,6 @@
 #include "core/geometry/geometry_checks.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include <cmath>
 
@@ -67,13 +67,13 @@ private:
     {
         if (isKnownPositive(cArm_.sourceToDetectorMm)) {
             const double sid = *cArm_.sourceToDetectorMm.value;
-            say(sid < minSidMm || sid > maxSidMm, says::sidUnusual(inMm(sid, 0)));
+            say(sid < minSidMm || sid > maxSidMm, messages::sidUnusual(inMm(sid, 0)));
         }
         if (hasDistances()) {
             const double sod = std::max(*vesselDepthOf(cArm_).value, cArm_.sourceToIsocenterMm.value.value_or(0.0));
             say(sod >= *cArm_.sourceToDetectorMm.value,
-                says::sodBeyondSid(inMm(sod, 0), inMm(*cArm_.sourceToDetectorMm.value, 0)));
-            say(magnification() > maxMagnification, says::magnificationUnusual(Quantity{magnification(), 2}));
+                messages::sodBeyondSid(inMm(sod, 0), inMm(*cArm_.sourceToDetectorMm.value, 0)));
+            say(magnification() > maxMagnification, messages::magnificationUnusual(Quantity{magnification(), 2}));
         }
     }
 
@@ -84,7 +84,7 @@ private:
             cArm_.sourceToDetectorMm.origin == Origin::User || vesselDepthOf(cArm_).origin == Origin::User;
         if (hasDistances() && header_.magnification && !areTyped) {
             say(differ(magnification(), *header_.magnification, sameMagnification),
-                says::magnificationStale(Quantity{*header_.magnification, 3}, Quantity{magnification(), 3}));
+                messages::magnificationStale(Quantity{*header_.magnification, 3}, Quantity{magnification(), 3}));
         }
     }
 
@@ -95,9 +95,9 @@ private:
         }
         const double column = *cArm_.columnSpacingMm.value, row = *cArm_.rowSpacingMm.value;
         say(std::min(row, column) < minDetectorSpacingMm || std::max(row, column) > maxSpacingMm,
-            says::spacingUnusual(inMm(column, 4)));
+            messages::spacingUnusual(inMm(column, 4)));
         say(differ(row / column, header_.pixelAspect, sameAspect),
-            says::aspectDiffers(Quantity{row / column, 3}, Quantity{header_.pixelAspect, 3}));
+            messages::aspectDiffers(Quantity{row / column, 3}, Quantity{header_.pixelAspect, 3}));
     }
 
     void checkExtent()
@@ -107,20 +107,20 @@ private:
         }
         const Eigen::Vector2d extentMm(sizePx_.x() * *cArm_.columnSpacingMm.value,
                                        sizePx_.y() * *cArm_.rowSpacingMm.value);
-        const Message covers = says::imageCovers(Quantity{extentMm.x()}, inMm(extentMm.y(), 0));
+        const Message covers = messages::imageCovers(Quantity{extentMm.x()}, inMm(extentMm.y(), 0));
         say(extentMm.maxCoeff() < minDetectorMm || extentMm.maxCoeff() > maxDetectorMm,
-            says::extentUnlikeDetector(covers));
+            messages::extentUnlikeDetector(covers));
         if (const auto& field = header_.fieldOfViewMm) {
             say(differ(extentMm.x(), field->x(), sameLength) || differ(extentMm.y(), field->y(), sameLength),
-                says::extentUnlikeField(covers, Quantity{field->x()}, inMm(field->y(), 0)));
+                messages::extentUnlikeField(covers, Quantity{field->x()}, inMm(field->y(), 0)));
         }
         if (const auto& intensifier = header_.intensifierMm) {
             say(extentMm.maxCoeff() > (1.0 + sameLength) * *intensifier,
-                says::extentBeyondIntensifier(covers, inMm(*intensifier, 0)));
+                messages::extentBeyondIntensifier(covers, inMm(*intensifier, 0)));
         }
         if (const auto& detector = header_.detectorMm) {
             say((extentMm - (1.0 + sameLength) * *detector).maxCoeff() > 0.0,
-                says::extentBeyondDetector(covers, Quantity{detector->x()}, inMm(detector->y(), 0)));
+                messages::extentBeyondDetector(covers, Quantity{detector->x()}, inMm(detector->y(), 0)));
         }
     }
 
@@ -133,9 +133,9 @@ private:
         const double column = *cArm_.columnSpacingMm.value, pixel = header_.pixelSpacingMm->x();
         if (header_.isPixelSpacingCalibrated && hasDistances()) {
             say(differ(pixel * magnification(), column, 2.0 * sameLength),
-                says::calibrationOff(inMm(pixel, 4), inMm(pixel * magnification(), 4), inMm(column, 4)));
+                messages::calibrationOff(inMm(pixel, 4), inMm(pixel * magnification(), 4), inMm(column, 4)));
         } else if (!header_.isPixelSpacingCalibrated) {
-            say(differ(pixel, column, sameLength), says::spacingsDiffer(inMm(pixel, 4), inMm(column, 4)));
+            say(differ(pixel, column, sameLength), messages::spacingsDiffer(inMm(pixel, 4), inMm(column, 4)));
         }
     }
 
@@ -144,9 +144,9 @@ private:
         const auto outside = [](const Sourced<double>& angle, double limitDeg) {
             return angle.value && !(std::abs(*angle.value) <= limitDeg);
         };
-        say(outside(cArm_.primaryAngleDeg, 180.0), says::primaryAngleOutside());
-        say(outside(cArm_.secondaryAngleDeg, 90.0), says::secondaryAngleOutside());
-        say(outside(cArm_.rollDeg, 180.0), says::rollOutside());
+        say(outside(cArm_.primaryAngleDeg, 180.0), messages::primaryAngleOutside());
+        say(outside(cArm_.secondaryAngleDeg, 90.0), messages::secondaryAngleOutside());
+        say(outside(cArm_.rollDeg, 180.0), messages::rollOutside());
     }
 
     void checkPrincipalPoint()
@@ -157,7 +157,7 @@ private:
         }
         const bool isInside =
             point->x() >= 0.0 && point->y() >= 0.0 && point->x() < sizePx_.x() && point->y() < sizePx_.y();
-        say(!isInside, says::principalPointOutside(Quantity{point->x()}, Quantity{point->y(), 0, "px"}));
+        say(!isInside, messages::principalPointOutside(Quantity{point->x()}, Quantity{point->y(), 0, "px"}));
     }
 
     const CArm& cArm_;
@@ -181,11 +181,11 @@ Messages findMissing(const CArm& cArm)
             missing.push_back(message().as(Severity::Note));
         }
     };
-    ask(isKnownPositive(cArm.sourceToDetectorMm), says::askSid);
-    ask(isKnownPositive(cArm.sourceToIsocenterMm), says::askSod);
-    ask(isKnownPositive(cArm.columnSpacingMm) && isKnownPositive(cArm.rowSpacingMm), says::askSpacing);
-    ask(cArm.primaryAngleDeg.value.has_value(), says::askPrimaryAngle);
-    ask(cArm.secondaryAngleDeg.value.has_value(), says::askSecondaryAngle);
+    ask(isKnownPositive(cArm.sourceToDetectorMm), messages::askSid);
+    ask(isKnownPositive(cArm.sourceToIsocenterMm), messages::askSod);
+    ask(isKnownPositive(cArm.columnSpacingMm) && isKnownPositive(cArm.rowSpacingMm), messages::askSpacing);
+    ask(cArm.primaryAngleDeg.value.has_value(), messages::askPrimaryAngle);
+    ask(cArm.secondaryAngleDeg.value.has_value(), messages::askSecondaryAngle);
     return missing;
 }
 

@@ -1,6 +1,6 @@
 #include "core/geometry/projection_camera.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include <cmath>
 
@@ -39,13 +39,13 @@ double millimetersPerPixel(const ProjectionCamera& camera, double depthMm)
 std::optional<Message> findProblem(const ProjectionCamera& camera)
 {
     if (!std::isfinite(camera.fx) || !std::isfinite(camera.fy) || camera.fx == 0.0 || camera.fy == 0.0) {
-        return says::cameraFocalLengths();
+        return messages::cameraFocalLengths();
     }
     if (!std::isfinite(camera.cx) || !std::isfinite(camera.cy)) {
-        return says::cameraPrincipalPoint();
+        return messages::cameraPrincipalPoint();
     }
     if (camera.width <= 0 || camera.height <= 0) {
-        return says::cameraImageSize();
+        return messages::cameraImageSize();
     }
     return {};
 }

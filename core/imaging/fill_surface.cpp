@@ -1,6 +1,6 @@
 #include "core/imaging/fill_surface.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -202,15 +202,15 @@ Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm, const s
         return !isStopped;
     };
     if (mesh.triangles.empty() || !(spacingMm > 0.0)) {
-        return Error(says::surfaceEmpty());
+        return Error(messages::surfaceEmpty());
     }
     const Box box = boxOf(mesh);
     const Eigen::Vector3d extent = box.high - box.low;
     if (!(extent.minCoeff() > 0.0)) {
-        return Error(says::surfaceFlat());
+        return Error(messages::surfaceFlat());
     }
     if (!((extent / spacingMm).prod() < maxVoxels)) {
-        return Error(says::surfaceVoxelTooFine());
+        return Error(messages::surfaceVoxelTooFine());
     }
     VoxelMask votes(gridAround(box, spacingMm));
     const MeshCheck check = checkMesh(mesh);
@@ -220,7 +220,7 @@ Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm, const s
         castAlong(axis, mesh, votes, filling, hears);
     }
     if (isStopped) {
-        return Stopped{says::tracingStopped()};
+        return Stopped{messages::tracingStopped()};
     }
     std::size_t inside = 0;
     for (std::uint8_t& voxel : votes.voxels) {
@@ -228,7 +228,7 @@ Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm, const s
         inside += voxel;
     }
     if (inside == 0) {
-        return Error(says::surfaceNothingInside());
+        return Error(messages::surfaceNothingInside());
     }
     return votes;
 }

@@ -1,6 +1,6 @@
 #include "core/imaging/patient_match.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include <algorithm>
 #include <cctype>
@@ -37,17 +37,18 @@ std::optional<Message> findPatientMismatch(const StudyIdentity& one, const Study
             reasons.push_back(what());
         }
     };
-    add(differs(one.patientId, other.patientId), says::patientNumber);
-    add(differs(one.patientName, other.patientName), says::patientName);
-    add(differs(one.birthDate, other.birthDate), says::patientBirthDate);
-    add(differs(one.sex, other.sex) && bare(one.sex) != "o" && bare(other.sex) != "o", says::patientSex);
+    add(differs(one.patientId, other.patientId), messages::patientNumber);
+    add(differs(one.patientName, other.patientName), messages::patientName);
+    add(differs(one.birthDate, other.birthDate), messages::patientBirthDate);
+    add(differs(one.sex, other.sex) && bare(one.sex) != "o" && bare(other.sex) != "o", messages::patientSex);
     if (reasons.empty()) {
         return std::nullopt;
     }
     if (compared == Compared::TwoRuns) {
-        return reasons.size() > 1 ? says::patientOfRunsDiffersInSeveral(reasons) : says::patientOfRunsDiffers(reasons);
+        return reasons.size() > 1 ? messages::patientOfRunsDiffersInSeveral(reasons)
+                                  : messages::patientOfRunsDiffers(reasons);
     }
-    return reasons.size() > 1 ? says::patientDiffersInSeveral(reasons) : says::patientDiffers(reasons);
+    return reasons.size() > 1 ? messages::patientDiffersInSeveral(reasons) : messages::patientDiffers(reasons);
 }
 
 std::optional<Message> findSideMismatch(const StudyIdentity& one, const StudyIdentity& other, Compared compared)
@@ -58,14 +59,14 @@ std::optional<Message> findSideMismatch(const StudyIdentity& one, const StudyIde
         return std::nullopt;
     }
     if (compared == Compared::TwoRuns) {
-        return says::patientSideOfRunsDiffers();
+        return messages::patientSideOfRunsDiffers();
     }
-    return says::patientSideDiffers(first == "l" ? says::sideLeft() : says::sideRight());
+    return messages::patientSideDiffers(first == "l" ? messages::sideLeft() : messages::sideRight());
 }
 
 std::optional<Message> findExaminationMismatch(const StudyIdentity& one, const StudyIdentity& other)
 {
-    return differs(one.accessionNumber, other.accessionNumber) ? std::optional(says::examinationOfRunsDiffers())
+    return differs(one.accessionNumber, other.accessionNumber) ? std::optional(messages::examinationOfRunsDiffers())
                                                                : std::nullopt;
 }
 

@@ -1,6 +1,6 @@
 #include "core/measuring/branch_profile.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/support/quantile.h"
 #include "core/vessel/polyline.h"
 
@@ -228,7 +228,7 @@ void addNarrowing(BranchProfile& profile)
     if (std::ranges::any_of(samples, hasReference)) {
         profile.narrowing = narrowestOf(samples);
     } else {
-        profile.doubts.push_back(says::profileNoReference());
+        profile.doubts.push_back(messages::profileNoReference());
     }
 }
 
@@ -251,7 +251,7 @@ Result<BranchProfile> profileOf(const VesselBranch& branch)
 {
     const auto isFinite = [](const Eigen::Vector3d& point) { return point.allFinite(); };
     if (!std::ranges::all_of(branch.pointsInPatient, isFinite) || !(branch.lengthMm() > 0.0)) {
-        return Error(says::profileNoLength(branch.id));
+        return Error(messages::profileNoLength(branch.id));
     }
     BranchProfile profile;
     profile.branchId = branch.id;
@@ -266,7 +266,7 @@ Result<BranchProfile> profileOf(const VesselBranch& branch)
     if (hasAllRadii(branch)) {
         addDiameters(profile);
     } else {
-        profile.doubts.push_back(says::profileNoRadii());
+        profile.doubts.push_back(messages::profileNoRadii());
     }
     return profile;
 }

@@ -2,7 +2,7 @@
 
 #include "core/case/known_deformation.h"
 #include "core/geometry/angle_units.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/deformable/deformed_tree.h"
 #include "core/support/symmetric.h"
 
@@ -113,14 +113,14 @@ std::optional<double> errorDeformed(const View& view, const Vessels& vessels, co
 CheckedView checkedView(const View& view, const Vessels& vessels, const RigidTransform& pose, const VesselMark& mark,
                         const Sighting& seen)
 {
-    CheckedView checked{0, seen.frame, Error(says::checkNotSeen()), {}, {}};
+    CheckedView checked{0, seen.frame, Error(messages::checkNotSeen()), {}, {}};
     const auto camera = cameraOf(view);
     if (!camera) {
         checked.error = camera.error();
         return checked;
     }
     if (seen.frame != view.frame) {
-        checked.error = Error(says::checkOtherFrame(seen.frame + 1, view.frame + 1));
+        checked.error = Error(messages::checkOtherFrame(seen.frame + 1, view.frame + 1));
         return checked;
     }
     const Sight sight{camera.value(), pose};
@@ -144,7 +144,7 @@ std::string listed(const std::vector<std::size_t>& views)
 
 CheckedPoint checkedPoint(const Case& session, const VesselMark& mark, const PoseOfView& poseOf)
 {
-    CheckedPoint checked{mark, {}, Error(says::checkNeedsTwoViews()), {}, {}};
+    CheckedPoint checked{mark, {}, Error(messages::checkNeedsTwoViews()), {}, {}};
     std::vector<PointedPixel> rays;
     for (std::size_t place = 0; place < session.views.size(); ++place) {
         const View& view = session.views[place];
@@ -172,7 +172,7 @@ CheckedPoint checkedPoint(const Case& session, const VesselMark& mark, const Pos
 Message offBy(double mm, const std::optional<double>& claimedMm)
 {
     const Quantity off = inMm(mm, 1);
-    return claimedMm ? says::checkLabelClaimed(off, inMm(*claimedMm, 1)) : says::checkLabel(off);
+    return claimedMm ? messages::checkLabelClaimed(off, inMm(*claimedMm, 1)) : messages::checkLabel(off);
 }
 
 }   // namespace
@@ -185,7 +185,7 @@ Result<ImageError> imageError(const Sight& sight, const Eigen::Vector3d& pointIn
     const Eigen::Vector3d inCamera = sight.cameraFromPatient * pointInPatient;
     const auto expected = project(sight.camera, inCamera);
     if (!expected) {
-        return Error(says::checkBehindSource());
+        return Error(messages::checkBehindSource());
     }
     const Eigen::Vector2d pixelMm = mmPerPixel(sight.camera, inCamera.z());
     const Eigen::Vector2d apart = seenPx - *expected;
@@ -221,7 +221,7 @@ ClaimedError claimedError(const RegistrationResult& result, const VesselTree& tr
 Result<MeetingPoint> meetingPoint(std::span<const PointedPixel> seen)
 {
     if (seen.size() < 2) {
-        return Error(says::checkNeedsTwoViews());
+        return Error(messages::checkNeedsTwoViews());
     }
     std::vector<Ray> rays;
     for (const PointedPixel& each : seen) {
@@ -233,7 +233,7 @@ Result<MeetingPoint> meetingPoint(std::span<const PointedPixel> seen)
     MeetingPoint meeting;
     meeting.angleDeg = widestAngleDeg(rays);
     if (!(meeting.angleDeg >= minAngleDeg)) {
-        return Error(says::checkRaysAlike(Quantity{meeting.angleDeg, 1, "°"}));
+        return Error(messages::checkRaysAlike(Quantity{meeting.angleDeg, 1, "°"}));
     }
     meeting.pointInPatient = refined(seen, nearestToRays(rays));
     for (const Ray& ray : rays) {
@@ -275,12 +275,12 @@ Messages sentencesOf(const CheckedView& checked)
         return {checked.error.error().message};
     }
     const ImageError& error = checked.error.value();
-    Messages sentences{
-        says::checkImageError(inMm(error.depthMm, 0), inMm(error.mm, 2), Quantity{error.px, 1, "px"},
-                              inMm(error.mmPerPx, 2)),
-        checked.claimed ? says::checkClaimed(inMm(checked.claimed->inPlaneMm, 2)) : says::checkNothingClaimed()};
+    Messages sentences{messages::checkImageError(inMm(error.depthMm, 0), inMm(error.mm, 2), Quantity{error.px, 1, "px"},
+                                                 inMm(error.mmPerPx, 2)),
+                       checked.claimed ? messages::checkClaimed(inMm(checked.claimed->inPlaneMm, 2))
+                                       : messages::checkNothingClaimed()};
     if (checked.deformedMm) {
-        sentences.push_back(says::checkDeformed(inMm(*checked.deformedMm, 2)));
+        sentences.push_back(messages::checkDeformed(inMm(*checked.deformedMm, 2)));
     }
     return sentences;
 }
@@ -288,16 +288,16 @@ Messages sentencesOf(const CheckedView& checked)
 Messages spaceSentences(const CheckedPoint& checked)
 {
     if (checked.views.empty()) {
-        return {says::checkNotSeen()};
+        return {messages::checkNotSeen()};
     }
     if (!checked.meeting) {
         return {checked.meeting.error().message};
     }
     const MeetingPoint& meeting = checked.meeting.value();
-    Messages sentences{says::checkSpaceError(listed(checked.meetingViews), Quantity{meeting.angleDeg, 0, "°"},
-                                             inMm(checked.spaceMm(), 2), inMm(meeting.raysApartMm, 2))};
+    Messages sentences{messages::checkSpaceError(listed(checked.meetingViews), Quantity{meeting.angleDeg, 0, "°"},
+                                                 inMm(checked.spaceMm(), 2), inMm(meeting.raysApartMm, 2))};
     if (checked.claimedSpaceMm) {
-        sentences.push_back(says::checkClaimed(inMm(*checked.claimedSpaceMm, 2)));
+        sentences.push_back(messages::checkClaimed(inMm(*checked.claimedSpaceMm, 2)));
     }
     return sentences;
 }

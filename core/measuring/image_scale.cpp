@@ -1,6 +1,6 @@
 #include "core/measuring/image_scale.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include <algorithm>
 #include <array>
@@ -26,11 +26,11 @@ Result<ImageScale> scaleAtVessels(const MeasuredView& seen)
         return camera.error();
     }
     if (!tree || tree->pointCount() == 0) {
-        return Error(says::measureNeedsVessels());
+        return Error(messages::measureNeedsVessels());
     }
     const double depthMm = (seen.cameraFromPatient * centroidInPatient(*tree)).z();
     if (!(depthMm >= minProjectableDepthMm)) {   // also true for NaN
-        return Error(says::measureBehindSource());
+        return Error(messages::measureBehindSource());
     }
     const CArm& cArm = view.geometry.cArm;
     const Origin origin =
@@ -50,7 +50,7 @@ Result<ImageScale> scaleAtDetector(const View& view)
         return length.value && std::isfinite(*length.value) && *length.value > 0.0;
     };
     if (!isLength(cArm.columnSpacingMm) || !isLength(cArm.rowSpacingMm)) {
-        return Error(says::measureNeedsSpacing());
+        return Error(messages::measureNeedsSpacing());
     }
     return ImageScale{MeasurementPlane::Detector,
                       {*cArm.columnSpacingMm.value, *cArm.rowSpacingMm.value},
@@ -61,7 +61,7 @@ Result<ImageScale> scaleAtDetector(const View& view)
 Result<ImageScale> scaleAsTyped(const View& view)
 {
     if (!view.typedMmPerPx || !(*view.typedMmPerPx > 0.0) || !std::isfinite(*view.typedMmPerPx)) {
-        return Error(says::measureNeedsTypedScale());
+        return Error(messages::measureNeedsTypedScale());
     }
     return ImageScale{MeasurementPlane::Typed, Eigen::Vector2d::Constant(*view.typedMmPerPx), 0.0, Origin::User};
 }

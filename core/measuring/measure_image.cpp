@@ -1,7 +1,7 @@
 #include "core/measuring/measure_image.h"
 
 #include "core/geometry/angle_units.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/vessel/polyline.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ Result<Quantity> angleAt(const Polyline<2>& points)
     const Eigen::Vector2d one = points[0] - points[1];
     const Eigen::Vector2d other = points[2] - points[1];
     if (!(one.norm() > 0.0) || !(other.norm() > 0.0)) {
-        return Error(says::measureAngleOpen());
+        return Error(messages::measureAngleOpen());
     }
     return Quantity{degreesPerRadian * std::abs(std::atan2(cross(one, other), one.dot(other))), 1, "°"};
 }
@@ -47,7 +47,7 @@ Result<Quantity> angleAt(const Polyline<2>& points)
 Result<Quantity> areaOf(const Polyline<2>& outline, bool isInMm)
 {
     if (crossesItself(outline)) {
-        return Error(says::measureCrossed());
+        return Error(messages::measureCrossed());
     }
     double twice = 0.0;
     for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -61,35 +61,35 @@ Message basisSentence(const MeasuredImage& measured, MeasurementKind kind)
     const ImageScale& scale = measured.scale;
     const Quantity pixel{std::sqrt(scale.unitsPerPx.prod()), 3, "mm"};
     if (kind == MeasurementKind::Angle) {
-        return says::measureBasisAngle();
+        return messages::measureBasisAngle();
     }
     switch (scale.plane) {
         case MeasurementPlane::Vessels:
-            return says::measureBasisVessels(Quantity{scale.depthMm, 0, "mm"}, pixel);
+            return messages::measureBasisVessels(Quantity{scale.depthMm, 0, "mm"}, pixel);
         case MeasurementPlane::Detector:
-            return says::measureBasisDetector(pixel);
+            return messages::measureBasisDetector(pixel);
         case MeasurementPlane::Typed:
-            return says::measureBasisTyped(pixel);
+            return messages::measureBasisTyped(pixel);
         case MeasurementPlane::Pixels:
             break;
     }
-    return says::measureBasisPixels();
+    return messages::measureBasisPixels();
 }
 
 /// Adds notes on the uncertainty of the depth used for a length at the vessels.
 void addDepthDoubt(Messages& basis, const ImageScale& scale, const RegistrationResult* result)
 {
     if (!result) {
-        basis.push_back(says::measureDepthUnchecked());
+        basis.push_back(messages::measureDepthUnchecked());
         return;
     }
     if (!result->trustworthy) {
-        basis.push_back(says::measurePoseDoubtful());
+        basis.push_back(messages::measurePoseDoubtful());
     }
     const double spreadMm = result->uncertainty.depthMm;
     if (std::isfinite(spreadMm) && spreadMm > 0.0) {
-        basis.push_back(
-            says::measureDepthSpread(Quantity{spreadMm, 1, "mm"}, Quantity{100.0 * spreadMm / scale.depthMm, 1, "%"}));
+        basis.push_back(messages::measureDepthSpread(Quantity{spreadMm, 1, "mm"},
+                                                     Quantity{100.0 * spreadMm / scale.depthMm, 1, "%"}));
     }
 }
 
@@ -103,13 +103,13 @@ std::size_t minPoints(MeasurementKind kind)
 Result<Quantity> valueOf(const ImageMeasurement& measurement, const ImageScale& scale)
 {
     if (measurement.pixels.size() < minPoints(measurement.kind)) {
-        return Error(says::measurePoints(minPoints(measurement.kind), measurement.pixels.size()));
+        return Error(messages::measurePoints(minPoints(measurement.kind), measurement.pixels.size()));
     }
     Polyline<2> points;
     for (const Eigen::Vector2d& pixel : measurement.pixels) {
         points.push_back(pixel.cwiseProduct(scale.unitsPerPx));
         if (!points.back().allFinite()) {
-            return Error(says::measureNotFinite());
+            return Error(messages::measureNotFinite());
         }
     }
     switch (measurement.kind) {
@@ -139,14 +139,15 @@ Result<MeasuredImage> measureImage(const ImageMeasurement& measurement, const Me
 Message labelOf(const MeasuredImage& measured, MeasurementKind kind)
 {
     if (kind == MeasurementKind::Angle || !measured.scale.isInMm()) {
-        return says::measuredPlain(measured.value);
+        return messages::measuredPlain(measured.value);
     }
     if (measured.scale.plane == MeasurementPlane::Typed) {
-        return says::measuredByTyped(measured.value);
+        return messages::measuredByTyped(measured.value);
     }
-    const Message label = measured.scale.plane == MeasurementPlane::Vessels ? says::measuredAtVessels(measured.value)
-                                                                            : says::measuredAtDetector(measured.value);
-    return measured.scale.origin == Origin::Assumed ? says::measuredAssumed(label) : label;
+    const Message label = measured.scale.plane == MeasurementPlane::Vessels
+                              ? messages::measuredAtVessels(measured.value)
+                              : messages::measuredAtDetector(measured.value);
+    return measured.scale.origin == Origin::Assumed ? messages::measuredAssumed(label) : label;
 }
 
 Messages basisOf(const MeasuredImage& measured, MeasurementKind kind, const MeasuredView& seen)
@@ -154,15 +155,15 @@ Messages basisOf(const MeasuredImage& measured, MeasurementKind kind, const Meas
     Messages basis{basisSentence(measured, kind)};
     if (kind == MeasurementKind::Angle) {
         if (!measured.scale.isInMm()) {
-            basis.push_back(says::measureSquarePixels());
+            basis.push_back(messages::measureSquarePixels());
         }
         return basis;
     }
     if (measured.scale.isInMm() && measured.scale.origin == Origin::Assumed) {
-        basis.push_back(says::measureScaleAssumed());
+        basis.push_back(messages::measureScaleAssumed());
     } else if (measured.scale.isInMm() && measured.scale.origin == Origin::User &&
                measured.scale.plane != MeasurementPlane::Typed) {
-        basis.push_back(says::measureScaleTyped());
+        basis.push_back(messages::measureScaleTyped());
     }
     if (measured.scale.plane == MeasurementPlane::Vessels) {
         addDepthDoubt(basis, measured.scale, seen.result());
@@ -188,13 +189,13 @@ Messages basisOf(const SliceMeasurement& measurement, const VolumeGeometry* scan
     Messages basis;
     if (scan) {
         const Eigen::Vector3d& mm = scan->spacingMm;
-        basis.push_back(
-            says::measureBasisScan(Quantity{mm.x(), 3, "mm"}, Quantity{mm.y(), 3, "mm"}, Quantity{mm.z(), 3, "mm"}));
+        basis.push_back(messages::measureBasisScan(Quantity{mm.x(), 3, "mm"}, Quantity{mm.y(), 3, "mm"},
+                                                   Quantity{mm.z(), 3, "mm"}));
     } else {
-        basis.push_back(says::measureBasisScanAway());
+        basis.push_back(messages::measureBasisScanAway());
     }
     if (measurement.kind == MeasurementKind::Angle) {
-        basis.push_back(says::measureBasisScanAngle());
+        basis.push_back(messages::measureBasisScanAngle());
     }
     return basis;
 }

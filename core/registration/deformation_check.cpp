@@ -1,6 +1,6 @@
 #include "core/registration/deformation_check.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/alignment/alignment_points.h"
 #include "core/registration/alignment/shape_tolerance.h"
 #include "core/registration/judging/pose_uncertainty.h"
@@ -40,8 +40,8 @@ double foundShare(const Alignment& alignment, const CentroidPose& pose)
 /// Whether a warning about a rigid fit is explained by deformation alone.
 bool isExplained(const Message& reason)
 {
-    return reason.is(says::trustLittleAgreement) || reason.is(says::trustBetterAside) ||
-           reason.is(says::trustPoseUncertain);
+    return reason.is(messages::trustLittleAgreement) || reason.is(messages::trustBetterAside) ||
+           reason.is(messages::trustPoseUncertain);
 }
 
 /// Withdraws the warnings about the fit that a certain and small deformation explains.
@@ -65,8 +65,8 @@ Message offWords(const DeformableResult& deformed, const VesselTree& tree)
     const Quantity mean = inMm(deformed.rigid.meanMm, 1);
     const Quantity farthest = inMm(deformed.rigid.farthestMm, 1);
     const std::string branch = nameOrNumber(tree, deformed.rigid.farthestBranchId);
-    return deformed.verdict == DeformationVerdict::Deformed ? says::deformationRigidOff(mean, farthest, branch)
-                                                            : says::deformationMayBeOff(mean, farthest, branch);
+    return deformed.verdict == DeformationVerdict::Deformed ? messages::deformationRigidOff(mean, farthest, branch)
+                                                            : messages::deformationMayBeOff(mean, farthest, branch);
 }
 
 /// Lowers the confidence if the overlay is off and keeps it if the deformation explains the rest; always reports the
@@ -80,7 +80,7 @@ void tellDeformation(const DeformableResult& deformed, const VesselTree& tree, R
     judgement.trustworthy = judgement.trustworthy && !isOff;
     Messages said{offWords(deformed, tree).as(isOff ? Severity::Warning : Severity::Note)};
     std::ranges::copy_if(deformed.messages, std::back_inserter(said),
-                         [](const Message& message) { return !message.is(says::deformationDepthUnknown); });
+                         [](const Message& message) { return !message.is(messages::deformationDepthUnknown); });
     const auto place = isOff && deformed.verdict == DeformationVerdict::Deformed ? judgement.warnings.begin()
                                                                                  : judgement.warnings.end();
     judgement.warnings.insert(place, said.begin(), said.end());
@@ -106,8 +106,8 @@ bool putsOverlayOff(const DeformableResult& deformed)
 bool speaksAgainstTrust(const Message& said)
 {
     const std::string_view id = said.id();
-    const bool isKnown = said.is(says::trustDepthUnknown) || said.is(says::trustDepthMoved) ||
-                         said.is(says::trustPartFilled) || said.is(says::trustFewFilled);
+    const bool isKnown = said.is(messages::trustDepthUnknown) || said.is(messages::trustDepthMoved) ||
+                         said.is(messages::trustPartFilled) || said.is(messages::trustFewFilled);
     return (id.starts_with("trust.") && !isKnown) || id.starts_with("frame.") || id.starts_with("views.");
 }
 
@@ -131,7 +131,7 @@ std::shared_ptr<const DeformableResult> judgeByDeformation(std::span<const Defor
     auto result = std::make_shared<const DeformableResult>(std::move(deformed).value());
     if (result->stopReason == StopReason::StoppedByUser) {   // a fit that looked deformed remains in doubt
         judgement.trustworthy = false;
-        judgement.warnings.insert(judgement.warnings.begin(), says::deformationStopped().as(Severity::Warning));
+        judgement.warnings.insert(judgement.warnings.begin(), messages::deformationStopped().as(Severity::Warning));
     } else if (result->verdict != DeformationVerdict::Rigid) {
         const Matrix6d covariance = result->rigid.covariance + result->rigid.step * result->rigid.step.transpose();
         replaceImageCovariance(judgement.uncertainty, covariance, result->rigid.spreadMm);

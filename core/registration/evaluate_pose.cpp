@@ -1,6 +1,6 @@
 #include "core/registration/registration.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/deformation_check.h"
 #include "core/registration/judging/judge_pose.h"
 
@@ -18,13 +18,13 @@ void withdrawSinglePath(RegistrationResult& judged)
 {
     const FitSigns& signs = judged.signs;
     const bool explains = signs.settlingMm <= settledMm && judged.metrics.coverage >= mostlyExplained;
-    const auto withdrawn =
-        explains ? 0
-                 : std::erase_if(judged.warnings, [](const Message& said) { return said.is(says::trustSinglePath); });
+    const auto withdrawn = explains ? 0 : std::erase_if(judged.warnings, [](const Message& said) {
+        return said.is(messages::trustSinglePath);
+    });
     if (withdrawn > 0 && std::ranges::none_of(judged.warnings, speaksAgainstTrust)) {
         judged.warnings.insert(judged.warnings.begin(),
-                               says::trustLittleAgreement(Quantity{100.0 * signs.treeShare, 0, "%"},
-                                                          Quantity{100.0 * judged.metrics.coverage, 0, "%"}));
+                               messages::trustLittleAgreement(Quantity{100.0 * signs.treeShare, 0, "%"},
+                                                              Quantity{100.0 * judged.metrics.coverage, 0, "%"}));
     }
 }
 
@@ -33,7 +33,7 @@ void withdrawSinglePath(RegistrationResult& judged)
 Result<RegistrationResult> evaluatePose(const RegistrationInput& input, const RigidTransform& cameraFromPatient)
 {
     if (!isRigid(cameraFromPatient)) {
-        return Error(says::judgedPoseNotRigid());
+        return Error(messages::judgedPoseNotRigid());
     }
     const RegistrationOptions options;
     const Result<RegistrationProblem> problem = makeProblem(input, options);

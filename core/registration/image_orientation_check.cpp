@@ -1,6 +1,6 @@
 #include "core/registration/image_orientation_check.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/alignment/pose_ranking.h"
 
 #include <algorithm>
@@ -79,23 +79,23 @@ Message wordsOf(const FrameReading& reading, const ProjectionCamera& camera, dou
     const Quantity better{100.0 * agreement, 0, "%"};
     const Quantity plain{100.0 * asItIs, 0, "%"};
     if (reading.isMirrored) {
-        return reading.quarterTurns == 0   ? says::frameMirroredLeftRight(better, plain)
-               : reading.quarterTurns == 2 ? says::frameMirroredUpDown(better, plain)
-                                           : says::frameMirroredAndTurned(better, plain);
+        return reading.quarterTurns == 0   ? messages::frameMirroredLeftRight(better, plain)
+               : reading.quarterTurns == 2 ? messages::frameMirroredUpDown(better, plain)
+                                           : messages::frameMirroredAndTurned(better, plain);
     }
     if (reading.quarterTurns == 2) {
-        return says::frameUpsideDown(better, plain);
+        return messages::frameUpsideDown(better, plain);
     }
-    return isClockwise(reading.quarterTurns, camera) ? says::frameTurnedClockwise(better, plain)
-                                                     : says::frameTurnedAnticlockwise(better, plain);
+    return isClockwise(reading.quarterTurns, camera) ? messages::frameTurnedClockwise(better, plain)
+                                                     : messages::frameTurnedAnticlockwise(better, plain);
 }
 
 Message wordsOf(const TableReading& reading, double agreement, double asItIs)
 {
     const PatientAngles& angles = reading.angles;
-    return says::frameCountedFromTable(std::string(toText(reading.position)), Quantity{100.0 * agreement, 0, "%"},
-                                       Quantity{100.0 * asItIs, 0, "%"}, Quantity{angles.primaryDeg, 1, "°"},
-                                       Quantity{angles.secondaryDeg, 1, "°"}, Quantity{angles.rollDeg, 1, "°"});
+    return messages::frameCountedFromTable(std::string(toText(reading.position)), Quantity{100.0 * agreement, 0, "%"},
+                                           Quantity{100.0 * asItIs, 0, "%"}, Quantity{angles.primaryDeg, 1, "°"},
+                                           Quantity{angles.secondaryDeg, 1, "°"}, Quantity{angles.rollDeg, 1, "°"});
 }
 
 std::optional<Message> likelyReading(const RegistrationProblem& problem, const RegistrationOptions& options,
@@ -149,7 +149,7 @@ ImageOrientationCheck checkImageOrientation(const RegistrationProblem& problem, 
     if (mirrored < asWell * asItIs) {
         return {};
     }
-    return {says::frameMirrorRival(Quantity{100.0 * mirrored, 0, "%"}, Quantity{100.0 * asItIs, 0, "%"}), true};
+    return {messages::frameMirrorRival(Quantity{100.0 * mirrored, 0, "%"}, Quantity{100.0 * asItIs, 0, "%"}), true};
 }
 
 }   // namespace angiopose::core

@@ -1,6 +1,6 @@
 #include "core/registration/registration.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/deformation_check.h"
 #include "core/registration/held_depth.h"
 #include "core/registration/image_orientation_check.h"
@@ -24,8 +24,9 @@ constexpr double oftenFails = 0.8;
 /// other frames.
 bool isRuleOfThumb(const Message& said)
 {
-    return said.is(says::trustFilledDoubtful) || said.is(says::trustLittleAgreement) ||
-           said.is(says::trustLittleExplained) || said.is(says::trustBetterAside) || said.is(says::trustPoseUncertain);
+    return said.is(messages::trustFilledDoubtful) || said.is(messages::trustLittleAgreement) ||
+           said.is(messages::trustLittleExplained) || said.is(messages::trustBetterAside) ||
+           said.is(messages::trustPoseUncertain);
 }
 
 bool onlyRulesOfThumbSpeakAgainst(const RegistrationResult& result)
@@ -51,7 +52,8 @@ void calibrateConfidence(RegistrationResult& result)
     }
     if (result.trustworthy && probability < oftenFails) {
         result.trustworthy = false;
-        result.warnings.insert(result.warnings.begin(), says::trustOftenFails(Quantity{100.0 * probability, 0, "%"}));
+        result.warnings.insert(result.warnings.begin(),
+                               messages::trustOftenFails(Quantity{100.0 * probability, 0, "%"}));
     }
     if (!result.trustworthy &&
         probability >= oftenFails) {   // the probability does not account for the signs against this fit

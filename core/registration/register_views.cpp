@@ -1,7 +1,7 @@
 #include "core/registration/register_views.h"
 
 #include "core/geometry/angle_units.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/alignment/camera_influence.h"
 #include "core/registration/alignment/joint_solve.h"
 #include "core/registration/deformation_check.h"
@@ -29,10 +29,10 @@ Result<JointSolve::Views> makeViews(std::span<const RegistrationInput> inputs, c
                                     const MultiViewOptions& multiView)
 {
     if (inputs.size() < 2) {
-        return Error(says::viewsTooFew());
+        return Error(messages::viewsTooFew());
     }
     if (isAnyLocked(options.locks)) {
-        return Error(says::viewsCannotLock());
+        return Error(messages::viewsCannotLock());
     }
     JointSolve::Views views;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
@@ -44,7 +44,7 @@ Result<JointSolve::Views> makeViews(std::span<const RegistrationInput> inputs, c
         const TreeSamples& tree = views.back()->problem.tree;
         const TreeSamples& firstTree = views.front()->problem.tree;
         if (tree.size() != firstTree.size() || (tree.centroid - firstTree.centroid).norm() > 1e-6) {
-            return Error(says::viewsOfOtherTree(multiView.numberOf(k), multiView.numberOf(0)));
+            return Error(messages::viewsOfOtherTree(multiView.numberOf(k), multiView.numberOf(0)));
         }
     }
     return views;
@@ -309,11 +309,11 @@ void addView(MultiViewResult& result, std::size_t number, const JointView& view,
     result.views.back().method = options.method;
     if (!result.views.back().trustworthy) {
         result.trustworthy = false;
-        result.warnings.push_back(says::viewDisagrees(number));
+        result.warnings.push_back(messages::viewDisagrees(number));
     }
     if (!isPlausible) {
         result.trustworthy = false;
-        result.warnings.push_back(says::viewFarFromHeader(number));
+        result.warnings.push_back(messages::viewFarFromHeader(number));
     }
 }
 
@@ -398,7 +398,7 @@ Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
     }
     for (std::size_t k = 0; k < result.cameras.size(); ++k) {
         for (const Message& said : contradictionsOf(result.cameras[k], views[k]->problem.camera, views.size())) {
-            result.warnings.push_back(says::inView(multiView.numberOf(k), said));
+            result.warnings.push_back(messages::inView(multiView.numberOf(k), said));
         }
     }
     if (!progress.isStopped() && isDeformationRequested(views, options, result)) {

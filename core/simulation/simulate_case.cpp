@@ -1,6 +1,6 @@
 #include "core/simulation/simulated_case.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/simulation/deform_tree.h"
 #include "core/simulation/fill_vessels.h"
 #include "core/simulation/fit_known_pose.h"
@@ -147,7 +147,7 @@ std::optional<Message> findProblem(const TreeOptions& tree, const DsaOptions& ds
     for (const auto& [name, value, min, max] : limits) {
         if (!(value >= min && value <= max)) {
             const auto number = [](double given) { return Quantity{given, Quantity::asNeeded}; };
-            return says::simulationOutOfRange(name, number(min), number(max), number(value));
+            return messages::simulationOutOfRange(name, number(min), number(max), number(value));
         }
     }
     return {};

@@ -44,7 +44,7 @@ enum class Severity { Note, Warning, Error };
 std::string_view toText(Severity severity);
 
 /// A message to the user as data: catalog entry, severity and arguments. Made by calling a catalog entry with its
-/// arguments: `says::noSuchBranch(7)`.
+/// arguments: `messages::noSuchBranch(7)`.
 class Message {
 public:
     Message(const MessageEntry& entry, std::vector<MessageArgument> arguments)

@@ -1,6 +1,6 @@
 #include "core/vessel/add_branch.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/vessel/edit_tree.h"
 
 #include <algorithm>
@@ -77,12 +77,12 @@ Result<VesselTree> withBranch(const VesselTree& tree, VesselBranch branch)
 {
     const auto inFront = trimInside(tree, branch);
     if (branch.pointsInPatient.size() < 2) {
-        return Error(says::branchRunsInside());
+        return Error(messages::branchRunsInside());
     }
     branch = turnedAround(std::move(branch));
     const auto atBack = trimInside(tree, branch);
     if (branch.pointsInPatient.size() < 2) {
-        return Error(says::branchRunsInside());
+        return Error(messages::branchRunsInside());
     }
     const auto generationOf = [](const std::optional<PlaceInBranch>& place) {
         return place && place->branch->generation >= 0 ? place->branch->generation : std::numeric_limits<int>::max();

@@ -1,6 +1,6 @@
 #include "core/vessel/centerline2d.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/vessel/polyline.h"
 
 namespace angiopose::core {
@@ -41,12 +41,12 @@ Centerline2d resampled(const Centerline2d& centerline, double spacingPx)
 std::optional<Message> findProblem(const Centerline2d& centerline)
 {
     if (centerline.pointCount() == 0) {
-        return says::centerlineEmpty();
+        return messages::centerlineEmpty();
     }
     for (const Curve2d& curve : centerline.curves) {
         for (const Eigen::Vector2d& point : curve.pointsPx) {
             if (!point.allFinite()) {
-                return says::curveNotFinite(curve.id);
+                return messages::curveNotFinite(curve.id);
             }
         }
     }

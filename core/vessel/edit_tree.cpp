@@ -1,6 +1,6 @@
 #include "core/vessel/edit_tree.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/vessel/polyline.h"
 #include "core/vessel/smoothing_spline.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 Error noSuchBranch(int branchId)
 {
-    return says::noSuchBranch(branchId);
+    return messages::noSuchBranch(branchId);
 }
 
 VesselBranch* findBranch(VesselTree& tree, int branchId)
@@ -129,7 +129,7 @@ Result<VesselTree> withoutSubtree(const VesselTree& tree, int branchId)
         }
     }
     if (gone.size() == tree.branches.size()) {
-        return Error(says::allHangOnBranch(branchId));
+        return Error(messages::allHangOnBranch(branchId));
     }
     return without(tree, {gone.begin(), gone.end()});
 }
@@ -141,7 +141,7 @@ Result<VesselTree> pruned(const VesselTree& tree, double minLengthMm, double min
         result = without(result, {*worst});
     }
     if (result.branches.empty()) {
-        return Error(says::allPruned());
+        return Error(messages::allPruned());
     }
     return result;
 }
@@ -154,7 +154,7 @@ Result<VesselTree> cutAt(const VesselTree& tree, int branchId, std::size_t point
         return noSuchBranch(branchId);
     }
     if (point < 1 || point + 3 > first->pointsInPatient.size()) {
-        return Error(says::cutTooNearEnd(branchId));
+        return Error(messages::cutTooNearEnd(branchId));
     }
     const auto at = static_cast<std::ptrdiff_t>(point) + 1;
     VesselBranch second{
@@ -197,7 +197,7 @@ Result<VesselTree> joinedOver(const VesselTree& tree, const BranchEnd& first, co
         return noSuchBranch(tree.find(first.branchId) == nullptr ? first.branchId : second.branchId);
     }
     if (first.branchId == second.branchId) {
-        return Error(says::joinedToItself());
+        return Error(messages::joinedToItself());
     }
     VesselTree result = without(tree, {second.branchId});
     VesselBranch& stays = *findBranch(result, first.branchId);

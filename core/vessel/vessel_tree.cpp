@@ -1,6 +1,6 @@
 #include "core/vessel/vessel_tree.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/vessel/polyline.h"
 
 #include <Eigen/Geometry>
@@ -192,29 +192,29 @@ bool isUsualSize(const VesselTree& tree)
 std::optional<Message> findProblem(const VesselTree& tree)
 {
     if (tree.branches.empty()) {
-        return says::treeWithoutBranches();
+        return messages::treeWithoutBranches();
     }
     std::set<int> ids;
     for (const VesselBranch& branch : tree.branches) {
         if (!ids.insert(branch.id).second) {
-            return says::branchTwice(branch.id);
+            return messages::branchTwice(branch.id);
         }
         if (branch.pointsInPatient.size() < 2) {
-            return says::branchTooFewPoints(branch.id);
+            return messages::branchTooFewPoints(branch.id);
         }
         const bool finite = std::all_of(branch.pointsInPatient.begin(), branch.pointsInPatient.end(),
                                         [](const Eigen::Vector3d& p) { return p.allFinite(); });
         if (!finite) {
-            return says::branchNotFinite(branch.id);
+            return messages::branchNotFinite(branch.id);
         }
         if (branch.lengthMm() <= 0.0) {
-            return says::branchWithoutLength(branch.id);
+            return messages::branchWithoutLength(branch.id);
         }
         if (!branch.radiusMm.empty() && branch.radiusMm.size() != branch.pointsInPatient.size()) {
-            return says::branchRadiiMissing(branch.id);
+            return messages::branchRadiiMissing(branch.id);
         }
         if (!std::ranges::all_of(branch.radiusMm, [](double r) { return std::isfinite(r) && r >= 0.0; })) {
-            return says::branchRadiusUnusable(branch.id);
+            return messages::branchRadiusUnusable(branch.id);
         }
     }
     return {};

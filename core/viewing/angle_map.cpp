@@ -2,7 +2,7 @@
 
 #include "core/geometry/angle_units.h"
 #include "core/geometry/c_arm.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/support/parallel_for.h"
 
 #include <algorithm>
@@ -24,13 +24,13 @@ std::optional<Message> findProblem(const AngleMapOptions& options)
         return range.fromDeg <= range.toDeg && std::abs(range.fromDeg) <= limitDeg && std::abs(range.toDeg) <= limitDeg;
     };
     if (!isRange(options.primary, 180.0)) {
-        return says::angleRangeOdd("LAO/RAO", 180);
+        return messages::angleRangeOdd("LAO/RAO", 180);
     }
     if (!isRange(options.secondary, 90.0)) {
-        return says::angleRangeOdd("CRA/CAU", 90);
+        return messages::angleRangeOdd("CRA/CAU", 90);
     }
     if (!(options.stepDeg >= finestStepDeg)) {
-        return says::angleStepFine(Quantity{finestStepDeg, 1, "°"});
+        return messages::angleStepFine(Quantity{finestStepDeg, 1, "°"});
     }
     return {};
 }
@@ -158,7 +158,7 @@ Result<AngleMap> mapAngles(const PartSight& sight, const PoseAtAngles& poseAt, c
     };
     const auto shouldContinue = [&](double done) { return !observe || observe(done) == Verdict::Continue; };
     if (!parallelFor(map.qualities.size(), threadCount(options.threads), lookAt, shouldContinue)) {
-        return Stopped{says::anglesStopped()};
+        return Stopped{messages::anglesStopped()};
     }
     map.best = suggestions(map, search);
     return map;

@@ -1,7 +1,7 @@
 #include "core/viewing/part_sight.h"
 
 #include "core/geometry/projection_camera.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,12 +61,12 @@ Result<std::vector<VesselPiece>> piecesOfTakeOff(const VesselTree& tree, int bra
 {
     const VesselBranch* branch = tree.find(branchId);
     if (!branch) {
-        return Error(says::noSuchBranch(branchId));
+        return Error(messages::noSuchBranch(branchId));
     }
     const std::vector<VesselNode> nodes = findNodes(resampled(tree, pieceLengthMm));
     const VesselNode* takeOff = takeOffOf(*branch, nodes);
     if (!takeOff) {
-        return Error(says::noTakeOff(branchId));
+        return Error(messages::noTakeOff(branchId));
     }
     std::vector<VesselPiece> found;
     for (const VesselPiece& piece : vesselPiecesOf(tree)) {
@@ -233,7 +233,7 @@ Result<PartSight> sightOf(const VesselTree& tree, int branchId, SightOf what)
     }
     std::vector<VesselPiece> branch = piecesOfBranch(all, branchId);
     if (branch.empty()) {
-        return Error(says::noSuchBranch(branchId));
+        return Error(messages::noSuchBranch(branchId));
     }
     return PartSight(std::move(branch), std::move(all));
 }

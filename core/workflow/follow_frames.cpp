@@ -1,7 +1,7 @@
 #include "core/workflow/follow_frames.h"
 
 #include "core/case/known_deformation.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/deformable/smooth_deformations.h"
 #include "core/registration/follow_run.h"
 
@@ -15,13 +15,13 @@ namespace {
 Status checkCase(const Case& session)
 {
     if (!session.shown().angiogram || session.shown().angiogram->frameCount() < 2) {
-        return Error(says::followOneFrame());
+        return Error(messages::followOneFrame());
     }
     if (session.shown().target.centerline && !session.shown().target.editedFrame) {
-        return Error(says::followGivenTarget());
+        return Error(messages::followGivenTarget());
     }
     if (!session.shown().angiogram->gantry.angleIncrementsDeg.empty()) {
-        return Error(says::followGantryTurns());
+        return Error(messages::followGantryTurns());
     }
     return Done{};
 }
@@ -72,7 +72,7 @@ private:
         if (!trace) {
             return trace.error();
         }
-        return trace.value().standsStill && !startsStill_ ? Result<Centerline2d>(Error(says::followStandsStill()))
+        return trace.value().standsStill && !startsStill_ ? Result<Centerline2d>(Error(messages::followStandsStill()))
                                                           : trace.value().centerline;
     }
 

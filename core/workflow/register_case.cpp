@@ -4,7 +4,7 @@
 #include "core/case/case_views.h"
 #include "core/case/geometry_of_images.h"
 #include "core/case/registration_input.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/deformable/deformed_tree.h"
 #include "core/support/stopwatch.h"
 
@@ -28,7 +28,7 @@ Result<std::vector<std::size_t>> plannedViews(const Case& session, RegistrationP
     for (const View& view : session.views) {
         if (views == RegistrationPlan::Views::All && !view.angiogram) {
             const std::string& path = view.imageFile.path.empty() ? view.caseFile.path : view.imageFile.path;
-            return Error(says::viewImageUnread().about(path));
+            return Error(messages::viewImageUnread().about(path));
         }
     }
     return registeredViews(session);
@@ -61,7 +61,7 @@ Result<TracedViews> traceViews(const Case& session, const std::vector<std::size_
             continue;
         }
         if (course.tell("tracing", 0.0) == Verdict::Stop) {
-            return Stopped{says::stoppedBeforeRun()};
+            return Stopped{messages::stoppedBeforeRun()};
         }
         Stopwatch watch;
         auto target = targetOf(view, session.options.method);
@@ -231,13 +231,13 @@ public:
             if (taken.isZero()) {
                 continue;
             }
-            const Message said =
-                says::cameraEstimated(Quantity{100.0 * std::exp(taken[0]), 1, "%"},
-                                      static_cast<int>(std::lround(taken[1])), static_cast<int>(std::lround(taken[2])))
-                    .as(Severity::Note);
+            const Message said = messages::cameraEstimated(Quantity{100.0 * std::exp(taken[0]), 1, "%"},
+                                                           static_cast<int>(std::lround(taken[1])),
+                                                           static_cast<int>(std::lround(taken[2])))
+                                     .as(Severity::Note);
             run.session.views[run.places[k]].result->warnings.push_back(said);
             if (run.joint) {
-                run.joint->warnings.push_back(says::inView(run.places[k] + 1, said).as(Severity::Note));
+                run.joint->warnings.push_back(messages::inView(run.places[k] + 1, said).as(Severity::Note));
             }
         }
     }
@@ -259,7 +259,7 @@ void distrustOtherPatients(RegisteredCase& run)
         }
     }
     Messages mismatch = findMismatch(registered);
-    std::erase_if(mismatch, [](const Message& said) { return said.is(says::examinationOfRunsDiffers); });
+    std::erase_if(mismatch, [](const Message& said) { return said.is(messages::examinationOfRunsDiffers); });
     if (mismatch.empty()) {
         return;
     }

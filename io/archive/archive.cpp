@@ -5,7 +5,7 @@
 #include "io/archive/store/cache.h"
 #include "io/archive/web/web_archive.h"
 #include "io/dicom/dicom_file.h"
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 #include "io/support/input_bytes.h"
 
 #include <algorithm>
@@ -69,7 +69,7 @@ public:
             series = std::move(found).value();
         }
         if (series.empty()) {
-            return core::Error(says::archiveNothingThere(request.studyUid).about(node_.name));
+            return core::Error(messages::archiveNothingThere(request.studyUid).about(node_.name));
         }
         if (auto planned = plan(request.studyUid, series); !planned) {
             return planned;
@@ -93,7 +93,7 @@ private:
                 return found.error();
             }
             if (found.value().empty()) {
-                return core::Error(says::archiveNothingThere(uid).about(node_.name));
+                return core::Error(messages::archiveNothingThere(uid).about(node_.name));
             }
             all += found.value().size();
             objects_.push_back(std::move(found).value());
@@ -123,7 +123,8 @@ private:
             return core::Done{};
         }
         report_.failed = std::max(report_.failed, failedBefore + missing);
-        report_.note(says::archiveNotAllCame(objects.size() - missing, objects.size(), seriesUid).about(node_.name));
+        report_.note(
+            messages::archiveNotAllCame(objects.size() - missing, objects.size(), seriesUid).about(node_.name));
         return core::Done{};
     }
 
@@ -172,7 +173,7 @@ core::Result<ArchiveMatches> findInArchive(const ArchiveNode& node, ArchiveWay w
                                            const ArchiveObserver& observe)
 {
     if (!query.studyUid.empty() && !isUid(query.studyUid)) {
-        return core::Error(says::archiveBadUid(query.studyUid));
+        return core::Error(messages::archiveBadUid(query.studyUid));
     }
     return wayTo(node, way) == ArchiveWay::Web ? webFind(node, query, stopQuestion(observe))
                                                : dimseFind(node, query, stopQuestion(observe));
@@ -183,7 +184,7 @@ TransferReport retrieveFromArchive(const ArchiveNode& node, ArchiveWay way, cons
 {
     TransferReport report;
     if (const auto wrong = wrongUid(request)) {
-        report.end = core::Error(says::archiveBadUid(*wrong));
+        report.end = core::Error(messages::archiveBadUid(*wrong));
         return report;
     }
     const auto isStopRequested = stopQuestion(observe);

@@ -1,6 +1,6 @@
 #include "io/archive/node_file.h"
 
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 #include "io/support/atomic_file.h"
 #include "io/support/input_bytes.h"
 #include "io/support/json_text.h"
@@ -116,7 +116,7 @@ core::Result<ArchiveSettings> readArchiveSettings(const std::string& path)
     try {
         const Json json = Json::parse(text);
         if (json.value("format", "") != formatName || json.value("version", 0) != formatVersion) {
-            return core::Error(says::archiveListInvalid("format, version").about(path));
+            return core::Error(messages::archiveListInvalid("format, version").about(path));
         }
         ArchiveSettings settings = settingsOf(json);
         for (const ArchiveNode& node : settings.nodes) {
@@ -126,7 +126,7 @@ core::Result<ArchiveSettings> readArchiveSettings(const std::string& path)
         }
         return settings;
     } catch (const Json::exception& error) {
-        return core::Error(says::archiveListInvalid(error.what()).about(path));
+        return core::Error(messages::archiveListInvalid(error.what()).about(path));
     }
 }
 
@@ -158,7 +158,7 @@ core::Result<ArchiveNode> findNode(const ArchiveSettings& settings, const std::s
         }
         known += (known.empty() ? "" : ", ") + node.name;
     }
-    return core::Error(says::archiveUnknown(name, path, known.empty() ? "-" : known));
+    return core::Error(messages::archiveUnknown(name, path, known.empty() ? "-" : known));
 }
 
 }   // namespace angiopose::io

@@ -1,6 +1,6 @@
 #include "io/case/asked_case.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "io/case/case_document.h"
 
 #include <algorithm>
@@ -57,8 +57,8 @@ void keepOnlyWhatIsAsked(core::View& view)
 
 bool hasEstimatedGeometry(const core::RegistrationResult& result)
 {
-    return std::ranges::any_of(result.warnings,
-                               [](const core::Message& warning) { return warning.is(core::says::cameraEstimated); });
+    return std::ranges::any_of(
+        result.warnings, [](const core::Message& warning) { return warning.is(core::messages::cameraEstimated); });
 }
 
 }   // namespace

@@ -1,7 +1,6 @@
 #include "io/case/batch_manifest.h"
 
-#include "io/messages/says.h"
-#include "io/messages/says_seldom.h"
+#include "io/messages/messages.h"
 #include "io/support/csv_table.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -40,10 +39,10 @@ core::Status readPaths(BatchEntry& entry, const CsvTable& table, std::size_t row
     const bool hasInput = !entry.vesselsCell.empty() || !entry.angiogramCell.empty();
     const bool hasInputs = !entry.vesselsCell.empty() && !entry.angiogramCell.empty();
     if (!entry.caseCell.empty() && hasInput) {
-        return fileError(table.path, says::batchNotBoth(line));
+        return fileError(table.path, messages::batchNotBoth(line));
     }
     if (entry.caseCell.empty() && !hasInputs) {
-        return fileError(table.path, says::batchInputsLack(line));
+        return fileError(table.path, messages::batchInputsLack(line));
     }
     const std::filesystem::path folder = std::filesystem::absolute(table.path).parent_path();
     const auto resolved = [&folder](const std::string& cell) {
@@ -89,7 +88,7 @@ core::Status readSettings(BatchEntry& entry, const CsvTable& table, std::size_t 
     if (const std::string seeds = cellOf(table, row, "seeds"); !seeds.empty()) {
         const auto value = seedsValue(seeds);
         if (!value || !entry.settings.add("vessel.tracing.seedsInPatientMm=" + *value)) {
-            return fileError(table.path, says::batchSeedsUnclear(line, seeds.substr(0, 40)));
+            return fileError(table.path, messages::batchSeedsUnclear(line, seeds.substr(0, 40)));
         }
     }
     for (std::size_t column = 0; column < table.columns.size(); ++column) {
@@ -100,7 +99,7 @@ core::Status readSettings(BatchEntry& entry, const CsvTable& table, std::size_t 
         }
         const core::Status added = entry.settings.add(header.substr(settingPrefix.size()) + "=" + cell);
         if (!added) {
-            return fileError(table.path, says::batchCell(line, header, added.error().message));
+            return fileError(table.path, messages::batchCell(line, header, added.error().message));
         }
     }
     return core::Done{};
@@ -120,12 +119,12 @@ core::Result<BatchEntry> parseEntry(const CsvTable& table, std::size_t row)
         entry.name = defaultName(row, entry.caseCell.empty() ? entry.angiogramCell : entry.caseCell);
     }
     if (entry.name.find('/') != std::string::npos || entry.name == "." || entry.name == "..") {
-        return fileError(table.path, says::batchNoFolderName(line, entry.name));
+        return fileError(table.path, messages::batchNoFolderName(line, entry.name));
     }
     if (const std::string frame = cellOf(table, row, "frame"); !frame.empty()) {
         entry.frame = parseInteger(frame);
         if (!entry.frame) {
-            return fileError(table.path, says::batchFrameNoNumber(line, frame));
+            return fileError(table.path, messages::batchFrameNoNumber(line, frame));
         }
         entry.frame = std::max(*entry.frame, 0) - 1;   // users count frames from 1
     }
@@ -141,7 +140,7 @@ core::Status checkColumns(const CsvTable& table)
     const bool hasCase = table.column("case").has_value();
     const bool hasInputs = table.column("vessels") && table.column("angiogram");
     if ((!hasCase && !hasInputs) || table.rows.empty()) {
-        return fileError(table.path, says::batchHeaderMissing());
+        return fileError(table.path, messages::batchHeaderMissing());
     }
     const std::vector<std::string> known = caseSettingNames();
     for (const std::string& column : table.columns) {
@@ -151,7 +150,7 @@ core::Status checkColumns(const CsvTable& table)
         if (column.starts_with(settingPrefix) && std::ranges::none_of(known, isKnown)) {
             CaseSettings none;
             const core::Status refused = none.add(column.substr(settingPrefix.size()) + "=");
-            return fileError(table.path, says::batchCell(1, column, refused.error().message));
+            return fileError(table.path, messages::batchCell(1, column, refused.error().message));
         }
     }
     return core::Done{};
@@ -180,7 +179,7 @@ core::Result<std::vector<BatchEntry>> readManifest(const std::string& path)
             return entry.error();
         }
         if (!names.insert(entry.value().name).second) {
-            return fileError(path, says::batchNameTwice(table.value().lineOfRow[row], entry.value().name));
+            return fileError(path, messages::batchNameTwice(table.value().lineOfRow[row], entry.value().name));
         }
         entries.push_back(std::move(entry).value());
     }

@@ -4,7 +4,7 @@
 #include "io/case/fields/case_fields.h"
 #include "io/case/fields/view_fields.h"
 #include "io/case/result_seal.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/json_text.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ CaseDocument parseCaseDocument(std::string_view json)
     const Json root = Json::parse(json);
     CaseDocument document;
     if (root["version"].get<double>() > 1.0) {
-        document.problems.push_back(says::caseNewer().about("version"));
+        document.problems.push_back(messages::caseNewer().about("version"));
         return document;
     }
     Reading reading;

@@ -11,7 +11,7 @@
 #include "io/case/stale_results.h"
 #include "io/case/tracked_deformations_file.h"
 #include "io/case/view_inputs.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -40,11 +40,11 @@ core::Result<std::string> readCaseText(const std::string& path)
     }
     const std::string_view content = input.value().view();
     if (content.size() > maxCaseBytes) {
-        return fileError(path, says::caseTooLarge());
+        return fileError(path, messages::caseTooLarge());
     }
     const auto* found = describeContent(content);
-    if (found != nullptr && found != &says::aJsonFile) {
-        return fileError(path, says::caseIsOther((*found)()));
+    if (found != nullptr && found != &messages::aJsonFile) {
+        return fileError(path, messages::caseIsOther((*found)()));
     }
     if (const auto valid = checkJson(content, path); !valid) {
         return valid.error();
@@ -107,7 +107,7 @@ void loadOtherViews(Case& loaded, std::vector<ViewNotes> notes, const std::strin
         if (read) {
             loadOtherView(view, notes[k], loaded.vessels, path, found, peak);
         } else {
-            found.push_back(says::caseViewLeftOut(read.error().message));
+            found.push_back(messages::caseViewLeftOut(read.error().message));
         }
     }
     for (core::Message& warning : found) {   // report a warning shared by all images of a study only once
@@ -181,7 +181,7 @@ core::Result<Case> loadCaseWith(const CaseRequest& request, const std::string& p
         warnings.insert(warnings.end(), mismatch.begin(), mismatch.end());
         return values;
     } catch (const std::exception&) {   // a value that the schema does not catch
-        return fileError(path, says::caseWrongKind());
+        return fileError(path, messages::caseWrongKind());
     }
 }
 
@@ -204,7 +204,7 @@ core::Result<std::vector<MissingInput>> missingInputs(const std::string& casePat
         }
         return missing;
     } catch (const std::exception&) {
-        return fileError(casePath, says::caseWrongKind());
+        return fileError(casePath, messages::caseWrongKind());
     }
 }
 
@@ -268,7 +268,7 @@ core::Result<core::Messages> validateCase(const std::string& path)
         }
         return std::move(document.problems);
     } catch (const std::exception&) {
-        return fileError(path, says::caseWrongKind());
+        return fileError(path, messages::caseWrongKind());
     }
 }
 
@@ -295,23 +295,23 @@ core::Result<core::Messages> doubtsOfCase(const std::string& path)
         }
         return doubts;
     } catch (const std::exception&) {
-        return fileError(path, says::caseWrongKind());
+        return fileError(path, messages::caseWrongKind());
     }
 }
 
 std::optional<core::Message> findUnsavable(const Case& session)
 {
     if (!session.vessels.tree && session.vessels.scan) {
-        return says::caseScanAlone();
+        return messages::caseScanAlone();
     }
     const bool hasMask =
         session.vessels.isLumenEdited && session.vessels.lumen;   // the mask is written beside the case file
     if ((session.vessels.file.path.empty() && !hasMask) || session.shown().imageFile.path.empty()) {
-        return says::caseIncomplete();
+        return messages::caseIncomplete();
     }
     const auto& initial = session.shown().initialCameraFromPatient;
     if (!core::isRigid(session.shown().cameraFromPatient) || (initial && !core::isRigid(*initial))) {
-        return says::casePoseNotRigid();
+        return messages::casePoseNotRigid();
     }
     return {};
 }
@@ -319,7 +319,7 @@ std::optional<core::Message> findUnsavable(const Case& session)
 core::Status saveCase(const Case& session, const std::string& path)
 {
     if (const std::string input = inputAt(session, path); !input.empty()) {
-        return fileError(path, says::caseIsInput());
+        return fileError(path, messages::caseIsInput());
     }
     if (const auto unsavable = findUnsavable(session)) {
         return fileError(path, *unsavable);
@@ -332,7 +332,7 @@ core::Status saveCase(const Case& session, const std::string& path)
         const fs::path folder = fs::weakly_canonical(fs::absolute(path).parent_path());
         return writeAtomically(path, caseDocumentText(hashed, folder));
     } catch (const std::exception&) {   // JSON is UTF-8, but file names may not be
-        return fileError(path, says::caseNotUtf8());
+        return fileError(path, messages::caseNotUtf8());
     }
 }
 

@@ -2,7 +2,7 @@
 
 #include "io/case/view_inputs.h"
 #include "io/file_hash.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/vessel_input_file.h"
 #include "io/volume_file.h"
 
@@ -73,7 +73,7 @@ void readOrigin(Vessels& vessels, core::Messages& warnings, const ReadObserver& 
     const core::InputFile noted = vessels.file;
     if (const auto checked = checkHash(vessels.file, sha256OfVesselInput(path, vessels.input), warnings); !checked) {
         vessels.file = noted;
-        warnings.push_back(says::caseOpensWithout(checked.error().message));
+        warnings.push_back(messages::caseOpensWithout(checked.error().message));
     }
 }
 
@@ -102,7 +102,7 @@ void dropUnknownBranches(std::vector<int>& ids, const core::VesselTree& tree, co
     std::erase_if(ids, [&](int id) {
         const bool isUnknown = tree.find(id) == nullptr;
         if (isUnknown) {
-            warnings.push_back(says::caseBranchLeftOut(id).about(std::string("vessel.") + key));
+            warnings.push_back(messages::caseBranchLeftOut(id).about(std::string("vessel.") + key));
         }
         return isUnknown;
     });

@@ -1,7 +1,7 @@
 #include "io/case/case_schema.h"
 
 #include "io/case/case_file.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -45,18 +45,18 @@ std::optional<core::Message> problemText(const std::string& key, const std::stri
     if (description.starts_with("Missing required property")) {
         const std::size_t quote = description.find('\'');
         const std::string quoted = description.substr(quote, description.rfind('\'') + 1 - quote);
-        return says::caseKeyMissing(quoted).about(key);
+        return messages::caseKeyMissing(quoted).about(key);
     }
     if (description.starts_with("Failed to validate")) {
         return {};
     }
     if (description.find("'type' constraint") != std::string::npos) {
-        return says::caseValueOfWrongKind().about(key);
+        return messages::caseValueOfWrongKind().about(key);
     }
     if (description.find("enum") != std::string::npos) {
-        return says::caseValueNotAllowed().about(key);
+        return messages::caseValueNotAllowed().about(key);
     }
-    return says::caseValueWrong(description).about(key);
+    return messages::caseValueWrong(description).about(key);
 }
 
 }   // namespace
@@ -65,7 +65,7 @@ core::Messages findSchemaProblems(std::string_view json)
 {
     const nlohmann::json document = nlohmann::json::parse(json);
     if (!document.is_object() || document.value("format", nlohmann::json()) != "angiopose-case") {
-        return {says::caseNotOne()};
+        return {messages::caseNotOne()};
     }
     const valijson::adapters::NlohmannJsonAdapter adapter(document);
     valijson::ValidationResults results;
@@ -85,7 +85,7 @@ core::Messages findSchemaProblems(std::string_view json)
         }
     }
     if (problems.empty()) {
-        problems.push_back(says::caseAgainstSchema());
+        problems.push_back(messages::caseAgainstSchema());
     }
     return problems;
 }

@@ -5,7 +5,7 @@
 #include "io/case/case_schema.h"
 #include "io/case/fields/vessel_fields.h"
 #include "io/case/fields/view_fields.h"
-#include "io/messages/says_seldom.h"
+#include "io/messages/messages.h"
 #include "io/support/numbers.h"
 
 #include <algorithm>
@@ -122,7 +122,7 @@ core::Result<Apply> fieldApplier(const std::string& name, const std::string& tex
     const auto field = std::ranges::find(fields, lastPartOf(name), &StoredField<Owner>::key);
     const Json value = valueAsWanted(text, field->schema);
     if (const core::Messages problems = problemsOf(name, value); !problems.empty()) {
-        return core::Error(says::settingValue(name, text.substr(0, 40), problems.front()));
+        return core::Error(messages::settingValue(name, text.substr(0, 40), problems.front()));
     }
     return Apply([read = field->read, value, partsOf](core::Case& session) {
         for (Owner* part : partsOf(session)) {
@@ -172,7 +172,7 @@ core::Status CaseSettings::add(const std::string& assignment)
     const std::string value = equals == std::string::npos ? "" : assignment.substr(equals + 1);
     const auto name = nameLike(word);
     if (!name) {
-        return core::Error(says::settingUnknown(word.substr(0, 60), namesNear(word)));
+        return core::Error(messages::settingUnknown(word.substr(0, 60), namesNear(word)));
     }
     auto apply = applierOf(*name, value);
     if (!apply) {

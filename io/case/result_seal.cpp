@@ -1,7 +1,7 @@
 #include "io/case/result_seal.h"
 
 #include "io/file_hash.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 
 #include <algorithm>
 #include <array>
@@ -81,49 +81,49 @@ struct SealedPart {
 const auto& sealedParts()
 {
     static const std::array parts{
-        SealedPart{"vessels", says::partVessels(),
+        SealedPart{"vessels", messages::partVessels(),
                    [](const Json& session, const Json&) {
                        return withoutMembers(memberAt(session, {"vessel"}), {"auxiliaryBranches", "excludedBranches",
                                                                              "hiddenBranches", "pivotInPatientMm"});
                    }},
-        SealedPart{"auxiliaryBranches", says::partAuxiliaryBranches(),
+        SealedPart{"auxiliaryBranches", messages::partAuxiliaryBranches(),
                    [](const Json& session, const Json&) {
                        return memberAt(session, {"vessel", "auxiliaryBranches"});
                    }},
-        SealedPart{"excludedBranches", says::partExcludedBranches(),
+        SealedPart{"excludedBranches", messages::partExcludedBranches(),
                    [](const Json& session, const Json&) {
                        return memberAt(session, {"vessel", "excludedBranches"});
                    }},
-        SealedPart{"image", says::partImage(),
+        SealedPart{"image", messages::partImage(),
                    [](const Json&, const Json& view) {
                        return memberAt(view, {"angiogram", "image"});
                    }},
-        SealedPart{"frame", says::partFrame(),
+        SealedPart{"frame", messages::partFrame(),
                    [](const Json&, const Json& view) {
                        return memberAt(view, {"angiogram", "frame"});
                    }},
-        SealedPart{"subtraction", says::partSubtraction(),
+        SealedPart{"subtraction", messages::partSubtraction(),
                    [](const Json&, const Json& view) {
                        return memberAt(view, {"angiogram", "subtraction"});
                    }},
-        SealedPart{"curves", says::partCurves(),
+        SealedPart{"curves", messages::partCurves(),
                    [](const Json&, const Json& view) {
                        return Json{memberAt(view, {"angiogram", "centerline"}), memberAt(view, {"angiogram", "trace"})};
                    }},
-        SealedPart{"geometry", says::partGeometry(),
+        SealedPart{"geometry", messages::partGeometry(),
                    [](const Json&, const Json& view) { return memberAt(view, {"geometry"}); }},
-        SealedPart{"start", says::partStartPose(),
+        SealedPart{"start", messages::partStartPose(),
                    [](const Json&, const Json& view) {
                        return memberAt(view, {"pose", "initial"});
                    }},
         SealedPart{
-            "locks", says::partLocks(),
+            "locks", messages::partLocks(),
             [](const Json& session, const Json&) {
                 return Json{memberAt(session, {"pose", "locked"}), memberAt(session, {"vessel", "pivotInPatientMm"})};
             }},
-        SealedPart{"method", says::partMethod(),
+        SealedPart{"method", messages::partMethod(),
                    [](const Json& session, const Json&) { return memberAt(session, {"method"}); }},
-        SealedPart{"options", says::partOptions(),
+        SealedPart{"options", messages::partOptions(),
                    [](const Json& session, const Json&) { return memberAt(session, {"options"}); }},
     };
     return parts;

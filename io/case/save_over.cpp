@@ -2,7 +2,7 @@
 
 #include "io/case/case_file.h"
 #include "io/file_hash.h"
-#include "io/messages/says_keeping.h"
+#include "io/messages/messages.h"
 #include "io/support/case_lock.h"
 #include "io/support/file_error.h"
 
@@ -26,7 +26,7 @@ core::Result<std::string> saveCaseOver(const core::Case& session, const std::str
     const FolderTurn turn(std::filesystem::absolute(path).parent_path().string());
     const std::string there = knownSha256.empty() ? std::string() : contentOfCaseFile(path);
     if (!there.empty() && there != knownSha256) {   // a deleted file is written again
-        return fileError(path, says::caseChangedElsewhere());
+        return fileError(path, messages::caseChangedElsewhere());
     }
     if (const auto saved = saveCase(session, path); !saved) {
         return saved.error();
@@ -36,7 +36,7 @@ core::Result<std::string> saveCaseOver(const core::Case& session, const std::str
 
 bool isChangedElsewhere(const core::Error& error)
 {
-    return error.message.is(says::caseChangedElsewhere);
+    return error.message.is(messages::caseChangedElsewhere);
 }
 
 }   // namespace angiopose::io

@@ -1,7 +1,7 @@
 #include "io/case/stale_results.h"
 
 #include "core/registration/deformable/deformed_tree.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 
 #include <algorithm>
 #include <functional>
@@ -41,10 +41,10 @@ bool isOfTree(const core::View& view, const core::Vessels& vessels)
 std::optional<core::Message> whyStale(bool haveInputsChanged, const core::Messages& changedBeside)
 {
     if (haveInputsChanged) {
-        return says::caseResultStale();
+        return messages::caseResultStale();
     }
     if (!changedBeside.empty()) {
-        return says::caseResultBeside(changedBeside);
+        return messages::caseResultBeside(changedBeside);
     }
     return {};
 }
@@ -67,7 +67,7 @@ bool fitsItsView(const core::FollowedRun& run, const core::View& view)
 std::optional<core::Message> whyFollowedStale(bool haveInputsChanged, const ViewNotes& notes, const core::View& view)
 {
     auto why = whyStale(haveInputsChanged, notes.changedBesideFollowed);
-    return why || fitsItsView(view.followed, view) ? why : says::caseFollowedMisfit();
+    return why || fitsItsView(view.followed, view) ? why : messages::caseFollowedMisfit();
 }
 
 }   // namespace

@@ -2,7 +2,7 @@
 
 #include "core/registration/deformable/deformed_tree.h"
 #include "io/file_hash.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/atomic_file.h"
 #include "io/support/byte_order.h"
 #include "io/support/file_error.h"
@@ -158,15 +158,15 @@ core::Result<std::string_view> deformationNumbersIn(std::string_view content, co
                                                     std::size_t deformations)
 {
     if (!content.starts_with("NRRD")) {
-        return core::Error(says::caseDeformationNone());
+        return core::Error(messages::caseDeformationNone());
     }
     const std::string header = deformationsHeader(tree.pointCount(), deformations);
     if (!content.starts_with(header)) {
-        return core::Error(says::caseDeformationOfOthers());
+        return core::Error(messages::caseDeformationOfOthers());
     }
     content.remove_prefix(header.size());
     if (content.size() != tree.pointCount() * deformations * numbersOfPoint * bytesOfNumber) {
-        return core::Error(says::caseDeformationCut());
+        return core::Error(messages::caseDeformationCut());
     }
     return content;
 }
@@ -174,7 +174,7 @@ core::Result<std::string_view> deformationNumbersIn(std::string_view content, co
 core::Result<InputBytes> openDeformation(const core::InputFile& file)
 {
     if (file.path.empty()) {
-        return core::Error(says::caseDeformationUnnamed());
+        return core::Error(messages::caseDeformationUnnamed());
     }
     auto input = openInput(file.path);
     if (!input) {
@@ -183,7 +183,7 @@ core::Result<InputBytes> openDeformation(const core::InputFile& file)
     if (!file.sha256.empty()) {
         const auto hash = sha256OfText(input.value().view());
         if (!hash || hash.value() != file.sha256) {
-            return fileError(file.path, says::caseDeformationChanged());
+            return fileError(file.path, messages::caseDeformationChanged());
         }
     }
     return input;
@@ -208,7 +208,7 @@ core::Status readDeformation(FollowedRun& run, const core::VesselTree& tree)
             continue;
         }
         if (!namesBranchesOf(tree, *each.deformed)) {
-            return fileError(run.deformationsFile.path, says::caseDeformationOfOthers());
+            return fileError(run.deformationsFile.path, messages::caseDeformationOfOthers());
         }
         auto whole = std::make_shared<core::DeformableResult>(*each.deformed);
         for (BranchMotion& motion : whole->branches) {
@@ -217,7 +217,7 @@ core::Status readDeformation(FollowedRun& run, const core::VesselTree& tree)
         each.deformed = std::move(whole);
     }
     if (!numbers.areFinite()) {
-        return fileError(run.deformationsFile.path, says::caseDeformationCut());
+        return fileError(run.deformationsFile.path, messages::caseDeformationCut());
     }
     run.frames = std::move(frames);
     return core::Done{};
@@ -277,7 +277,7 @@ void readDeformationOfRuns(core::Case& read, core::Messages& warnings)
         if (const core::Status status = readDeformation(run, *read.vessels.tree)) {
             carryDeformationOn(run);
         } else {
-            warnings.push_back(says::caseDeformationLeftOut(status.error().message));
+            warnings.push_back(messages::caseDeformationLeftOut(status.error().message));
             dropDeformation(run);
         }
     }

@@ -5,7 +5,7 @@
 #include "io/centerline2d_file.h"
 #include "io/dicom/c_arm_tags.h"
 #include "io/file_hash.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/subtraction_file.h"
 #include "io/support/file_error.h"
 
@@ -104,11 +104,11 @@ std::optional<core::Message> findMisfit(const View& view)
 {
     const core::Angiogram& angiogram = *view.angiogram;
     if (view.frame >= angiogram.frameCount()) {
-        return says::caseFrameMissing(view.frame, angiogram.frameCount() - 1).about("angiogram.frame");
+        return messages::caseFrameMissing(view.frame, angiogram.frameCount() - 1).about("angiogram.frame");
     }
     const auto& camera = view.geometry.cameraOverride;
     if (camera && (camera->width != angiogram.width() || camera->height != angiogram.height())) {
-        return says::caseCameraOfOtherImage(camera->width, camera->height, angiogram.width(), angiogram.height())
+        return messages::caseCameraOfOtherImage(camera->width, camera->height, angiogram.width(), angiogram.height())
             .about("geometry.camera");
     }
     return {};
@@ -126,7 +126,7 @@ core::Status complete(View& view, const ViewNotes& notes, const core::Vessels& v
         return core::Error(*misfit);
     }
     if (!notes.sopInstanceUid.empty() && notes.sopInstanceUid != angiogram.identity.sopInstanceUid) {
-        warnings.push_back(says::caseOtherImage().about(view.imageFile.path));
+        warnings.push_back(messages::caseOtherImage().about(view.imageFile.path));
     }
     const bool isSpacingGiven =
         view.geometry.cameraOverride || view.geometry.cArm.columnSpacingMm.origin == core::Origin::User;
@@ -136,7 +136,7 @@ core::Status complete(View& view, const ViewNotes& notes, const core::Vessels& v
     if (!notes.hasCurrentPose) {
         const auto start = core::startPoseOf(view, vessels);
         if (!start) {
-            return core::Error(says::caseNoStartPose(start.error().message).about("pose.initial"));
+            return core::Error(messages::caseNoStartPose(start.error().message).about("pose.initial"));
         }
         view.cameraFromPatient = start.value();
     }
@@ -151,7 +151,7 @@ core::Status checkHash(core::InputFile& file, core::Result<std::string> hash, co
         return hash.error();
     }
     if (!file.sha256.empty() && file.sha256 != hash.value()) {
-        warnings.push_back(says::caseFileChanged().about(file.path));
+        warnings.push_back(messages::caseFileChanged().about(file.path));
     }
     file.sha256 = std::move(hash).value();
     return core::Done{};
@@ -192,7 +192,7 @@ void loadOtherView(View& view, const ViewNotes& notes, const core::Vessels& vess
                    core::Messages& warnings, PeakFrame peak)
 {
     if (const auto loaded = loadView(view, notes, vessels, casePath, warnings, peak); !loaded) {
-        warnings.push_back(says::caseViewLeftOut(loaded.error().message));
+        warnings.push_back(messages::caseViewLeftOut(loaded.error().message));
         view.angiogram.reset();
     }
 }

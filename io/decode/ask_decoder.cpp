@@ -1,6 +1,6 @@
 #include "io/decode/ask_decoder.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/system/child_process.h"
 #include "io/support/system/own_process.h"
@@ -92,7 +92,7 @@ core::Result<DecoderReply> askDecoder(const std::string& program, const std::vec
     const std::string file = helperProgram(program);
     ChildProcess helper(file, arguments);
     if (!helper.isStarted()) {
-        return fileError(path, says::decoderMissing(file));
+        return fileError(path, messages::decoderMissing(file));
     }
     std::error_code isNew;   // set if the file does not exist yet because it is an output
     const std::uintmax_t size = std::filesystem::file_size(path, isNew);
@@ -103,12 +103,12 @@ core::Result<DecoderReply> askDecoder(const std::string& program, const std::vec
     }
     if (ending == Ending::Said) {
         DecoderReply reply = std::move(listening).reply();
-        return reply.kind == ReplyKind::TooLarge ? fileError(path, says::decoderTooLarge())
+        return reply.kind == ReplyKind::TooLarge ? fileError(path, messages::decoderTooLarge())
                                                  : core::Result<DecoderReply>(std::move(reply));
     }
     // A helper that sends too much is killed.
     const bool isTooLong = ending == Ending::Silent && helper.waitForEnd() == ChildProcess::Ending::OutOfTime;
-    return fileError(path, isTooLong ? says::decoderTooLong() : says::decoderDied());
+    return fileError(path, isTooLong ? messages::decoderTooLong() : messages::decoderDied());
 }
 
 std::string helperProgram(const std::string& name)

@@ -1,7 +1,7 @@
 #include "io/decode/itk_transform_file.h"
 
 #include "io/decode/ask_decoder.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
@@ -26,7 +26,8 @@ core::Result<core::RigidTransform> poseFromItkHdf5(const std::string& path, cons
     reader.take(rows);
     if (kind != ReplyKind::Result || !reader.isDone()) {
         const bool hasType = kind == ReplyKind::Refusal && !content.empty();
-        return fileError(path, hasType ? says::poseNotRigidTransform(content.substr(0, 60)) : says::poseNoTransform());
+        return fileError(
+            path, hasType ? messages::poseNotRigidTransform(content.substr(0, 60)) : messages::poseNoTransform());
     }
     MatrixRows matrix;
     for (const auto& row : rows) {
@@ -51,7 +52,7 @@ core::Status writeItkHdf5(const core::RigidTransform& cameraFromPatient, const s
         return reply.error();
     }
     return reply.value().kind == ReplyKind::Result ? writeAtomically(path, reply.value().content)
-                                                   : fileError(path, says::decoderDied());
+                                                   : fileError(path, messages::decoderDied());
 }
 
 }   // namespace angiopose::io

@@ -2,7 +2,7 @@
 
 #include "io/decode/ask_decoder.h"
 #include "io/decode/vtk_lines_reply.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 #include "io/support/text_cursor.h"
@@ -27,7 +27,7 @@ core::Result<VtkLines> readByVtk(const std::string& format, const std::string& p
         return fileError(path, saysDamaged(reply.content));
     }
     auto lines = linesFromReply(reply.content);
-    return lines ? core::Result<VtkLines>(std::move(*lines)) : fileError(path, says::decoderDied());
+    return lines ? core::Result<VtkLines>(std::move(*lines)) : fileError(path, messages::decoderDied());
 }
 
 constexpr int maxDeclared = 20'000'000;
@@ -45,7 +45,7 @@ std::optional<core::Message> findImpossibleCount(std::string_view content)
             const auto value = parseInteger(text);
             const int limit = attribute.starts_with("NumberOfComponents") ? 1000 : maxDeclared;
             if (!value || *value < 0 || *value > limit) {
-                return says::vtkXmlImpossibleCount(std::string(attribute) + std::string(text.substr(0, 40)) + "\"");
+                return messages::vtkXmlImpossibleCount(std::string(attribute) + std::string(text.substr(0, 40)) + "\"");
             }
             at = content.find(attribute, at);
         }
@@ -62,17 +62,17 @@ core::Result<VtkLines> readLegacyVtk(std::string_view content, const std::string
     cursor.line();   // skip the title
     const std::string coding = lowered(cursor.word());
     if (coding != "ascii" && coding != "binary") {
-        return fileError(path, says::vtkThirdLine());
+        return fileError(path, messages::vtkThirdLine());
     }
     const bool hasDataSet = lowered(cursor.word()) == "dataset";
     const std::string_view name = cursor.word();
     const std::string kind = lowered(name);
     if (!hasDataSet || (kind != "polydata" && kind != "unstructured_grid")) {
-        return fileError(path,
-                         kind.empty() ? says::vtkNoDataSet() : says::vtkOtherDataSet(std::string(name.substr(0, 40))));
+        return fileError(
+            path, kind.empty() ? messages::vtkNoDataSet() : messages::vtkOtherDataSet(std::string(name.substr(0, 40))));
     }
     return readByVtk(kind, path, observe, [](const std::string& section) {
-        return says::vtkSectionDamaged(section.empty() ? "DATASET" : section);
+        return messages::vtkSectionDamaged(section.empty() ? "DATASET" : section);
     });
 }
 
@@ -84,25 +84,25 @@ core::Result<VtkLines> readXmlVtk(std::string_view content, const std::string& p
     const std::string_view head = content.substr(0, 4096);
     const bool isGrid = head.find("type=\"UnstructuredGrid\"") != std::string_view::npos;
     if (!isGrid && head.find("type=\"PolyData\"") == std::string_view::npos) {
-        return fileError(path, says::vtkXmlOther());
+        return fileError(path, messages::vtkXmlOther());
     }
     auto lines = readByVtk(isGrid ? "xml_unstructured_grid" : "xml_polydata", path, observe,
-                           [](const std::string&) { return says::vtkXmlDamaged(); });
-    const bool isDead = !lines && lines.error().message.is(says::decoderDied);   // the file is then damaged
-    return isDead ? fileError(path, says::vtkXmlDamaged()) : std::move(lines);
+                           [](const std::string&) { return messages::vtkXmlDamaged(); });
+    const bool isDead = !lines && lines.error().message.is(messages::decoderDied);   // the file is then damaged
+    return isDead ? fileError(path, messages::vtkXmlDamaged()) : std::move(lines);
 }
 
 core::Result<VtkLines> readPly(const std::string& path, const ReadObserver& observe)
 {
     auto lines = readByVtk("ply", path, observe, [](const std::string& place) {
         const std::string_view element = "element ";
-        return place.starts_with(element) ? says::plyElementEmpty(place.substr(element.size(), 24))
-               : place == "header"        ? says::plyHeaderDamaged()
-                                          : says::plyDataDamaged();
+        return place.starts_with(element) ? messages::plyElementEmpty(place.substr(element.size(), 24))
+               : place == "header"        ? messages::plyHeaderDamaged()
+                                          : messages::plyDataDamaged();
     });
     const bool isDead =
-        !lines && lines.error().message.is(says::decoderDied);   // usually because declared data are missing
-    return isDead ? fileError(path, says::plyDataDamaged()) : std::move(lines);
+        !lines && lines.error().message.is(messages::decoderDied);   // usually because declared data are missing
+    return isDead ? fileError(path, messages::plyDataDamaged()) : std::move(lines);
 }
 
 }   // namespace angiopose::io

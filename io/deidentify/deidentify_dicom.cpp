@@ -2,7 +2,7 @@
 
 #include "io/deidentify/kept_pixels.h"
 #include "io/dicom/dicom_file.h"
-#include "io/messages/says_deidentify.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 
 #include <array>
@@ -45,11 +45,11 @@ core::Result<FreedClass> classOf(const DicomDataset& data, const std::string& pa
         return FreedClass::Report;
     }
     if (kind.starts_with(documents)) {
-        return fileError(path, says::pagesStay());
+        return fileError(path, messages::pagesStay());
     }
     for (const std::string_view stays : uncleared) {
         if (kind.starts_with(stays)) {
-            return fileError(path, says::objectStays(std::string(classUid)));
+            return fileError(path, messages::objectStays(std::string(classUid)));
         }
     }
     return FreedClass::Image;
@@ -67,7 +67,7 @@ core::Result<FreedClass> freedClassOf(const DicomFile& file, const std::string& 
 {
     const auto freed = classOf(file.dataset, path);
     if (freed && !hasPixels(freed.value()) && !file.pixels.empty()) {
-        return fileError(path, says::objectWithPixels(std::string(file.dataset.text(0x00080016))));
+        return fileError(path, messages::objectWithPixels(std::string(file.dataset.text(0x00080016))));
     }
     return freed;
 }
@@ -167,7 +167,7 @@ void addPatient(const DicomDataset& data, const std::string& patient, DicomItem&
 void addObjectParts(FreedClass freed, DicomItem& root)
 {
     root.textWhereAbsent(0x00181000, "LO", "none");
-    root.textWhereAbsent(0x00181020, "LO", "not told");
+    root.textWhereAbsent(0x00181020, "LO", "unknown");
     if (freed == FreedClass::Report) {
         root.emptySequence(0x00081111);
         root.emptySequence(0x0040a372);
@@ -219,7 +219,7 @@ core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::st
         addObjectParts(freed.value(), root);
     }
     if (kept.cleared() > 0) {
-        nameless.warnings.push_back(says::objectWordsCleared(kept.cleared()));
+        nameless.warnings.push_back(messages::objectWordsCleared(kept.cleared()));
     }
     const std::string patient =
         requested.patientName.empty() ? pseudonyms.patient(replacements.patient) : asOneValue(requested.patientName);

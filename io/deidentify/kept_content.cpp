@@ -253,7 +253,7 @@ std::string KeptContent::insteadOf(DicomTag tag, const std::vector<std::string>&
         case SegmentLabel:
             return segmentLabel(text);
         case Algorithm:
-            return isProgramWithVersion(text) ? text : "not told";
+            return isProgramWithVersion(text) ? text : "unknown";
         case Words:
             return words(text);
         case Name:

@@ -1,7 +1,7 @@
 #include "io/deidentify/kept_elements.h"
 
 #include "io/dicom/new_uid.h"
-#include "io/messages/says_deidentify.h"
+#include "io/messages/messages.h"
 #include "io/support/numbers.h"
 
 #include <dcmtk/config/osconfig.h>
@@ -288,7 +288,7 @@ core::Result<Pseudonyms> Pseudonyms::create()
 {
     std::array<unsigned char, keyBytes> bytes{};
     if (RAND_bytes(bytes.data(), keyBytes) != 1) {
-        return core::Error(says::noRandomKey());
+        return core::Error(messages::noRandomKey());
     }
     return Pseudonyms(std::string(bytes.begin(), bytes.end()));
 }

@@ -3,8 +3,7 @@
 #include "core/tracing/angiogram/frame/burned_in_text.h"
 #include "io/dicom/frame_source.h"
 #include "io/dicom/pixel_layout.h"
-#include "io/messages/says.h"
-#include "io/messages/says_deidentify.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 
 #include <algorithm>
@@ -60,20 +59,20 @@ void treatLetters(std::vector<core::ImageF>& frames, const DicomDataset& data, D
     const auto first = std::ranges::find_if(letters.pixels, [](std::uint8_t pixel) { return pixel != 0; });
     if (first == letters.pixels.end()) {
         if (isDeclared) {
-            warnings.push_back(says::lettersDeclared());
+            warnings.push_back(messages::lettersDeclared());
         }
         return;
     }
     if (treatment == DrawnLetters::Reported) {
         const auto at = first - letters.pixels.begin();
         warnings.push_back(
-            says::lettersStay(static_cast<int>(at % letters.width), static_cast<int>(at / letters.width)));
+            messages::lettersStay(static_cast<int>(at % letters.width), static_cast<int>(at / letters.width)));
         to.text(burnedInTag, "CS", "YES");
         return;
     }
     const auto set = std::ranges::count_if(letters.pixels, [](std::uint8_t pixel) { return pixel != 0; });
     blackOut(frames, letters, data.text(0x00280004) == "MONOCHROME1");
-    warnings.push_back(says::lettersBlackedOut(
+    warnings.push_back(messages::lettersBlackedOut(
         core::Quantity{100.0 * static_cast<double>(set) / static_cast<double>(letters.pixels.size()), 1}));
     to.text(burnedInTag, "CS", "NO");
 }
@@ -121,7 +120,7 @@ core::Status copyWide(const DicomPixels& pixels, const PixelLayout& layout, cons
 {
     const std::size_t needed = layout.pixelsPerFrame() * static_cast<std::size_t>(layout.frames) * 4;
     if (pixels.isEncapsulated || pixels.order == ByteOrder::Big || pixels.bytes.size() < needed) {
-        return fileError(path, says::pixelsTooWide());
+        return fileError(path, messages::pixelsTooWide());
     }
     if (layout.isFloat) {
         std::vector<float> values(needed / 4);
@@ -148,7 +147,7 @@ core::Status copyPixels(const DicomFile& file, const std::string& path, DrawnLet
     }
     const PixelLayout& layout = read.value();
     if (layout.bitsAllocated == 1) {
-        return fileError(path, says::segmentationStays());
+        return fileError(path, messages::segmentationStays());
     }
     describePixels(layout, to);
     if (layout.bitsAllocated > 16) {
@@ -161,14 +160,14 @@ core::Status copyPixels(const DicomFile& file, const std::string& path, DrawnLet
     DecodedRun run = std::move(decoded).value();
     const auto frames = static_cast<int>(run.frames.size());
     if (frames != layout.frames) {
-        warnings.push_back(says::dicomFramesOther(layout.frames, frames));
+        warnings.push_back(messages::dicomFramesOther(layout.frames, frames));
         to.text(0x00280008, "IS", std::to_string(frames));
     }
     if (const std::size_t damaged = run.flawedFrames.size() + run.lostFrames.size(); damaged > 0) {
-        warnings.push_back(says::framesDamaged(damaged, run.frames.size()));
+        warnings.push_back(messages::framesDamaged(damaged, run.frames.size()));
     }
     if (layout.samples > 1) {
-        warnings.push_back(says::colorDropped());
+        warnings.push_back(messages::colorDropped());
     }
     treatLetters(run.frames, file.dataset, letters, to, warnings);
     to.words(pixelDataTag, wordsOf(run.frames, layout.bitsAllocated));
@@ -186,13 +185,13 @@ core::Status copySegments(const DicomFile& file, const std::string& path, DicomI
     const bool isKnown = layout.samples == 1 && (layout.bitsAllocated == 1 || layout.bitsAllocated == 8);
     if (!isKnown || found == file.pixels.end() || found->second.isEncapsulated ||
         found->second.order == ByteOrder::Big) {
-        return fileError(path, says::segmentationStays());
+        return fileError(path, messages::segmentationStays());
     }
     const std::size_t bits = layout.pixelsPerFrame() * static_cast<std::size_t>(layout.frames) *
                              static_cast<std::size_t>(layout.bitsAllocated);
     const std::size_t bytes = (bits + 7) / 8;
     if (found->second.bytes.size() < bytes) {
-        return fileError(path, says::segmentationStays());
+        return fileError(path, messages::segmentationStays());
     }
     std::string voxels(found->second.bytes.substr(0, bytes));
     if (const std::size_t used = bits % 8; used != 0) {   // the first voxel lies in the lowest bit

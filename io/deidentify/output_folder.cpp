@@ -1,7 +1,6 @@
 #include "io/deidentify/output_folder.h"
 
-#include "io/messages/says.h"
-#include "io/messages/says_deidentify.h"
+#include "io/messages/messages.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 
@@ -37,10 +36,10 @@ core::Status OutputFolder::open()
     std::error_code failed;
     isNew_ = !fs::exists(path_, failed);
     if (!isNew_ && !fs::is_empty(path_, failed)) {
-        return fileError(path_, says::outputNotEmpty());
+        return fileError(path_, messages::outputNotEmpty());
     }
     fs::create_directories(path_, failed);
-    return failed ? core::Status(fileError(path_, says::fileNotWritten(failed.message()))) : core::Done{};
+    return failed ? core::Status(fileError(path_, messages::fileNotWritten(failed.message()))) : core::Done{};
 }
 
 core::Status OutputFolder::write(const NamelessDicom& image)

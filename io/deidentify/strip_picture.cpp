@@ -1,8 +1,7 @@
 #include "io/deidentify/strip_picture.h"
 
 #include "io/deidentify/strip_tiff.h"
-#include "io/messages/says.h"
-#include "io/messages/says_deidentify.h"
+#include "io/messages/messages.h"
 #include "io/raster/picture_orientation.h"
 #include "io/support/byte_order.h"
 #include "io/support/file_error.h"
@@ -142,10 +141,10 @@ core::Result<std::string> strippedPicture(std::string_view picture, const std::s
     }
     const bool isPng = picture.starts_with(pngStart);
     if (!isPng && !picture.starts_with("\xff\xd8")) {
-        return fileError(path, says::pictureNotStripped());
+        return fileError(path, messages::pictureNotStripped());
     }
     auto stripped = isPng ? strippedPng(picture) : strippedJpeg(picture);
-    return stripped ? core::Result<std::string>(std::move(*stripped)) : fileError(path, says::imageDamaged());
+    return stripped ? core::Result<std::string>(std::move(*stripped)) : fileError(path, messages::imageDamaged());
 }
 
 }   // namespace angiopose::io

@@ -1,7 +1,6 @@
 #include "io/deidentify/strip_tiff.h"
 
-#include "io/messages/says.h"
-#include "io/messages/says_deidentify.h"
+#include "io/messages/messages.h"
 #include "io/raster/tiff_page.h"
 #include "io/support/file_error.h"
 #include "io/support/quiet_libraries.h"
@@ -129,7 +128,7 @@ core::Result<std::string> strippedTiff(std::string_view tiff, const std::string&
     const TiffFile from = openTiff(input, "rm");
     TiffFile to = openTiff(output, "wm");
     if (!from || !to) {
-        return fileError(path, says::imageDamaged());
+        return fileError(path, messages::imageDamaged());
     }
     std::size_t pages = 0;
     std::uint64_t bytes = 0;
@@ -140,16 +139,16 @@ core::Result<std::string> strippedTiff(std::string_view tiff, const std::string&
         const auto page = pageOf(from.get());
         bytes += page ? std::uint64_t{page->height} * TIFFScanlineSize64(from.get()) : 0;
         if (!page || bytes > maxTiffBytes) {
-            return fileError(path, says::tiffNotStripped());
+            return fileError(path, messages::tiffNotStripped());
         }
         copyPage(from.get(), *page, to.get());
         if (!copyRows(from.get(), *page, to.get())) {
-            return fileError(path, says::imageDamaged());
+            return fileError(path, messages::imageDamaged());
         }
         ++pages;
     }
     to.reset();
-    return pages > 0 ? core::Result<std::string>(output.take()) : fileError(path, says::imageDamaged());
+    return pages > 0 ? core::Result<std::string>(output.take()) : fileError(path, messages::imageDamaged());
 }
 
 }   // namespace angiopose::io

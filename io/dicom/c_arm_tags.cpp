@@ -2,7 +2,7 @@
 
 #include "io/dicom/functional_groups.h"
 #include "io/dicom/siemens_tags.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/numbers.h"
 
 #include <algorithm>
@@ -93,7 +93,7 @@ void readDistances(const DicomDataset& data, CArm& cArm, core::Messages& warning
     }
     const auto& [isocenter, object] = std::tie(cArm.sourceToIsocenterMm, cArm.sourceToObjectMm);
     if (isocenter.value && object.value && std::abs(*isocenter.value - *object.value) > 1.0) {
-        warnings.push_back(says::objectOffIsocenter(millimeters(*object.value), millimeters(*isocenter.value))
+        warnings.push_back(messages::objectOffIsocenter(millimeters(*object.value), millimeters(*isocenter.value))
                                .as(core::Severity::Note));
     }
     assumeIsocenter(cArm);
@@ -141,17 +141,17 @@ void readSpacing(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
         const double magnification = *cArm.sourceToDetectorMm.value / *vesselDepthOf(cArm).value;
         setSpacing(cArm, *pixel * magnification, Origin::Derived,
                    "(0028,0030) Pixel Spacing (" + std::string(calibration.substr(0, 16)) + ") times SID/SOD");
-        warnings.push_back(says::spacingFromCalibration(millimeters(*cArm.columnSpacingMm.value)));
+        warnings.push_back(messages::spacingFromCalibration(millimeters(*cArm.columnSpacingMm.value)));
     } else if (const auto field = fieldSpacing(data)) {
         setSpacing(cArm, *field, Origin::Derived,
                    "(0018,1149) field of view " + std::string(data.text(fieldOfViewTag, 0)) + " mm / " +
                        std::to_string(data.integer(columnsTag).value_or(0)) + " px");
-        warnings.push_back(says::spacingFromField(millimeters(field->y())));
+        warnings.push_back(messages::spacingFromField(millimeters(field->y())));
     } else if (const auto intensifier = data.number(0x00181162); isPositive(intensifier)) {
-        warnings.push_back(says::spacingMissingIntensifier(
+        warnings.push_back(messages::spacingMissingIntensifier(
             millimeters(*intensifier), millimeters(*intensifier / data.number(columnsTag).value_or(512.0))));
     } else {
-        warnings.push_back(says::spacingMissing());
+        warnings.push_back(messages::spacingMissing());
     }
 }
 
@@ -160,12 +160,12 @@ void readAngles(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
     cArm.primaryAngleDeg = fromHeader(data, primaryAngleTag, "(0018,1510) Positioner Primary Angle");
     cArm.secondaryAngleDeg = fromHeader(data, secondaryAngleTag, "(0018,1511) Positioner Secondary Angle");
     if (!cArm.primaryAngleDeg.value && data.has(0x00189463)) {
-        warnings.push_back(says::anglesOfIsocenter());
+        warnings.push_back(messages::anglesOfIsocenter());
     }
     const double detectorTilt =
         std::max(std::abs(data.number(0x00181530).value_or(0.0)), std::abs(data.number(0x00181531).value_or(0.0)));
     if (detectorTilt > 0.5) {
-        warnings.push_back(says::detectorTilted(core::Quantity{detectorTilt, core::Quantity::asNeeded, "°"}));
+        warnings.push_back(messages::detectorTilted(core::Quantity{detectorTilt, core::Quantity::asNeeded, "°"}));
     }
 }
 
@@ -252,17 +252,17 @@ void readOrientation(const DicomDataset& data, CArm& cArm, core::Messages& warni
         cArm = std::move(likeliest);
     } else {
         if (!row.isZero() && cArm.primaryAngleDeg.value) {
-            warnings.push_back(says::orientationUnlikeAngles(std::string(data.text(orientationTag))));
+            warnings.push_back(messages::orientationUnlikeAngles(std::string(data.text(orientationTag))));
         }
         if (data.text(0x00187034) == "YES") {
             cArm.mirrored = {true, Origin::Derived, "(0018,7034) Field of View Horizontal Flip"};
         }
     }
     if (cArm.mirrored.value.value_or(false)) {
-        warnings.push_back(says::imageMirrored(cArm.mirrored.basis));
+        warnings.push_back(messages::imageMirrored(cArm.mirrored.basis));
     }
     if (cArm.rollDeg.value) {
-        warnings.push_back(says::imageTurned(core::Quantity{*cArm.rollDeg.value, 0, "°"}, cArm.rollDeg.basis));
+        warnings.push_back(messages::imageTurned(core::Quantity{*cArm.rollDeg.value, 0, "°"}, cArm.rollDeg.basis));
     }
 }
 
@@ -290,8 +290,8 @@ core::CArm cArmOf(const DicomDataset& data, core::Messages& warnings)
 
 bool isAboutMissingSpacing(const core::Message& warning)
 {
-    return warning.is(says::spacingFromCalibration) || warning.is(says::spacingFromField) ||
-           warning.is(says::spacingMissing) || warning.is(says::spacingMissingIntensifier);
+    return warning.is(messages::spacingFromCalibration) || warning.is(messages::spacingFromField) ||
+           warning.is(messages::spacingMissing) || warning.is(messages::spacingMissingIntensifier);
 }
 
 }   // namespace angiopose::io

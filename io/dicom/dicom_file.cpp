@@ -1,6 +1,6 @@
 #include "io/dicom/dicom_file.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/inflate.h"
 
@@ -97,7 +97,7 @@ core::Result<InputBytes> openDicom(const std::string& path)
             return InputBytes(std::move(*unpacked));
         }
     }
-    return fileError(path, says::dicomNotOne());
+    return fileError(path, messages::dicomNotOne());
 }
 
 bool isDicomFile(const std::string& path)
@@ -119,7 +119,7 @@ core::Result<DicomFile> parseDicom(std::string_view content, const std::string& 
     if (file.transferSyntax == deflatedSyntax) {
         auto unpacked = inflated(rest, Packing::RawDeflate, maxDatasetBytes);
         if (!unpacked) {
-            return fileError(path, says::dicomDeflateDamaged());
+            return fileError(path, messages::dicomDeflateDamaged());
         }
         file.unpacked = InputBytes(std::move(*unpacked));
         rest = file.unpacked.view();
@@ -127,7 +127,7 @@ core::Result<DicomFile> parseDicom(std::string_view content, const std::string& 
     const DicomEncoding encoding = encodingOf(rest, file.transferSyntax);
     PassedElements passed = passElements(rest, encoding);
     if (passed.isEmpty) {
-        return fileError(path, says::dicomNoElement());
+        return fileError(path, messages::dicomNoElement());
     }
     file.dataset = readElements(passed.elements, encoding);
     if (!passed.withoutVr.empty()) {

@@ -1,7 +1,7 @@
 #include "io/dicom/dicom_gate.h"
 
 #include "io/dicom/siemens_tags.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 
 #include <algorithm>
 #include <array>
@@ -205,11 +205,11 @@ PassedElements passElements(std::string_view bytes, DicomEncoding encoding)
         const bool isOpen = head->length == undefinedLength;
         const auto [size, isClean] = walkValue(*head, rest, encoding);
         if (!size && isOpen && !isPixelTag(head->tag)) {
-            passed.damage = says::dicomSequenceWithoutEnd(tagName(head->tag));
+            passed.damage = messages::dicomSequenceWithoutEnd(tagName(head->tag));
             return passed;
         }
         if (!size && !isOpen) {
-            passed.damage = says::dicomElementTooLong(tagName(head->tag), std::size_t{head->length}, rest.size());
+            passed.damage = messages::dicomElementTooLong(tagName(head->tag), std::size_t{head->length}, rest.size());
         }
         passed.isEmpty = false;
         const std::string_view whole = bytes.substr(0, head->size + size.value_or(rest.size()));
@@ -222,7 +222,7 @@ PassedElements passElements(std::string_view bytes, DicomEncoding encoding)
         }
     }
     if (bytes.find_first_not_of('\0') != std::string_view::npos) {
-        passed.damage = says::dicomEndsWithin();
+        passed.damage = messages::dicomEndsWithin();
     }
     return passed;
 }

@@ -1,7 +1,7 @@
 #include "io/dicom/dicom_item.h"
 
 #include "io/dicom/stored_values.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/quiet_libraries.h"
 
 #include <dcmtk/config/osconfig.h>
@@ -157,7 +157,7 @@ core::Result<std::string> DicomObject::content()
         content.append(static_cast<const char*>(bytes), static_cast<std::size_t>(size));
     }
     file_->transferEnd();
-    return state.good() ? core::Result<std::string>(std::move(content)) : core::Error(says::dicomNotWritten());
+    return state.good() ? core::Result<std::string>(std::move(content)) : core::Error(messages::dicomNotWritten());
 }
 
 std::string shortened(std::string_view utf8, std::size_t characters)

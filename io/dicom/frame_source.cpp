@@ -1,7 +1,7 @@
 #include "io/dicom/frame_source.h"
 
 #include "io/dicom/decode_frame.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 
 #include <algorithm>
@@ -126,7 +126,7 @@ core::Result<FrameReader> FrameReader::open(const DicomFile& file, const PixelLa
         const std::size_t bits = bitsPerFrame(layout);
         const std::size_t there = 8 * pixels.bytes.size() / bits;
         if (there == 0) {
-            return fileError(path, says::dicomPixelsCutShort(pixels.bytes.size(), (bits * count + 7) / 8));
+            return fileError(path, messages::dicomPixelsCutShort(pixels.bytes.size(), (bits * count + 7) / 8));
         }
         const bool areAllFrames = 8 * pixels.bytes.size() - bits * there <= 8;   // but for the byte that makes it even
         reader.frameCount_ = static_cast<int>(areAllFrames ? there : std::min(there, count));
@@ -134,7 +134,7 @@ core::Result<FrameReader> FrameReader::open(const DicomFile& file, const PixelLa
     }
     auto fragments = fragmentsOf(pixels);
     if (!fragments || fragments->size() < 2) {
-        return fileError(path, says::dicomPackedPixelsCutShort());
+        return fileError(path, messages::dicomPackedPixelsCutShort());
     }
     fragments->erase(fragments->begin());   // the offset table
     reader.streams_ = framesOfFragments(*fragments, count, file.transferSyntax == runLengthSyntax);
@@ -156,7 +156,7 @@ ImageF FrameReader::nativeFrame(std::size_t index) const
 
 core::Error FrameReader::undecodable(int index) const
 {
-    return fileError(path_, says::dicomFrameUndecodable(index + 1, transferSyntax_.substr(0, 64)));
+    return fileError(path_, messages::dicomFrameUndecodable(index + 1, transferSyntax_.substr(0, 64)));
 }
 
 core::Result<DecodedFrame> FrameReader::compressedFrame(std::size_t index) const
@@ -180,11 +180,11 @@ core::Result<DecodedFrame> FrameReader::wholeOrPart(int index) const
 {
     const auto at = static_cast<std::size_t>(index);
     if (index >= frameCount_) {
-        return fileError(path_, says::dicomFramesMissing(frameCount_, layout_.frames));
+        return fileError(path_, messages::dicomFramesMissing(frameCount_, layout_.frames));
     }
     auto frame = pixels_.isEncapsulated ? compressedFrame(at) : core::Result(DecodedFrame{nativeFrame(at)});
     if (frame && layout_.isFloat && !isFinite(frame.value().image)) {
-        return fileError(path_, says::pixelNotFinite());
+        return fileError(path_, messages::pixelNotFinite());
     }
     return frame;
 }

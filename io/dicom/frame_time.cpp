@@ -1,6 +1,6 @@
 #include "io/dicom/frame_time.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +44,8 @@ FrameTime frameTimeOf(const DicomDataset& data)
     const bool isVector = data.integer(incrementPointerTag) == static_cast<int>(vectorTag);
     FrameTime time{(isVector && median > 0.0) || single == 0.0 ? median : single, {}};
     if (single > 0.0 && median > 0.0 && std::abs(single - median) > 0.05 * time.ms) {
-        time.contradiction = says::dicomFrameTimes(core::Quantity{single, 1, "ms"}, core::Quantity{median, 1, "ms"},
-                                                   core::Quantity{time.ms, 1, "ms"});
+        time.contradiction = messages::dicomFrameTimes(core::Quantity{single, 1, "ms"}, core::Quantity{median, 1, "ms"},
+                                                       core::Quantity{time.ms, 1, "ms"});
     }
     for (const DicomTag rate : {DicomTag{0x00180040}, DicomTag{0x00082144}}) {
         time.ms = time.ms == 0.0 && positiveOrZero(data, rate) > 0.0 ? 1000.0 / positiveOrZero(data, rate) : time.ms;

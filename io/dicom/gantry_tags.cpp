@@ -3,7 +3,7 @@
 #include "io/dicom/c_arm_tags.h"
 #include "io/dicom/functional_groups.h"
 #include "io/dicom/siemens_tags.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/numbers.h"
 
 #include <algorithm>
@@ -215,8 +215,8 @@ void readIncrements(const DicomDataset& data, int frameCount, GantryHeader& head
     if (moves && increments.size() == frames) {
         header.angleIncrementsDeg = std::move(increments);
     } else if (moves || data.text(0x00181500) == "DYNAMIC") {
-        warnings.push_back(says::gantryMoved(
-            increments.empty() ? says::gantryNoAngles() : says::gantryAngles(increments.size()), frameCount));
+        warnings.push_back(messages::gantryMoved(
+            increments.empty() ? messages::gantryNoAngles() : messages::gantryAngles(increments.size()), frameCount));
     }
 }
 
@@ -226,7 +226,7 @@ void readPatientPosition(const DicomDataset& data, GantryHeader& header, core::M
     const std::string position(data.text(0x00185100));
     header.patientPosition = core::patientPositionFrom(position);
     if (!position.empty() && position != "HFS") {
-        warnings.push_back(says::patientLies(position));
+        warnings.push_back(messages::patientLies(position));
     }
 }
 
@@ -249,8 +249,8 @@ void readTableMotion(const DicomDataset& data, int frameCount, GantryHeader& hea
     header.tableMoves =
         farthestMm > 0.0 || data.text(0x00181134) == "DYNAMIC" || (flag && data.number(*flag).value_or(0.0) == 1.0);
     if (header.tableMoves) {
-        warnings.push_back(farthestMm > 0.0 ? says::tableMoved(core::inMm(farthestMm, 0))
-                                            : says::tableMoved(says::tableMovedUnknown()));
+        warnings.push_back(farthestMm > 0.0 ? messages::tableMoved(core::inMm(farthestMm, 0))
+                                            : messages::tableMoved(messages::tableMovedUnknown()));
     }
 }
 

@@ -1,6 +1,6 @@
 #include "io/dicom/pixel_layout.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 
 #include <algorithm>
@@ -13,11 +13,12 @@ namespace {
 core::Message missingImage(const DicomFile& file)
 {
     const std::string modality(file.dataset.text(0x00080060));
-    const core::Message what = modality.empty() ? says::dicomThisFile() : says::dicomThisFileOf(modality.substr(0, 16));
+    const core::Message what =
+        modality.empty() ? messages::dicomThisFile() : messages::dicomThisFileOf(modality.substr(0, 16));
     if (file.damage) {
-        return says::dicomDamagedBeforePixels(what, *file.damage);
+        return messages::dicomDamagedBeforePixels(what, *file.damage);
     }
-    return says::dicomHoldsNoImage(what);
+    return messages::dicomHoldsNoImage(what);
 }
 
 std::optional<core::Message> findUnsupported(const PixelLayout& layout)
@@ -29,18 +30,18 @@ std::optional<core::Message> findUnsupported(const PixelLayout& layout)
     const bool isColor =
         layout.samples == 3 && std::find(colors.begin(), colors.end(), layout.photometric) != colors.end();
     if (layout.photometric == "PALETTE COLOR") {
-        return says::dicomPaletteColors();
+        return messages::dicomPaletteColors();
     }
     if (!isGray && !isColor) {
-        return says::dicomNotGray(layout.photometric.substr(0, 16), layout.samples);
+        return messages::dicomNotGray(layout.photometric.substr(0, 16), layout.samples);
     }
     const int bits = layout.bitsAllocated;
     if ((bits != 1 && bits != 8 && bits != 16 && bits != 32) || (bits == 1 && layout.samples != 1)) {
-        return says::dicomPixelBits(bits);
+        return messages::dicomPixelBits(bits);
     }
     if (layout.bitsStored < 1 || layout.bitsStored > bits || layout.highBit >= bits ||
         layout.highBit + 1 < layout.bitsStored) {
-        return says::dicomBitsContradict();
+        return messages::dicomBitsContradict();
     }
     return {};
 }
@@ -74,11 +75,11 @@ core::Result<PixelLayout> pixelLayoutOf(const DicomFile& file, const std::string
         layout.photometric = layout.samples == 3 ? "RGB" : "MONOCHROME2";
     }
     if (layout.rows <= 0 || layout.columns <= 0 || layout.frames <= 0) {
-        return fileError(path, says::dicomNoImageSize());
+        return fileError(path, messages::dicomNoImageSize());
     }
     if (layout.pixelsPerFrame() > maxFramePixels ||
         layout.pixelsPerFrame() > maxPixels / static_cast<std::size_t>(layout.frames)) {
-        return fileError(path, says::dicomTooManyFrames(layout.frames, layout.columns, layout.rows));
+        return fileError(path, messages::dicomTooManyFrames(layout.frames, layout.columns, layout.rows));
     }
     if (const auto unsupported = layout.isFloat ? std::nullopt : findUnsupported(layout)) {
         return fileError(path, *unsupported);

@@ -10,7 +10,7 @@
 #include "io/dicom/heart_beats.h"
 #include "io/dicom/projection.h"
 #include "io/dicom/shutter_tags.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 
 #include <algorithm>
@@ -78,7 +78,7 @@ void blank(const std::vector<int>& lostFrames, Angiogram& angiogram)
     for (const int lost : lostFrames) {
         std::ranges::fill(angiogram.frames[static_cast<std::size_t>(lost)].pixels, level);
     }
-    angiogram.warnings.push_back(says::dicomFramesLost(namesOf(lostFrames), angiogram.frameCount()));
+    angiogram.warnings.push_back(messages::dicomFramesLost(namesOf(lostFrames), angiogram.frameCount()));
 }
 
 /// Contrast agent absorbs X-rays, so vessels have low values if values rise with the X-ray intensity, (0028,1041) = +1.
@@ -93,12 +93,12 @@ void describe(const DicomFile& file, const PixelLayout& layout, Angiogram& angio
 {
     angiogram.identity = identityOf(file.dataset);
     if (layout.samples == 3) {
-        angiogram.warnings.push_back(says::colorToGray());
+        angiogram.warnings.push_back(messages::colorToGray());
     }
     if (angiogram.frameCount() != layout.frames) {
-        angiogram.warnings.push_back(says::dicomFramesOther(layout.frames, angiogram.frameCount()));
+        angiogram.warnings.push_back(messages::dicomFramesOther(layout.frames, angiogram.frameCount()));
     } else if (file.damage) {
-        angiogram.warnings.push_back(says::dicomEndDamaged(*file.damage));
+        angiogram.warnings.push_back(messages::dicomEndDamaged(*file.damage));
     }
     const std::string& modality = angiogram.identity.modality;
     angiogram.shutter = shutterOf(file.dataset, layout.columns, layout.rows, angiogram.warnings);
@@ -111,10 +111,10 @@ void describe(const DicomFile& file, const PixelLayout& layout, Angiogram& angio
         }
     } else {
         const bool isReconstructed = modality == "XA" || modality == "RF";
-        angiogram.warnings.push_back(says::dicomNotXray(isReconstructed ? core::Message(says::aReconstruction(modality))
-                                                        : modality.empty()
-                                                            ? core::Message(says::anImageWithoutModality())
-                                                            : core::Message(says::aModality(modality))));
+        angiogram.warnings.push_back(
+            messages::dicomNotXray(isReconstructed    ? core::Message(messages::aReconstruction(modality))
+                                   : modality.empty() ? core::Message(messages::anImageWithoutModality())
+                                                      : core::Message(messages::aModality(modality))));
     }
 }
 
@@ -123,7 +123,7 @@ core::Result<PixelLayout> runLayout(const DicomFile& file, const std::string& pa
 {
     auto layout = pixelLayoutOf(file, path);
     if (layout && (layout.value().rows < 8 || layout.value().columns < 8)) {
-        return fileError(path, says::dicomThumbnail(layout.value().columns, layout.value().rows));
+        return fileError(path, messages::dicomThumbnail(layout.value().columns, layout.value().rows));
     }
     return layout;
 }
@@ -162,7 +162,7 @@ core::Result<core::Angiogram> readDicomAngiogram(std::string_view content, const
         blank(run.lostFrames, angiogram);
     }
     if (!run.flawedFrames.empty()) {
-        angiogram.warnings.push_back(says::dicomFramesFlawed(namesOf(run.flawedFrames), angiogram.frameCount()));
+        angiogram.warnings.push_back(messages::dicomFramesFlawed(namesOf(run.flawedFrames), angiogram.frameCount()));
     }
     return angiogram;
 }

@@ -2,7 +2,7 @@
 
 #include "io/dicom/c_arm_tags.h"
 #include "io/dicom/functional_groups.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/numbers.h"
 
 #include <algorithm>
@@ -147,7 +147,8 @@ void close(Mask2d& field, const DicomDataset& shutter, core::Messages& warnings)
         Mask2d both = shape->openField(shutter, columns, rows);
         std::ranges::transform(both.pixels, field.pixels, both.pixels.begin(), std::bit_and<>());
         if (static_cast<double>(std::ranges::count(both.pixels, 255)) < minOpenShare * columns * rows) {
-            warnings.push_back(says::shutterUnusable(std::string(shape->name), shutterValues(shutter, shape->tags)));
+            warnings.push_back(
+                messages::shutterUnusable(std::string(shape->name), shutterValues(shutter, shape->tags)));
         } else {
             field = std::move(both);
         }

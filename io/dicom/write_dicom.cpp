@@ -1,12 +1,12 @@
 #include "io/dicom/write_dicom.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "io/dicom/dicom_item.h"
 #include "io/dicom/new_uid.h"
 #include "io/dicom/siemens_tags.h"
 #include "io/dicom/source_image.h"
 #include "io/dicom/stored_values.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 
 #include <algorithm>
 #include <array>
@@ -38,17 +38,17 @@ std::optional<core::Message> findNoLength(const CArm& cArm)
         return length.value && !(std::isfinite(*length.value) && *length.value > 0.0);
     };
     if (isNone(cArm.sourceToDetectorMm)) {
-        return core::says::valueMissing(core::says::theSid());
+        return core::messages::valueMissing(core::messages::theSid());
     }
     return isNone(cArm.rowSpacingMm) || isNone(cArm.columnSpacingMm)
-               ? std::optional(core::says::valueMissing(core::says::theSpacing()))
+               ? std::optional(core::messages::valueMissing(core::messages::theSpacing()))
                : std::nullopt;
 }
 
 std::optional<core::Message> findUnwritable(const Angiogram& angiogram)
 {
     if (angiogram.frames.empty() || angiogram.frames.front().isEmpty()) {
-        return says::dicomNoFramesToWrite();
+        return messages::dicomNoFramesToWrite();
     }
     if (const auto wrong = findNoLength(angiogram.cArm)) {
         return wrong;
@@ -56,15 +56,15 @@ std::optional<core::Message> findUnwritable(const Angiogram& angiogram)
     const int width = angiogram.width(), height = angiogram.height();
     for (const core::ImageF& frame : angiogram.frames) {
         if (frame.width != width || frame.height != height) {
-            return says::imageFramesDiffer();
+            return messages::imageFramesDiffer();
         }
         if (!std::all_of(frame.pixels.begin(), frame.pixels.end(), [](float value) { return std::isfinite(value); })) {
-            return says::pixelNotFiniteWriting();
+            return messages::pixelNotFiniteWriting();
         }
     }
     const std::size_t pixels = angiogram.frames.front().pixels.size() * angiogram.frames.size();
     const bool isTooLarge = width > 65535 || height > 65535 || pixels > (std::size_t{1} << 31) - 16;
-    return isTooLarge ? std::optional(says::dicomRunTooLarge()) : std::nullopt;
+    return isTooLarge ? std::optional(messages::dicomRunTooLarge()) : std::nullopt;
 }
 
 std::string digitsOf(std::string text)
@@ -307,7 +307,7 @@ core::Result<std::string> dicomText(const Angiogram& angiogram, const SourceImag
         root.words(0x7fe00010, stored.pixels);
         return object.content();
     } catch (const std::exception&) {
-        return core::Error(says::dicomNoMemoryToWrite());
+        return core::Error(messages::dicomNoMemoryToWrite());
     }
 }
 

@@ -1,6 +1,6 @@
 #include "io/evaluation/observer_readings.h"
 
-#include "io/messages/says_seldom.h"
+#include "io/messages/messages.h"
 #include "io/support/csv_table.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -17,14 +17,14 @@ public:
     {
         const auto index = table_.column(column);
         return index ? core::Result<std::string>(std::string(table_.rows[row_][*index]))
-                     : core::Result<std::string>(fileError(table_.path, says::observerColumnMissing(column)));
+                     : core::Result<std::string>(fileError(table_.path, messages::observerColumnMissing(column)));
     }
 
     core::Result<double> number(const std::string& column) const
     {
         const auto index = table_.column(column);
         return index ? numberAt(table_, row_, *index)
-                     : core::Result<double>(fileError(table_.path, says::observerColumnMissing(column)));
+                     : core::Result<double>(fileError(table_.path, messages::observerColumnMissing(column)));
     }
 
     core::Result<core::RigidTransform> pose(const std::string& prefix) const

@@ -1,7 +1,7 @@
 #include "io/evaluation/own_manifest.h"
 
 #include "io/fiducial_file.h"
-#include "io/messages/says_seldom.h"
+#include "io/messages/messages.h"
 #include "io/support/csv_table.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -23,7 +23,7 @@ core::Result<Rows> parsePointRows(const CsvTable& table, std::initializer_list<s
     for (const std::string_view name : wanted) {
         const auto column = table.column(name);
         if (!column) {
-            return fileError(table.path, says::ownPointColumnMissing(name));
+            return fileError(table.path, messages::ownPointColumnMissing(name));
         }
         columns.push_back(*column);
     }
@@ -38,7 +38,7 @@ core::Result<Rows> parsePointRows(const CsvTable& table, std::initializer_list<s
             numbers.push_back(number.value());
         }
     }
-    return rows.empty() ? core::Result<Rows>(fileError(table.path, says::ownNoPoints())) : core::Result<Rows>(rows);
+    return rows.empty() ? core::Result<Rows>(fileError(table.path, messages::ownNoPoints())) : core::Result<Rows>(rows);
 }
 
 core::Result<Rows> readPointRows(const std::string& path, std::initializer_list<std::string_view> wanted)
@@ -110,24 +110,24 @@ core::Result<OwnEntry> parseOwnEntry(const CsvTable& table, const OwnRow& row)
                    0,
                    {}};
     if (entry.casePath.empty()) {
-        return fileError(table.path, says::ownNoCase(entry.line));
+        return fileError(table.path, messages::ownNoCase(entry.line));
     }
     if (entry.referencePath.empty() && entry.pairsPath.empty()) {
-        return fileError(table.path, says::ownNoTruth(entry.line));
+        return fileError(table.path, messages::ownNoTruth(entry.line));
     }
     if (!entry.deformedPath.empty() && (entry.referencePath.empty() || !entry.landmarksPath.empty())) {
-        return fileError(table.path, says::ownDeformedAlone(entry.line));
+        return fileError(table.path, messages::ownDeformedAlone(entry.line));
     }
     if (const std::string condition = row.text("condition"); !condition.empty()) {
         if (!isFileWord(condition)) {
-            return fileError(table.path, says::ownConditionName(entry.line, condition));
+            return fileError(table.path, messages::ownConditionName(entry.line, condition));
         }
         entry.condition = condition;
     }
     for (const std::string& column : table.columns) {
         if (column.starts_with(foundPrefix)) {
             if (column.size() == foundPrefix.size()) {
-                return fileError(table.path, says::ownPoseWithoutName());
+                return fileError(table.path, messages::ownPoseWithoutName());
             }
             if (std::string found = row.path(column); !found.empty()) {
                 entry.foundPaths[column.substr(foundPrefix.size())] = std::move(found);
@@ -141,7 +141,7 @@ core::Result<std::vector<OwnEntry>> parseOwnManifest(const CsvTable& table)
 {
     const bool hasTruth = table.column("reference") || table.column("pairs");
     if (!table.column("case") || !hasTruth || table.rows.empty()) {
-        return fileError(table.path, says::ownNoHeader());
+        return fileError(table.path, messages::ownNoHeader());
     }
     std::vector<OwnEntry> entries;
     std::map<std::string, int> patients;

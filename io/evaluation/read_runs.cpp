@@ -1,5 +1,5 @@
 #include "io/evaluation/run_files.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/atomic_file.h"
 #include "io/support/csv_table.h"
 #include "io/support/file_error.h"
@@ -27,7 +27,7 @@ public:
     {
         const auto column = table_.column(name);
         if (!column) {
-            return fileError(table_.path, says::runsColumnMissing(name));
+            return fileError(table_.path, messages::runsColumnMissing(name));
         }
         columns_[std::string(name)] = *column;
         return core::Done{};
@@ -56,7 +56,7 @@ public:
 private:
     core::Error broken(std::size_t row, std::string_view name) const
     {
-        return fileError(table_.path, says::runsNoNumber(table_.lineOfRow[row], name));
+        return fileError(table_.path, messages::runsNoNumber(table_.lineOfRow[row], name));
     }
 
     const CsvTable& table_;
@@ -134,7 +134,7 @@ core::Result<core::RunSet> parseRuns(const CsvTable& table)
             return seed.error();
         }
         if (row > 0 && (seed.value() != runs.seed || reader.text(row, "protocol") != runs.protocol)) {
-            return fileError(table.path, says::runsMixed());
+            return fileError(table.path, messages::runsMixed());
         }
         runs.seed = seed.value();
         runs.protocol = reader.text(row, "protocol");

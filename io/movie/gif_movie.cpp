@@ -1,6 +1,6 @@
 #include "io/movie/gif_movie.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/movie/gif_palette.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
@@ -87,7 +87,7 @@ private:
     core::Status statusOf(bool isWritten) const
     {
         return isWritten  ? core::Status(core::Done{})
-               : written_ ? core::Status(fileError(path_, says::movieNotMade()))
+               : written_ ? core::Status(fileError(path_, messages::movieNotMade()))
                           : written_;
     }
 
@@ -135,7 +135,7 @@ bool GifMovie::writeHead(const MovieFacts& facts)
 core::Status GifMovie::add(const core::ColorImage& picture, double ms)
 {
     if (picture.width != size_.width || picture.height != size_.height) {
-        return fileError(path_, says::movieSizesDiffer());
+        return fileError(path_, messages::movieSizesDiffer());
     }
     const std::int64_t from = clock_.now();
     clock_.advance(ms);
@@ -197,7 +197,7 @@ bool GifMovie::putPixels(const Part& part, GifPalette& palette, bool isFirst)
 core::Status GifMovie::finish()
 {
     if (waiting_.rgb.empty()) {
-        return fileError(path_, says::movieNotMade());
+        return fileError(path_, messages::movieNotMade());
     }
     if (!late_.rgb.empty()) {   // the last image must not be dropped
         const std::int64_t from = waitingFrom_ + minDelay;

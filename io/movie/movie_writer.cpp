@@ -1,6 +1,6 @@
 #include "io/movie/movie_writer.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/movie/gif_movie.h"
 #include "io/movie/mp4_movie.h"
 #include "io/movie/planar_picture.h"
@@ -23,15 +23,15 @@ std::optional<MovieKind> movieKindOf(const std::string& path)
 std::optional<core::Message> findProblem(MovieKind kind, const MovieSize& size)
 {
     if (size.width < minMovieSidePx || size.height < minMovieSidePx) {
-        return says::movieTooSmall(minMovieSidePx);
+        return messages::movieTooSmall(minMovieSidePx);
     }
     if (kind == MovieKind::Mp4) {
         return canEncode(size) ? std::nullopt
-                               : std::optional<core::Message>(says::movieTooLarge(size.width, size.height));
+                               : std::optional<core::Message>(messages::movieTooLarge(size.width, size.height));
     }
     return std::max(size.width, size.height) <= maxGifSidePx
                ? std::nullopt
-               : std::optional<core::Message>(says::gifTooLarge(size.width, size.height, maxGifSidePx));
+               : std::optional<core::Message>(messages::gifTooLarge(size.width, size.height, maxGifSidePx));
 }
 
 core::Result<std::unique_ptr<MovieWriter>> MovieWriter::create(const std::string& path, const MovieSize& size,
@@ -39,7 +39,7 @@ core::Result<std::unique_ptr<MovieWriter>> MovieWriter::create(const std::string
 {
     const auto kind = movieKindOf(path);
     if (!kind) {
-        return fileError(path, says::movieKindUnknown());
+        return fileError(path, messages::movieKindUnknown());
     }
     if (const auto problem = findProblem(*kind, size)) {
         return fileError(path, *problem);

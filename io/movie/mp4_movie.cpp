@@ -1,6 +1,6 @@
 #include "io/movie/mp4_movie.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/movie/planar_picture.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
@@ -276,7 +276,7 @@ private:
 core::Status Mp4Movie::add(const core::ColorImage& picture, double ms)
 {
     if (picture.width != size_.width || picture.height != size_.height) {
-        return fileError(path_, says::movieSizesDiffer());
+        return fileError(path_, messages::movieSizesDiffer());
     }
     const auto encoded = encoder_.encode(planarPicture(picture), atMs_);
     if (!encoded) {
@@ -286,7 +286,7 @@ core::Status Mp4Movie::add(const core::ColorImage& picture, double ms)
     clock_.advance(ms);
     atMs_ += ms;
     take(encoded.value(), from);
-    return samples_.size() <= maxMovieBytes ? core::Status(core::Done{}) : fileError(path_, says::movieTooLong());
+    return samples_.size() <= maxMovieBytes ? core::Status(core::Done{}) : fileError(path_, messages::movieTooLong());
 }
 
 /// Stores the parameter sets for the file header and all other units as the sample.
@@ -311,7 +311,7 @@ void Mp4Movie::take(const EncodedPicture& encoded, std::int64_t from)
 core::Status Mp4Movie::finish()
 {
     if (track_.samples.empty() || track_.sequence.size() < 4) {
-        return fileError(path_, says::movieNotMade());
+        return fileError(path_, messages::movieNotMade());
     }
     for (const std::string& part : {mp4Head(track_), samples_}) {
         if (auto written = file_.write(part); !written) {

@@ -1,6 +1,6 @@
 #include "io/movie/planar_picture.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 
 #include <wels/codec_api.h>
 #include <algorithm>
@@ -177,7 +177,7 @@ core::Result<H264Encoder> H264Encoder::create(const MovieSize& size)
 {
     ISVCEncoder* made = nullptr;
     if (WelsCreateSVCEncoder(&made) != 0 || made == nullptr) {
-        return core::Error(says::movieEncoderFailed());
+        return core::Error(messages::movieEncoderFailed());
     }
     auto parts = std::make_unique<Parts>();
     parts->encoder.reset(made);
@@ -185,7 +185,7 @@ core::Result<H264Encoder> H264Encoder::create(const MovieSize& size)
     made->SetOption(ENCODER_OPTION_TRACE_LEVEL, &quiet);
     const SEncParamExt parameters = parametersFor(*made, size);
     if (made->InitializeExt(&parameters) != cmResultSuccess) {
-        return core::Error(says::movieEncoderFailed());
+        return core::Error(messages::movieEncoderFailed());
     }
     return H264Encoder(std::move(parts));
 }
@@ -208,7 +208,7 @@ core::Result<EncodedPicture> H264Encoder::encode(const PlanarPicture& picture, d
     SFrameBSInfo info{};
     if (parts_->encoder->EncodeFrame(&source, &info) != cmResultSuccess || info.eFrameType == videoFrameTypeSkip ||
         info.eFrameType == videoFrameTypeInvalid) {
-        return core::Error(says::movieEncoderFailed());
+        return core::Error(messages::movieEncoderFailed());
     }
     return takenFrom(info);
 }

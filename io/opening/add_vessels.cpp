@@ -1,6 +1,6 @@
 #include "io/opening/add_vessels.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/input_bytes.h"
 #include "io/surface_file.h"
 #include "io/vessel_input_file.h"
@@ -91,7 +91,7 @@ core::Status addVessels(LoadedInputs& inputs, const std::string& path, const Ope
     if (inputs.tree) {
         return isOfSameSeries(inputs, path)
                    ? core::Status(core::Done{})
-                   : core::Status(core::Error(says::openSecondTree(fs::path(path).filename().string())));
+                   : core::Status(core::Error(messages::openSecondTree(fs::path(path).filename().string())));
     }
     const auto kind = vesselInputKindOf(path);
     if (!kind) {

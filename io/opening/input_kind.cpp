@@ -1,7 +1,7 @@
 #include "io/opening/input_kind.h"
 
 #include "io/fiducial_file.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/pose/opencv_storage.h"
 #include "io/pose_camera_file.h"
 #include "io/series/slice_record.h"
@@ -32,10 +32,10 @@ core::Result<std::string> headOf(const std::string& path)
     std::ifstream file(path, std::ios::binary);
     std::string head(headSize, '\0');
     if (!file.read(head.data(), headSize) && !file.eof()) {
-        return core::Error(says::openUnreadable(name, std::generic_category().message(errno)));
+        return core::Error(messages::openUnreadable(name, std::generic_category().message(errno)));
     }
     head.resize(static_cast<std::size_t>(file.gcount()));
-    return head.empty() ? core::Result<std::string>(core::Error(says::openEmpty(name))) : head;
+    return head.empty() ? core::Result<std::string>(core::Error(messages::openEmpty(name))) : head;
 }
 
 bool startsAsDicom(std::string_view head)
@@ -116,7 +116,7 @@ core::Result<InputKind> kindByName(const std::string& path, std::string_view hea
     if (isOneOf(images, extension)) {
         return InputKind::Image;
     }
-    return core::Error(says::openUnknown(fs::path(path).filename().string()));
+    return core::Error(messages::openUnknown(fs::path(path).filename().string()));
 }
 
 }   // namespace
@@ -126,13 +126,13 @@ core::Result<InputKind> inputKindOf(const std::string& path)
     std::error_code failure;
     const fs::file_status status = fs::status(path, failure);
     if (!fs::exists(status)) {
-        return core::Error(says::openMissing(path));
+        return core::Error(messages::openMissing(path));
     }
     if (fs::is_directory(status)) {
         return InputKind::Folder;
     }
     if (!fs::is_regular_file(status)) {
-        return core::Error(says::fileNotRegular().about(path));
+        return core::Error(messages::fileNotRegular().about(path));
     }
     const auto head = headOf(path);
     if (!head) {

@@ -5,7 +5,7 @@
 #include "io/case/fields/geometry_fields.h"
 #include "io/case/fields/result_fields.h"
 #include "io/case/load_case_with.h"
-#include "io/messages/says_seldom.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 
@@ -31,10 +31,10 @@ core::Result<Json> readResultJson(const std::string& path)
     Json root = Json::parse(input.value().view());
     const Json format = root.is_object() ? root.value("format", Json()) : Json();
     if (format != "angiopose-result" && format != "angiopose-joint-result") {
-        return fileError(path, says::resultNotOne());
+        return fileError(path, messages::resultNotOne());
     }
     if (!root.contains("case")) {
-        return fileError(path, says::resultWithoutCase());
+        return fileError(path, messages::resultWithoutCase());
     }
     return root;
 }
@@ -53,7 +53,7 @@ core::Result<MovedInputs> placesOf(const std::vector<core::InputFile>& files, co
     for (const MissingInput& each : wanted) {
         if (!found.contains(each.path)) {
             const std::string name = fs::path(each.path).filename().string();
-            return fileError(place.path, says::resultInputMissing(name, each.sha256));
+            return fileError(place.path, messages::resultInputMissing(name, each.sha256));
         }
     }
     return found;
@@ -68,7 +68,7 @@ core::Status checkContents(const std::vector<core::InputFile>& wanted, const Mov
             const auto found = places.find(each.path);
             const bool isSame = found != places.end() && found->second == file.path;
             if (isSame && !each.sha256.empty() && each.sha256 != file.sha256) {
-                return fileError(path, says::resultInputChanged(fs::path(file.path).filename().string()));
+                return fileError(path, messages::resultInputChanged(fs::path(file.path).filename().string()));
             }
         }
     }
@@ -144,7 +144,7 @@ core::Result<core::Case> openFound(const ResultPlace& place, core::Messages& war
         }
         return core::showingView(std::move(session), first);
     } catch (const std::exception&) {   // a value has the wrong type
-        return fileError(place.path, says::resultNotOne());
+        return fileError(place.path, messages::resultNotOne());
     }
 }
 

@@ -2,7 +2,7 @@
 
 #include "io/case/case_file.h"
 #include "io/case/load_case_with.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/opening/open_case_with.h"
 
 #include <filesystem>
@@ -60,7 +60,7 @@ core::Result<LoadedInputs> readCaseInputsWith(const CaseRequest& request, const 
         return loaded.error();
     }
     for (const auto& [wanted, place] : inputs.moved) {
-        inputs.warnings.push_back(says::openMoved(fs::path(wanted).filename().string(), place));
+        inputs.warnings.push_back(messages::openMoved(fs::path(wanted).filename().string(), place));
     }
     inputs.wholeCase = std::move(loaded).value();
     return inputs;

@@ -4,8 +4,7 @@
 #include "io/centerline2d_file.h"
 #include "io/fiducial_file.h"
 #include "io/file_hash.h"
-#include "io/messages/says.h"
-#include "io/messages/says_exchange.h"
+#include "io/messages/messages.h"
 #include "io/opening/add_vessels.h"
 #include "io/opening/input_kind.h"
 #include "io/opening/read_case_inputs.h"
@@ -39,7 +38,7 @@ void subtractAsNamed(LoadedInputs& inputs, const core::RunTreatment& treatment)
 core::Status addImage(LoadedInputs& inputs, const std::string& path)
 {
     if (inputs.angiogram) {
-        return twice(path, says::openSecondAngiogram);
+        return twice(path, messages::openSecondAngiogram);
     }
     auto angiogram = readAngiogram(path);
     if (!angiogram) {
@@ -61,7 +60,7 @@ core::Status addImage(LoadedInputs& inputs, const std::string& path)
 core::Status addTarget(LoadedInputs& inputs, const std::string& path)
 {
     if (inputs.target) {
-        return twice(path, says::openSecondCenterline);
+        return twice(path, messages::openSecondCenterline);
     }
     auto target = readCenterline2d(path);
     if (!target) {
@@ -93,7 +92,7 @@ core::Message reasonsOf(const std::vector<DicomSeries>& all)
     for (const auto& [reason, names] : namesByReason) {
         reasons.push_back(reason.about(names));
     }
-    return says::openNoSeries(all.size(), reasons);
+    return messages::openNoSeries(all.size(), reasons);
 }
 
 /// Opens the chosen series of a folder, or its only one; several are offered for choice.
@@ -116,7 +115,7 @@ core::Status addFolder(LoadedInputs& inputs, const std::string& path, const Open
     }
     const auto found = std::find_if(all.begin(), all.end(), opens);
     if (found == all.end() && !seriesId.empty()) {
-        return core::Error(says::seriesNotHere(seriesId).about(path));
+        return core::Error(messages::seriesNotHere(seriesId).about(path));
     }
     if (found == all.end()) {
         return core::Error(reasonsOf(all).about(path));
@@ -164,11 +163,11 @@ core::Status addFile(LoadedInputs& inputs, const std::string& path, const OpenHi
             return addTarget(inputs, path);
         case InputKind::Pose:
         case InputKind::Points:
-            return core::Error(says::openPoseAlone(std::filesystem::path(path).filename().string()));
+            return core::Error(messages::openPoseAlone(std::filesystem::path(path).filename().string()));
         case InputKind::Case:
             break;
     }
-    return core::Error(says::openCaseAlone(std::filesystem::path(path).filename().string()));
+    return core::Error(messages::openCaseAlone(std::filesystem::path(path).filename().string()));
 }
 
 void addVesselHash(LoadedInputs& inputs)

@@ -1,7 +1,7 @@
 #include "io/opening/view_from_inputs.h"
 
 #include "core/case/view_step.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/opening/assemble_case.h"
 
 namespace angiopose::io {
@@ -33,7 +33,7 @@ core::Result<core::View> viewFrom(const core::Case& session, const LoadedInputs&
         return view;
     }
     if (!inputs.angiogram) {
-        return core::Error(says::openNoAngiogram().about(path));
+        return core::Error(messages::openNoAngiogram().about(path));
     }
     const core::View& shown = session.shown();
     core::View view = viewWithImage(session, inputs);

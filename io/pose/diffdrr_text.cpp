@@ -1,6 +1,6 @@
 #include "io/pose/diffdrr_text.h"
 
-#include "io/messages/says_exchange.h"
+#include "io/messages/messages.h"
 #include "io/support/csv_table.h"
 #include "io/support/file_error.h"
 #include "io/support/json_text.h"
@@ -135,9 +135,9 @@ core::Result<DiffDrrParts> diffDrrOfJson(std::string_view text, const std::strin
         }
         return parts;
     } catch (const WrongKey& wrong) {
-        return fileError(path, says::diffDrrKeys(wrong.key));
+        return fileError(path, messages::diffDrrKeys(wrong.key));
     } catch (const DrrJson::exception&) {
-        return fileError(path, says::diffDrrKeys("pose"));
+        return fileError(path, messages::diffDrrKeys("pose"));
     }
 }
 
@@ -152,7 +152,7 @@ core::Result<DiffDrrParts> diffDrrOfTable(std::string_view text, const std::stri
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto column = table.value().column(names[i]);
         if (!column || table.value().rows.empty()) {
-            return fileError(path, says::diffDrrKeys(names[i]));
+            return fileError(path, messages::diffDrrKeys(names[i]));
         }
         const auto number = numberAt(table.value(), table.value().rows.size() - 1, *column);
         if (!number) {

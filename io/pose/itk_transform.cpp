@@ -1,6 +1,6 @@
 #include "io/pose/itk_transform.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/byte_order.h"
 #include "io/support/numbers.h"
 #include "io/support/pose_matrix.h"
@@ -102,11 +102,11 @@ std::optional<core::RigidTransform> motionOf(const ItkTransform& transform)
 core::Result<core::RigidTransform> poseOf(const std::optional<ItkTransform>& transform)
 {
     if (!transform || transform->count != 1) {
-        return core::Error(says::poseNoTransform());
+        return core::Error(messages::poseNoTransform());
     }
     const auto motion = motionOf(*transform);
     if (!motion) {
-        return core::Error(says::poseNotRigidTransform(transform->type.substr(0, 60)));
+        return core::Error(messages::poseNotRigidTransform(transform->type.substr(0, 60)));
     }
     auto pose = poseFromRows(rowsOf(*motion));
     if (!pose || transform->fixed.size() < 3) {
@@ -118,7 +118,7 @@ core::Result<core::RigidTransform> poseOf(const std::optional<ItkTransform>& tra
         shifted.translation += center - shifted.rotation * center;
     }
     return shifted.translation.allFinite() ? core::Result<core::RigidTransform>(shifted)
-                                           : core::Error(says::poseCenterNotFinite());
+                                           : core::Error(messages::poseCenterNotFinite());
 }
 
 /// A matrix of a MATLAB level 4 file.
@@ -174,7 +174,7 @@ core::Result<core::RigidTransform> poseFromItkMatlab(std::string_view content)
     const auto fixed = takeMatrix(content);
     return parameters && fixed && fixed->name == "fixed" && content.empty()
                ? poseOf(ItkTransform{1, parameters->name, parameters->values, fixed->values})
-               : core::Error(says::poseNoTransform());
+               : core::Error(messages::poseNoTransform());
 }
 
 std::string itkText(const core::RigidTransform& cameraFromPatient)

@@ -1,7 +1,7 @@
 #include "io/pose/named_matrices.h"
 
 #include "core/exchange/projection_matrix.h"
-#include "io/messages/says_exchange.h"
+#include "io/messages/messages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,12 +90,12 @@ bool reportSight(const NamedMatrices& matrices)
 core::Result<core::Sight> sightOf(const NamedMatrices& matrices)
 {
     if (!reportSight(matrices)) {
-        return core::Error(says::exchangeNoPose());
+        return core::Error(messages::exchangeNoPose());
     }
     for (const std::string_view name : distortionNames) {
         const auto found = matrices.find(name);
         if (found != matrices.end() && std::ranges::any_of(found->second, [](double k) { return k != 0.0; })) {
-            return core::Error(says::exchangeDistorted());
+            return core::Error(messages::exchangeDistorted());
         }
     }
     const auto* intrinsic = find(matrices, intrinsicNames, {9});

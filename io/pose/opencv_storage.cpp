@@ -189,7 +189,7 @@ std::string openCvJson(const core::Sight& sight)
 std::string projectionText(const core::Sight& sight)
 {
     const Eigen::Matrix<double, 3, 4, Eigen::RowMajor> P = core::projectionMatrix(sight);
-    std::string text = "# P = K [R t]: patient LPS mm to px; (0, 0) is the centre of the first pixel\n";
+    std::string text = "# P = K [R t]: patient LPS mm to px; (0, 0) is the center of the first pixel\n";
     for (int row = 0; row < 3; ++row) {
         text += joined(P.row(row).data(), 4, " ") + "\n";
     }

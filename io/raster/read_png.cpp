@@ -1,6 +1,6 @@
 #include "io/raster/read_png.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 
 #include <png.h>
@@ -95,14 +95,14 @@ core::Result<Raster> readPng(std::string_view content, const std::string& path)
 {
     const PngReader reader;
     if (!readHeader(reader.png, reader.info, &content)) {
-        return fileError(path, says::imageDamaged());
+        return fileError(path, messages::imageDamaged());
     }
     const std::size_t width = png_get_image_width(reader.png, reader.info);
     const std::size_t height = png_get_image_height(reader.png, reader.info);
     const std::size_t rowBytes = png_get_rowbytes(reader.png, reader.info);
     if (width < minSide || height < minSide || width > maxSide || height > maxSide ||
         height * (rowBytes + width * sizeof(float)) > maxBytes) {
-        return fileError(path, says::imageSize());
+        return fileError(path, messages::imageSize());
     }
     try {
         std::vector<png_byte> bytes(height * rowBytes);
@@ -111,14 +111,14 @@ core::Result<Raster> readPng(std::string_view content, const std::string& path)
             rows.push_back(bytes.data() + y * rowBytes);
         }
         if (!readRows(reader.png, rows.data())) {
-            return fileError(path, says::imageDamaged());
+            return fileError(path, messages::imageDamaged());
         }
         const std::size_t channels = png_get_channels(reader.png, reader.info);
         const bool isWide = png_get_bit_depth(reader.png, reader.info) == 16;
         const auto gray = isWide ? grayFrom<std::uint16_t> : grayFrom<std::uint8_t>;
         return gray(bytes, static_cast<int>(width), static_cast<int>(height), channels);
     } catch (const std::bad_alloc&) {
-        return fileError(path, says::fileLargerThanMemory());
+        return fileError(path, messages::fileLargerThanMemory());
     }
 }
 

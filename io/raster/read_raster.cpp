@@ -1,6 +1,6 @@
 #include "io/raster/read_raster.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/raster/picture_orientation.h"
 #include "io/raster/read_jpeg.h"
 #include "io/raster/read_png.h"
@@ -34,10 +34,10 @@ core::Result<Raster> decode(std::string_view content, const std::string& path)
         return readTiff(path);
     }
     if (isCutShort(content)) {
-        return fileError(path, says::imageDamaged());
+        return fileError(path, messages::imageDamaged());
     }
     auto raster = readJpeg(content);
-    return raster ? core::Result<Raster>(std::move(*raster)) : fileError(path, says::imageUnusual());
+    return raster ? core::Result<Raster>(std::move(*raster)) : fileError(path, messages::imageUnusual());
 }
 
 bool isFinite(const Raster& raster)
@@ -76,7 +76,7 @@ core::Result<Raster> readRaster(std::string_view content, const std::string& pat
         raster.orientation = orientation;
         raster.frames.front() = oriented(raster.frames.front(), orientation);
     }
-    return isFinite(raster) ? core::Result<Raster>(std::move(raster)) : fileError(path, says::imageUnusual());
+    return isFinite(raster) ? core::Result<Raster>(std::move(raster)) : fileError(path, messages::imageUnusual());
 }
 
 }   // namespace angiopose::io

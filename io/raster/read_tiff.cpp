@@ -1,6 +1,6 @@
 #include "io/raster/read_tiff.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/raster/picture_orientation.h"
 #include "io/raster/tiff_page.h"
 #include "io/support/file_error.h"
@@ -79,7 +79,7 @@ core::Result<Raster> readTiff(const std::string& path)
     std::size_t pixels = 0;
     for (bool hasPage = file != nullptr; hasPage; hasPage = TIFFLastDirectory(file.get()) == 0) {
         if (pixels > 0 && TIFFReadDirectory(file.get()) != 1) {
-            return fileError(path, says::imageDamaged());
+            return fileError(path, messages::imageDamaged());
         }
         const auto page = pageOf(file.get());
         pixels += page ? std::size_t{page->width} * page->height : 1;
@@ -87,15 +87,15 @@ core::Result<Raster> readTiff(const std::string& path)
             continue;
         }
         if (!page || !isPicture(*page) || pixels > maxTiffPixels || !appendPage(file.get(), *page, raster)) {
-            return fileError(path, says::imageUnusual());
+            return fileError(path, messages::imageUnusual());
         }
         const core::ImageF &first = raster.frames.front(), &last = raster.frames.back();
         if (last.width != first.width || last.height != first.height) {
-            return fileError(
-                path, says::imagePagesDiffer(raster.frames.size(), last.width, last.height, first.width, first.height));
+            return fileError(path, messages::imagePagesDiffer(raster.frames.size(), last.width, last.height,
+                                                              first.width, first.height));
         }
     }
-    return raster.frames.empty() ? core::Result<Raster>(fileError(path, says::imageUnusual())) : raster;
+    return raster.frames.empty() ? core::Result<Raster>(fileError(path, messages::imageUnusual())) : raster;
 }
 
 }   // namespace angiopose::io

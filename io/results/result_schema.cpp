@@ -12,7 +12,7 @@ Json inputOfResult()
     Json uids = objectSchema(
         {{"studyInstanceUid", textSchema()}, {"seriesInstanceUid", textSchema()}, {"sopInstanceUid", textSchema()}});
     return objectSchema(
-        {{"file", about(textSchema(), "Its name, without the folder.")}, {"sha256", textSchema()}, {"dicom", uids}});
+        {{"file", about(textSchema(), "File name without the folder.")}, {"sha256", textSchema()}, {"dicom", uids}});
 }
 
 Json inputsSchema()
@@ -33,7 +33,7 @@ Json projectionSchema()
         objectSchema(
             {{"fx", number}, {"fy", number}, {"cx", number}, {"cy", number}, {"width", count}, {"height", count}},
             {"fx", "fy", "cx", "cy", "width", "height"}),
-        "The camera of the pose, px: u = fx X/Z + cx, v = fy Y/Z + cy, from the centre of the first pixel.");
+        "The camera of the pose, px: u = fx X/Z + cx, v = fy Y/Z + cy, from the center of the first pixel.");
 }
 
 /// Properties of result.json beyond the fields that a case also stores for a result.
@@ -41,19 +41,19 @@ Json ownProperties()
 {
     Json anything{{"type", "object"}};
     return {{"format", choiceSchema({"angiopose-result"})},
-            {"version", about(Json{{"type", "integer"}, {"minimum", 1}}, "2 since it holds what it was found from.")},
+            {"version", about(Json{{"type", "integer"}, {"minimum", 1}}, "2 since the file includes its provenance.")},
             {"title", textSchema()},
-            {"view", about(Json{{"type", "integer"}, {"minimum", 1}}, "Its number in the case, from 1.")},
+            {"view", about(Json{{"type", "integer"}, {"minimum", 1}}, "Number of the view in the case, from 1.")},
             {"warnings", listSchema(textSchema())},
             {"inputs", inputsSchema()},
             {"projection", projectionSchema()},
             {"geometry", objectSchema(propertiesOf(geometryFields()))},
-            {"deformable", about(anything, "How far the vessels are bent (FORMATS, section 3.5).")},
-            {"bent", about(deformedField().schema, "The same with the motion of every point.")},
+            {"deformable", about(anything, "Deformation of the vessels (FORMATS, section 3.5).")},
+            {"bent", about(deformedField().schema, "The same, including the motion of every point.")},
             {"checkPoints", listSchema(anything)},
             {"case", about(anything,
-                           "What the registration began with: a case file (angiopose-case.schema.json) whose "
-                           "inputs are told by name and content.")}};
+                           "Input of the registration: a case file (angiopose-case.schema.json) whose inputs are "
+                           "identified by name and content.")}};
 }
 
 }   // namespace
@@ -65,9 +65,9 @@ const std::string& resultSchema()
                     {"$id", "https://angiopose.org/schema/angiopose-result-2.json"},
                     {"title", "AngioPose result"},
                     {"description",
-                     "What a registration found of one view, and all that it was found from but the inputs themselves. "
-                     "Lengths in mm, angles in degrees, pixels from the centre of the first pixel; patient space is "
-                     "DICOM LPS. Other keys are allowed."}};
+                     "Result of a registration for one view, with everything needed to reproduce it except the input "
+                     "files. Lengths in mm, angles in degrees, pixels from the center of the first pixel; patient "
+                     "space is DICOM LPS. Other keys are allowed."}};
         Json properties = ownProperties();
         const Json kept = propertiesOf(resultFields());
         for (const auto& [key, value] : kept.items()) {

@@ -4,7 +4,7 @@
 #include "io/dicom/dicom_text.h"
 #include "io/dicom/frame_source.h"
 #include "io/dicom/functional_groups.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/series/segmentation_grid.h"
 #include "io/support/file_error.h"
 
@@ -92,11 +92,11 @@ core::Result<core::LabelVolume> bitLabels(const Segmentation& segmentation, cons
     const SliceRecord& first = segmentation.frames.front();
     const auto perFrame = static_cast<std::size_t>(first.size.x()) * static_cast<std::size_t>(first.size.y());
     if (pixels == segmentation.file.pixels.end() || pixels->second.isEncapsulated) {
-        return fileError(path, says::seriesIsSegmentation());
+        return fileError(path, messages::seriesIsSegmentation());
     }
     const BitFrames bits(pixels->second, perFrame);
     if (!bits.holds(segmentation.frames.size())) {
-        return fileError(path, says::volumeCutShort());
+        return fileError(path, messages::volumeCutShort());
     }
     core::LabelVolume labels(segmentation.grid.geometry);
     for (std::size_t k = 0; k < segmentation.frames.size(); ++k) {
@@ -163,7 +163,7 @@ core::Result<Segmentation> openSegmentation(const std::string& path)
     }
     segmentation.file = std::move(parsed).value();
     if (!isSegmentationClass(segmentation.file.dataset.text(0x00080016))) {
-        return fileError(path, says::labelsNoSegmentation());
+        return fileError(path, messages::labelsNoSegmentation());
     }
     auto images = readSliceRecords(path);
     if (!images) {
@@ -171,13 +171,13 @@ core::Result<Segmentation> openSegmentation(const std::string& path)
     }
     segmentation.frames = std::move(images).value().slices;
     if (segmentation.frames.empty() || segmentation.file.damage) {
-        return fileError(path, says::volumeCutShort());
+        return fileError(path, messages::volumeCutShort());
     }
     const DicomDataset& data = segmentation.file.dataset;
     if (data.text(0x00080016) != labelMapClass) {
         segmentation.segments = segmentOfFrames(data, segmentation.frames.size());
         if (segmentation.segments.empty()) {
-            return fileError(path, says::seriesIsSegmentation());
+            return fileError(path, messages::seriesIsSegmentation());
         }
     }
     auto grid = segmentationGrid(segmentation.frames, data, path);

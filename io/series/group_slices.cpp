@@ -1,6 +1,6 @@
 #include "io/series/group_slices.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/series/dicom_segmentation.h"
 #include "io/series/split_phases.h"
 
@@ -92,10 +92,10 @@ core::Messages dropCopies(Slices& slices)
     });
     core::Messages found;
     if (copies > 0) {
-        found.push_back(says::seriesFilesTwice(copies));
+        found.push_back(messages::seriesFilesTwice(copies));
     }
     if (sameUid > 0) {
-        found.push_back(says::seriesSameUid(sameUid + 1, before - copies));
+        found.push_back(messages::seriesSameUid(sameUid + 1, before - copies));
     }
     return found;
 }
@@ -107,7 +107,7 @@ void keepFirstPerPlace(DicomSeries& series)
     const auto end = std::unique(series.slices.begin(), series.slices.end(), isSamePlace);
     series.slices.erase(end, series.slices.end());
     if (const std::size_t dropped = before - series.slices.size(); dropped > 0) {
-        series.warnings.push_back(says::seriesOverlap(dropped, before));
+        series.warnings.push_back(messages::seriesOverlap(dropped, before));
     }
 }
 
@@ -115,12 +115,12 @@ std::optional<core::Message> findSeriesProblem(const DicomSeries& series, const 
 {
     const SliceRecord& first = series.slices.front();
     if (isSegmentationClass(head.sopClassUid)) {
-        return says::seriesIsSegmentation();
+        return messages::seriesIsSegmentation();
     }
     if (!first.position || !first.axes) {
-        return says::seriesNoPlace();
+        return messages::seriesNoPlace();
     }
-    return first.spacingMm.isZero() ? std::optional(says::seriesNoPixelSize()) : std::nullopt;
+    return first.spacingMm.isZero() ? std::optional(messages::seriesNoPixelSize()) : std::nullopt;
 }
 
 void planVolume(DicomSeries& series, const DicomImages& head)
@@ -134,7 +134,7 @@ void planVolume(DicomSeries& series, const DicomImages& head)
     series.problem = series.stack.problem;
     const double stated = series.slices.front().statedStepMm, step = series.stack.geometry.spacingMm.z();
     if (!series.problem && stated > 0.0 && std::abs(stated - step) > 0.05 * step) {
-        series.warnings.push_back(says::seriesStep(core::inMm(stated, 2), core::inMm(step, 2)));
+        series.warnings.push_back(messages::seriesStep(core::inMm(stated, 2), core::inMm(step, 2)));
     }
     series.warnings.insert(series.warnings.end(), series.stack.warnings.begin(), series.stack.warnings.end());
 }
@@ -164,10 +164,10 @@ std::vector<DicomSeries> volumesOf(const DicomImages& head, Slices slices, std::
             series.slices = std::move(part);
             series.warnings = copies;
             if (damaged > 0) {
-                series.warnings.push_back(says::seriesFilesDamaged(damaged));
+                series.warnings.push_back(messages::seriesFilesDamaged(damaged));
             }
             if (shapes.size() > 1) {
-                series.warnings.push_back(says::seriesMixed(shapes.size()));
+                series.warnings.push_back(messages::seriesMixed(shapes.size()));
             }
             planVolume(series, head);
             volumes.push_back(std::move(series));
@@ -197,8 +197,8 @@ void order(std::vector<DicomSeries>& volumes)
     const bool areNamed = acquisitions.size() == volumes.size() + 1;
     for (std::size_t i = 0; i < volumes.size() && volumes.size() > 1; ++i) {
         volumes[i].id += i == 0 ? "" : "#" + std::to_string(i + 1);
-        volumes[i].part = areNamed ? says::seriesAcquisition(i + 1, volumes.size(), acquisitionOf(volumes[i]))
-                                   : core::Message(says::seriesPart(i + 1, volumes.size()));
+        volumes[i].part = areNamed ? messages::seriesAcquisition(i + 1, volumes.size(), acquisitionOf(volumes[i]))
+                                   : core::Message(messages::seriesPart(i + 1, volumes.size()));
     }
 }
 
@@ -242,7 +242,7 @@ std::vector<DicomSeries> groupSlices(std::vector<DicomImages> files)
             }
             for (DicomSeries& volume : volumesOf(files[members.front()], std::move(slices), damaged)) {
                 if (owners.size() > 1) {
-                    volume.warnings.push_back(says::seriesOfSeveral(owners.size()));
+                    volume.warnings.push_back(messages::seriesOfSeveral(owners.size()));
                 }
                 volumes.push_back(std::move(volume));
             }

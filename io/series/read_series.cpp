@@ -3,7 +3,7 @@
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/frame_source.h"
 #include "io/dicom/pixel_layout.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/volume/quantization.h"
 
@@ -45,7 +45,7 @@ core::Result<std::unique_ptr<OpenFile>> openFile(const std::string& path)
         return layout.error();
     }
     if (layout.value().samples != 1) {
-        return fileError(path, says::seriesColor());
+        return fileError(path, messages::seriesColor());
     }
     auto reader = FrameReader::open(file, layout.value(), path);
     if (!reader) {
@@ -94,7 +94,7 @@ private:
         }
         ImageF image = std::move(frame).value();
         if (image.width != slice.size.x() || image.height != slice.size.y()) {
-            return fileError(slice.path, says::seriesSliceSize());
+            return fileError(slice.path, messages::seriesSliceSize());
         }
         return image;
     }
@@ -163,7 +163,7 @@ core::Result<SeriesScale> scaleOf(const DicomSeries& series, const ReadObserver&
     scale.slope = scale.quantization.scale;
     scale.intercept = scale.quantization.offset;
     if (!range.value().isWhole || scale.slope != 1.0) {
-        warnings.push_back(says::seriesScales(roundingNote(scale.slope, "series'")));
+        warnings.push_back(messages::seriesScales(roundingNote(scale.slope, "series'")));
     }
     return scale;
 }
@@ -244,7 +244,7 @@ core::Result<core::Volume> readSeries(const DicomSeries& series, const ReadObser
 {
     const std::string& path = series.slices.empty() ? series.id : series.slices.front().path;
     if (series.problem || series.isAngiogram) {
-        return fileError(path, series.isAngiogram ? says::seriesIsXray() : *series.problem);
+        return fileError(path, series.isAngiogram ? messages::seriesIsXray() : *series.problem);
     }
     const bool isTwoPass = !hasOneScale(series.slices);
     const auto scale = scaleOf(series, partOf(observe, 0.0, 0.5), warnings);

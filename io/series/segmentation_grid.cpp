@@ -1,7 +1,7 @@
 #include "io/series/segmentation_grid.h"
 
 #include "io/dicom/functional_groups.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/series/slice_stack.h"
 #include "io/support/file_error.h"
 
@@ -59,7 +59,7 @@ core::Result<SegmentationGrid> segmentationGrid(const std::vector<SliceRecord>& 
     const SliceRecord& first = frames.front();
     if (!first.axes ||
         !std::all_of(frames.begin(), frames.end(), [&](const SliceRecord& frame) { return isPlaced(frame, first); })) {
-        return fileError(path, says::seriesNoPlace());
+        return fileError(path, messages::seriesNoPlace());
     }
     const Eigen::Vector3d normal = normalOf(first);
     std::vector<double> depths;
@@ -81,12 +81,12 @@ core::Result<SegmentationGrid> segmentationGrid(const std::vector<SliceRecord>& 
         const Eigen::Vector3d voxel = voxelFromPatient * *frame.position;
         if (std::abs(voxel.x()) > placeTolerance || std::abs(voxel.y()) > placeTolerance ||
             std::abs(voxel.z() - std::round(voxel.z())) > placeTolerance) {
-            return fileError(path, says::seriesIsSegmentation());
+            return fileError(path, messages::seriesIsSegmentation());
         }
         grid.layers.push_back(static_cast<int>(std::lround(voxel.z())));
     }
     if (grid.geometry.voxelCount() > maxGridVoxels) {
-        return fileError(path, says::seriesIsSegmentation());
+        return fileError(path, messages::seriesIsSegmentation());
     }
     return grid;
 }

@@ -1,6 +1,6 @@
 #include "io/series/slice_stack.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/numbers.h"
 #include "io/volume/volume_axes.h"
 
@@ -96,17 +96,17 @@ core::Message gaps(const std::vector<double>& places, double step)
         }
     }
     if (before.size() <= maxGapsNamed) {
-        return says::afterSlices(before);
+        return messages::afterSlices(before);
     }
     before.resize(maxGapsNamed);
-    return says::afterSlicesAndElsewhere(before);
+    return messages::afterSlicesAndElsewhere(before);
 }
 
 core::Message missingSlices(const std::vector<double>& places, double step, std::size_t layers)
 {
     const std::size_t missing = layers - places.size();
-    return missing == 1 ? says::seriesSliceMissing(layers, gaps(places, step))
-                        : says::seriesSlicesMissing(missing, layers, gaps(places, step));
+    return missing == 1 ? messages::seriesSliceMissing(layers, gaps(places, step))
+                        : messages::seriesSlicesMissing(missing, layers, gaps(places, step));
 }
 
 void placeLayers(const std::vector<double>& places, SliceStack& stack, double& step)
@@ -116,7 +116,7 @@ void placeLayers(const std::vector<double>& places, SliceStack& stack, double& s
     step = regular > 0.0 ? regular : quantileOf(distances, 0.25);
     const double layers = (places.back() - places.front()) / step;
     if (layers > 4.0 * static_cast<double>(places.size()) + 16.0) {
-        stack.problem = says::seriesTooUneven(places.size(), core::inMm(places.back() - places.front(), 0));
+        stack.problem = messages::seriesTooUneven(places.size(), core::inMm(places.back() - places.front(), 0));
         return;
     }
     stack.layers = layersOf(places, step);
@@ -124,8 +124,8 @@ void placeLayers(const std::vector<double>& places, SliceStack& stack, double& s
         stack.warnings.push_back(missingSlices(places, step, stack.layers.size()));
     } else if (regular == 0.0) {
         const auto [least, most] = std::minmax_element(distances.begin(), distances.end());
-        stack.warnings.push_back(says::seriesUnevenSlices(core::Quantity{rounded(*least), core::Quantity::asNeeded},
-                                                          roundedMm(*most), roundedMm(step)));
+        stack.warnings.push_back(messages::seriesUnevenSlices(core::Quantity{rounded(*least), core::Quantity::asNeeded},
+                                                              roundedMm(*most), roundedMm(step)));
     }
 }
 
@@ -161,7 +161,7 @@ Eigen::Vector2i straighten(const std::vector<SliceRecord>& slices, double extent
     origin += *first.axes * low;
     const double slantDeg = std::atan2((high - low).norm(), extentMm) * 180.0 / std::numbers::pi;
     stack.warnings.push_back(
-        says::seriesSlanted(core::Quantity{std::round(slantDeg * 10.0) / 10.0, core::Quantity::asNeeded, "°"}));
+        messages::seriesSlanted(core::Quantity{std::round(slantDeg * 10.0) / 10.0, core::Quantity::asNeeded, "°"}));
     return first.size + (high - low).cwiseQuotient(first.spacingMm).array().ceil().matrix().cast<int>();
 }
 
@@ -176,7 +176,7 @@ SliceStack stackOf(const std::vector<SliceRecord>& slices)
 {
     SliceStack stack;
     if (slices.size() < 2) {
-        stack.problem = says::seriesSingleSlice();
+        stack.problem = messages::seriesSingleSlice();
         return stack;
     }
     std::vector<double> places;
@@ -194,7 +194,7 @@ SliceStack stackOf(const std::vector<SliceRecord>& slices)
     Eigen::Vector3d origin = *first.position;
     const Eigen::Vector2i plane = straighten(slices, places.back() - places.front(), stack, origin);
     if ((plane.array() > 3 * first.size.array()).any()) {
-        stack.problem = says::seriesBesideEachOther();
+        stack.problem = messages::seriesBesideEachOther();
         return stack;
     }
     Eigen::Matrix3d steps;

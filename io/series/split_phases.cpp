@@ -1,6 +1,6 @@
 #include "io/series/split_phases.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/series/slice_stack.h"
 
 #include <algorithm>
@@ -60,7 +60,7 @@ std::optional<std::size_t> missingOnGrid(const Slices& sorted)
 {
     const SliceStack stack = stackOf(sorted);
     const bool isUneven = std::ranges::any_of(
-        stack.warnings, [](const core::Message& warning) { return warning.is(says::seriesUnevenSlices); });
+        stack.warnings, [](const core::Message& warning) { return warning.is(messages::seriesUnevenSlices); });
     return stack.problem || isUneven ? std::nullopt : std::optional(stack.layers.size() - sorted.size());
 }
 

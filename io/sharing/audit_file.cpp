@@ -1,7 +1,7 @@
 #include "io/sharing/audit_file.h"
 
 #include "io/file_hash.h"
-#include "io/messages/says_seldom.h"
+#include "io/messages/messages.h"
 #include "io/support/files_in_folder.h"
 #include "io/support/system/appended_line.h"
 #include "io/support/system/machine_facts.h"
@@ -97,7 +97,8 @@ core::Status recordAudit(const std::string& auditPath, const AuditRecord& record
         addFiles(path, line["files"]);
     }
     const std::string problem = appendLine(auditPath, line.dump(-1, ' ', false, Json::error_handler_t::replace));
-    return problem.empty() ? core::Status(core::Done{}) : core::Error(says::auditNotWritten(problem).about(auditPath));
+    return problem.empty() ? core::Status(core::Done{})
+                           : core::Error(messages::auditNotWritten(problem).about(auditPath));
 }
 
 std::string auditFileOfEnvironment()

@@ -124,7 +124,7 @@ const char* kindOf(core::VesselInputKind kind)
 std::string endingOf(const core::InputFile& file)
 {
     const std::string ending = std::filesystem::path(file.path).extension().string();
-    return file.path.empty() ? "none" : ending.empty() ? "folder or without ending" : ending.substr(0, 10);
+    return file.path.empty() ? "none" : ending.empty() ? "folder or no extension" : ending.substr(0, 10);
 }
 
 std::string listed(const std::vector<int>& ids)
@@ -150,11 +150,11 @@ void writeVessels(std::ostream& out, const core::Vessels& vessels)
         const auto& geometry = vessels.scan->geometry;
         out << "volume: " << geometry.size.transpose() << " voxels of " << geometry.spacingMm.transpose() << " mm\n";
     }
-    out << "branches auxiliary, excluded, hidden: " << listed(vessels.auxiliaryBranchIds) << ", "
-        << listed(vessels.excludedBranchIds) << ", " << listed(vessels.hiddenBranchIds) << "\nedited by hand: lumen "
+    out << "auxiliary, excluded, hidden branches: " << listed(vessels.auxiliaryBranchIds) << ", "
+        << listed(vessels.excludedBranchIds) << ", " << listed(vessels.hiddenBranchIds) << "\nedited manually: lumen "
         << vessels.isLumenEdited << ", tree " << vessels.isTreeEdited
-        << "\ncheck points and rings: " << vessels.marks.size()
-        << "\nmeasures in slices: " << vessels.measurements.size() << "\n";
+        << "\ntarget points and rings: " << vessels.marks.size()
+        << "\nmeasurements in slices: " << vessels.measurements.size() << "\n";
 }
 
 void writeNumber(std::ostream& out, const char* key, const core::Sourced<double>& number)
@@ -199,7 +199,7 @@ void writeCamera(std::ostream& out, const core::View& view)
     writeNumber(out, "primary angle, degrees", arm.primaryAngleDeg);
     writeNumber(out, "secondary angle, degrees", arm.secondaryAngleDeg);
     writeNumber(out, "roll, degrees", arm.rollDeg);
-    out << "  camera given as a whole: " << view.geometry.cameraOverride.has_value() << "\n";
+    out << "  camera given directly: " << view.geometry.cameraOverride.has_value() << "\n";
 }
 
 void writeView(std::ostream& out, const core::View& view, std::size_t number)
@@ -208,13 +208,13 @@ void writeView(std::ostream& out, const core::View& view, std::size_t number)
     if (view.angiogram) {
         out << "  pixels: " << view.angiogram->width() << " x " << view.angiogram->height() << ", frames "
             << view.angiogram->frameCount() << ", shown " << view.frame << "\n";
-        writeMessages(out, "note of reading", view.angiogram->warnings);
+        writeMessages(out, "image warning", view.angiogram->warnings);
     }
     writeCamera(out, view);
     out << "  curves given " << (view.target.centerline != nullptr) << ", edited "
         << view.target.editedFrame.has_value() << "; landmarks " << view.landmarks.size() << ", measures "
-        << view.measurements.size() << ", sightings " << view.sightings.size() << ", drawn marks "
-        << view.annotations.size() << ", kept poses " << view.snapshots.size() << "\n";
+        << view.measurements.size() << ", sightings " << view.sightings.size() << ", annotations "
+        << view.annotations.size() << ", snapshots " << view.snapshots.size() << "\n";
     if (view.result) {
         writeResult(out, *view.result);
     }

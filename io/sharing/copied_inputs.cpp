@@ -6,8 +6,7 @@
 #include "io/dicom/dicom_file.h"
 #include "io/dicom_series.h"
 #include "io/label_list.h"
-#include "io/messages/says.h"
-#include "io/messages/says_deidentify.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/surface_file.h"
@@ -30,7 +29,7 @@ core::Status copied(const fs::path& from, const fs::path& to)
     std::error_code failed;
     fs::create_directories(to.parent_path(), failed);
     fs::copy_file(from, to, failed);
-    return failed ? core::Status(fileError(from.string(), says::fileNotRead(failed.message()))) : core::Done{};
+    return failed ? core::Status(fileError(from.string(), messages::fileNotRead(failed.message()))) : core::Done{};
 }
 
 /// Returns the files of a series and of other volumes with the same UID, since separating them again needs all files.
@@ -68,7 +67,7 @@ public:
         }
         const auto scan = copyVolume(vessels.scanFile.path, "scan", vessels.scanSeriesId);
         if (!scan && !scan.isStopped()) {   // the scan is optional
-            warnings_.push_back(says::packedInputMissing(scan.error().message.text()));
+            warnings_.push_back(messages::packedInputMissing(scan.error().message.text()));
             vessels.scanFile = {};
             vessels.scanSeriesId.clear();
             return core::Done{};
@@ -204,7 +203,7 @@ private:
             options.unitMm = vessels.input.unitMm;
             const auto tree = readVesselTree(path, options);
             vessels.input.unitMm = 0.0;
-            add({says::branchNamesStay()});
+            add({messages::branchNamesStay()});
             const std::string place = placeFor("vessels.vtp");
             return tree ? end(writeVesselTree(tree.value(), place), place) : core::Result<std::string>(tree.error());
         }
@@ -253,7 +252,7 @@ private:
         };
         const auto wanted = std::ranges::find_if(all.value(), isWanted);
         if (wanted == all.value().end()) {
-            return fileError(path, says::nothingToDeidentify());
+            return fileError(path, messages::nothingToDeidentify());
         }
         std::size_t number = 0;
         for (const std::string& file : filesOf(all.value(), *wanted)) {

@@ -2,8 +2,7 @@
 
 #include "io/case/case_file.h"
 #include "io/case/nameless_case.h"
-#include "io/messages/says.h"
-#include "io/messages/says_deidentify.h"
+#include "io/messages/messages.h"
 #include "io/sharing/zip_archive.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -48,18 +47,18 @@ bool areSameRuns(const core::View& a, const core::View& b)
 std::optional<core::Message> difference(const core::Case& from, const core::Case& to, bool mayPixelsDiffer)
 {
     if (from.views.size() != to.views.size()) {
-        return says::packedViews();
+        return messages::packedViews();
     }
     for (std::size_t k = 0; k < from.views.size(); ++k) {
         if (!mayPixelsDiffer && !areSameRuns(from.views[k], to.views[k])) {
-            return says::packedPixels();
+            return messages::packedPixels();
         }
         if (from.views[k].result.has_value() != to.views[k].result.has_value()) {
-            return says::packedResults();
+            return messages::packedResults();
         }
     }
     const bool isSameTree = std::abs(lengthMm(from) - lengthMm(to)) <= sameLength * lengthMm(from);
-    return isSameTree ? std::nullopt : std::optional(says::packedVessels());
+    return isSameTree ? std::nullopt : std::optional(messages::packedVessels());
 }
 
 }   // namespace
@@ -68,7 +67,7 @@ core::Result<core::Messages> packCase(const core::Case& session, const std::stri
                                       const CopyRequest& request, const ReadObserver& observe)
 {
     if (extensionOf(archivePath) != ".zip") {
-        return fileError(archivePath, says::packedFormat());
+        return fileError(archivePath, messages::packedFormat());
     }
     const ScratchFolder scratch(archivePath);
     if (const auto made = scratch.make(); !made) {
@@ -82,7 +81,7 @@ core::Result<core::Messages> packCase(const core::Case& session, const std::stri
     core::Messages warnings = std::move(copied).value();
     if (request.deidentified) {
         if (const std::size_t count = clearTexts(packed); count > 0) {
-            warnings.push_back(says::textsCleared(count));
+            warnings.push_back(messages::textsCleared(count));
         }
     }
     const std::string packedPath = (scratch.path() / "case.angiopose").string();
@@ -93,11 +92,11 @@ core::Result<core::Messages> packCase(const core::Case& session, const std::stri
     const auto reopened = loadCase(packedPath, ofPacked, partOf(observe, 0.4, 0.95));
     if (!reopened) {
         return reopened.isStopped() ? reopened.error()
-                                    : fileError(archivePath, says::packedDiffers(reopened.error().message));
+                                    : fileError(archivePath, messages::packedDiffers(reopened.error().message));
     }
     const bool mayPixelsDiffer = request.deidentified && request.deidentified->letters == DrawnLetters::BlackedOut;
     if (const auto differs = difference(session, reopened.value(), mayPixelsDiffer)) {
-        return fileError(archivePath, says::packedDiffers(*differs));
+        return fileError(archivePath, messages::packedDiffers(*differs));
     }
     const auto written = writeZip(scratch.path().string(), archivePath);
     return written ? core::Result<core::Messages>(std::move(warnings)) : written.error();

@@ -1,6 +1,6 @@
 #include "io/sharing/zip_archive.h"
 
-#include "io/messages/says_deidentify.h"
+#include "io/messages/messages.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -59,7 +59,8 @@ core::Status addFile(archive* zip, const fs::path& path, const std::string& name
         isGood = archive_write_data(zip, piece.data(), piece.size()) == static_cast<la_ssize_t>(piece.size());
     }
     const char* reason = archive_error_string(zip);
-    return isGood ? core::Status(core::Done{}) : core::Error(says::archiveNotWritten(reason ? reason : "libarchive"));
+    return isGood ? core::Status(core::Done{})
+                  : core::Error(messages::archiveNotWritten(reason ? reason : "libarchive"));
 }
 
 std::vector<fs::path> filesBelow(const std::string& folder)
@@ -90,7 +91,7 @@ core::Status writeZip(const std::string& folder, const std::string& path)
     const auto failed = [&](const core::Error& error) { return sink.failure.value_or(error).about(path); };
     const char* unknown = "libarchive";
     if (archive_write_open(zip.get(), &sink, nullptr, take, nullptr) != ARCHIVE_OK) {
-        return failed(core::Error(says::archiveNotWritten(unknown)));
+        return failed(core::Error(messages::archiveNotWritten(unknown)));
     }
     for (const fs::path& member : filesBelow(folder)) {
         const std::string name = member.lexically_relative(folder).generic_string();
@@ -99,7 +100,7 @@ core::Status writeZip(const std::string& folder, const std::string& path)
         }
     }
     if (archive_write_close(zip.get()) != ARCHIVE_OK) {
-        return failed(core::Error(says::archiveNotWritten(unknown)));
+        return failed(core::Error(messages::archiveNotWritten(unknown)));
     }
     return file.commit();
 }

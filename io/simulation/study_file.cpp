@@ -1,6 +1,6 @@
 #include "io/simulation/study_file.h"
 
-#include "io/messages/says_seldom.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/support/json_text.h"
@@ -62,16 +62,16 @@ public:
                 for (const std::string& name : known_) {
                     list += (list.empty() ? "" : ", ") + name;
                 }
-                return fileError(path_, says::studyUnknownKey(key, where_, list));
+                return fileError(path_, messages::studyUnknownKey(key, where_, list));
             }
         }
         return core::Done{};
     }
 
-    core::Error missing(std::string_view key) const { return fileError(path_, says::studyMissingKey(where_, key)); }
+    core::Error missing(std::string_view key) const { return fileError(path_, messages::studyMissingKey(where_, key)); }
     core::Error wrong(std::string_view key, const Json& value) const
     {
-        return fileError(path_, says::studyWrongValue(key, where_, value.dump().substr(0, 60)));
+        return fileError(path_, messages::studyWrongValue(key, where_, value.dump().substr(0, 60)));
     }
 
 private:
@@ -83,7 +83,7 @@ private:
         const double number = value.get<double>();
         if (!(number >= row.least && number <= row.most)) {
             const auto limit = [](double given) { return core::Quantity{given, core::Quantity::asNeeded}; };
-            return fileError(path_, says::studyOutOfRange(row.key, where_, limit(row.least), limit(row.most)));
+            return fileError(path_, messages::studyOutOfRange(row.key, where_, limit(row.least), limit(row.most)));
         }
         if (const auto* real = std::get_if<double*>(&row.place)) {
             **real = number;
@@ -137,7 +137,7 @@ core::Result<core::StudyTree> treeFrom(const Json& json, const std::string& wher
 core::Status headerFrom(const Json& json, const std::string& where, const std::string& path, core::HeaderErrors& errors)
 {
     if (!json.is_object()) {
-        return fileError(path, says::studyWrongValue("header", where, json.dump().substr(0, 60)));
+        return fileError(path, messages::studyWrongValue("header", where, json.dump().substr(0, 60)));
     }
     ObjectReader reader(json, "header of " + where, path);
     if (auto status = reader.numbers({{"distancePercent", &errors.distancePercent, 0, 20},
@@ -153,7 +153,7 @@ core::Status timingFrom(const Json& json, const std::string& where, const std::s
                         core::ContrastTiming& timing)
 {
     if (!json.is_object()) {
-        return fileError(path, says::studyWrongValue("contrast", where, json.dump().substr(0, 60)));
+        return fileError(path, messages::studyWrongValue("contrast", where, json.dump().substr(0, 60)));
     }
     ObjectReader reader(json, "contrast of " + where, path);
     if (auto status = reader.numbers({{"firstS", &timing.firstS, -10, 60},
@@ -237,7 +237,7 @@ core::Status findTwins(const std::vector<core::StudySetting>& settings, const st
     std::set<std::string> names;
     for (const core::StudySetting& setting : settings) {
         if (!names.insert(setting.name).second) {
-            return fileError(path, says::studyNameTwice(setting.name));
+            return fileError(path, messages::studyNameTwice(setting.name));
         }
     }
     return core::Done{};
@@ -250,7 +250,7 @@ core::Result<core::SimulatedStudy> studyFrom(const Json& json, const std::string
     const Json* format = reader.take("format");
     const Json* version = reader.take("version");
     if (format == nullptr || *format != "angiopose-study" || version == nullptr || *version != 1) {
-        return fileError(path, says::studyNoStudy());
+        return fileError(path, messages::studyNoStudy());
     }
     if (const Json* name = reader.take("name"); name != nullptr && name->is_string()) {
         study.name = name->get<std::string>();
@@ -283,7 +283,7 @@ core::Result<core::SimulatedStudy> readStudy(const std::string& path)
     }
     const Json json = Json::parse(content.value().view());
     return json.is_object() ? studyFrom(json, path)
-                            : core::Result<core::SimulatedStudy>(fileError(path, says::studyNoStudy()));
+                            : core::Result<core::SimulatedStudy>(fileError(path, messages::studyNoStudy()));
 }
 
 }   // namespace angiopose::io

@@ -2,7 +2,7 @@
 
 #include "io/dicom/dicom_gate.h"
 #include "io/dicom/dicom_text.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/study/file_start.h"
 #include "io/support/file_error.h"
 
@@ -169,7 +169,7 @@ core::Result<std::vector<ListedFile>> readDicomDirectory(const std::string& path
     }
     const std::string_view bytes = read.value().bytes;
     if (bytes.size() <= bodyAt || bytes.substr(bodyAt - 4, 4) != "DICM") {
-        return fileError(path, says::dicomNotOne());
+        return fileError(path, messages::dicomNotOne());
     }
     std::size_t first = 0;
     for (std::size_t at = bodyAt; at < bytes.size();) {
@@ -182,7 +182,7 @@ core::Result<std::vector<ListedFile>> readDicomDirectory(const std::string& path
             const auto records = recordsIn(bytes, at, head->length);
             auto files = records ? follow(*records, first) : std::nullopt;
             if (!files) {
-                return fileError(path, records ? says::directoryTorn() : says::directoryUnfinished());
+                return fileError(path, records ? messages::directoryTorn() : messages::directoryUnfinished());
             }
             return *std::move(files);
         }
@@ -194,7 +194,7 @@ core::Result<std::vector<ListedFile>> readDicomDirectory(const std::string& path
         }
         at += head->length;
     }
-    return fileError(path, says::directoryNoRecords());
+    return fileError(path, messages::directoryNoRecords());
 }
 
 std::string comparableName(std::string name)

@@ -1,6 +1,6 @@
 #include "io/study/file_start.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/system/files.h"
 
@@ -17,13 +17,13 @@ core::Result<FileStart> readStart(const std::string& path, std::size_t size, con
 {
     ReadHandle file(path);
     if (!file.isOpen()) {
-        return fileError(path, says::fileNotOpened(file.problem()));
+        return fileError(path, messages::fileNotOpened(file.problem()));
     }
     if (!file.isRegular()) {
-        return fileError(path, says::fileNotRegular());
+        return fileError(path, messages::fileNotRegular());
     }
     if (file.size() == 0) {
-        return fileError(path, says::fileEmpty());
+        return fileError(path, messages::fileEmpty());
     }
     FileStart start;
     start.fileSize = file.size();
@@ -35,7 +35,7 @@ core::Result<FileStart> readStart(const std::string& path, std::size_t size, con
         }
         const std::size_t got = file.read(start.bytes.data() + at, std::min(blockSize, wanted - at));
         if (got == 0) {
-            return fileError(path, says::fileNotRead(file.problem()));
+            return fileError(path, messages::fileNotRead(file.problem()));
         }
         at += got;
     }

@@ -1,6 +1,6 @@
 #include "io/study/read_studies.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/study/dicom_directory.h"
 #include "io/study/study_collector.h"
 #include "io/support/file_error.h"
@@ -43,7 +43,7 @@ public:
     {
         std::error_code failed;
         if (fs::directory_iterator(folder, failed); failed) {
-            return fileError(folder, says::folderNotRead(failed.message()));
+            return fileError(folder, messages::folderNotRead(failed.message()));
         }
         walk(folder, 0);
         std::ranges::sort(files_);
@@ -67,7 +67,7 @@ public:
             }
         }
         if (failed) {
-            tree_.damaged.push_back({folder.string(), says::folderNotReadToEnd()});
+            tree_.damaged.push_back({folder.string(), messages::folderNotReadToEnd()});
         }
     }
 

@@ -4,7 +4,7 @@
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/frame_source.h"
 #include "io/dicom/pixel_layout.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/study/file_start.h"
 #include "io/support/file_error.h"
 
@@ -123,7 +123,7 @@ Range rangeOf(const core::ImageF& image)
 core::Result<core::ImageF> seriesPicture(const DicomSeries& series, int sidePx, const ReadObserver& observe)
 {
     if (series.slices.empty()) {
-        return core::Error(says::studyMissing());
+        return core::Error(messages::studyMissing());
     }
     const SliceRecord& middle = series.slices[series.slices.size() / 2];
     const bool isInHu = series.identity.modality == "CT" && !series.isAngiogram;

@@ -1,6 +1,6 @@
 #include "io/study/study_collector.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/series/group_slices.h"
 
 #include <algorithm>
@@ -32,12 +32,13 @@ bool hasVessels(std::string_view modality)
 core::Message reasonWithoutImage(const std::string& modality)
 {
     if (modality == "SR" || modality == "DOC") {
-        return says::studyReport();
+        return messages::studyReport();
     }
     if (modality.empty()) {
-        return says::seriesFileWithoutImage();
+        return messages::seriesFileWithoutImage();
     }
-    return modality == "PR" ? core::Message(says::studyPresentation()) : core::Message(says::studyNoImage(modality));
+    return modality == "PR" ? core::Message(messages::studyPresentation())
+                            : core::Message(messages::studyNoImage(modality));
 }
 
 /// The deepest folder that holds both.
@@ -130,13 +131,13 @@ void StudyCollector::judge(StudySeries& each, const Facts& facts) const
     each.imageCount = each.series.isAngiogram ? facts.frames : static_cast<int>(each.series.slices.size());
     const bool isScout = facts.imageType.find("LOCALIZER") != std::string::npos;
     if (isVideo(facts.transferSyntax)) {
-        each.reason = says::studyVideo();
+        each.reason = messages::studyVideo();
     } else if (isScout) {
-        each.reason = says::studyScout();
+        each.reason = messages::studyScout();
     } else if (!each.series.isAngiogram && !hasVessels(modality)) {
-        each.reason = says::studyModality(modality);
+        each.reason = messages::studyModality(modality);
     } else if (!each.series.isAngiogram && facts.samples != 1) {
-        each.reason = says::seriesColor();
+        each.reason = messages::seriesColor();
     } else if (each.series.problem) {
         each.reason = each.series.problem;
     } else {
@@ -200,7 +201,7 @@ void StudyCollector::noteMissing(std::vector<StudySeries>& all) const
             each.series.identity = file.identity;
             each.series.description = file.seriesDescription;
             each.series.number = file.seriesNumber;
-            each.reason = says::studyMissing();
+            each.reason = messages::studyMissing();
             found = all.end() - 1;
         }
         ++found->missingFiles;

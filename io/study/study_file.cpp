@@ -3,7 +3,7 @@
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/dicom_text.h"
 #include "io/dicom/frame_time.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/study/file_start.h"
 
 #include <algorithm>
@@ -33,7 +33,8 @@ std::optional<core::Message> findCut(const DicomFile& file, const FileStart& sta
                              positive(0x00280100, 16);
     const auto begin = static_cast<std::size_t>(pixels->second.bytes.data() - start.bytes.data());
     const std::size_t there = start.fileSize - std::min(begin, start.fileSize);
-    return there < bits / 8 ? std::optional(core::Message(says::dicomPixelsCutShort(there, bits / 8))) : std::nullopt;
+    return there < bits / 8 ? std::optional(core::Message(messages::dicomPixelsCutShort(there, bits / 8)))
+                            : std::nullopt;
 }
 
 StudyFile studyFileOf(const DicomFile& file, const FileStart& start, const std::string& path)

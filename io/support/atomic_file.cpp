@@ -1,7 +1,6 @@
 #include "io/support/atomic_file.h"
 
-#include "io/messages/says.h"
-#include "io/messages/says_keeping.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/own_leftovers.h"
 
@@ -20,7 +19,8 @@ namespace {
 
 core::Error writeError(const std::string& path)
 {
-    return fileError(path, errno == EFBIG ? says::fileBeyondLimit() : says::fileNotWritten(std::strerror(errno)));
+    return fileError(path,
+                     errno == EFBIG ? messages::fileBeyondLimit() : messages::fileNotWritten(std::strerror(errno)));
 }
 
 bool writeAll(int file, std::string_view content)
@@ -98,7 +98,7 @@ core::Result<AtomicFile> AtomicFile::create(const std::string& path)
     // Resolves links: the file that a link points to is replaced, not the link.
     const std::filesystem::path target = std::filesystem::weakly_canonical(path, unresolved);
     if (unresolved || std::filesystem::is_directory(target, unresolved)) {
-        return fileError(path, says::fileNoPlace());
+        return fileError(path, messages::fileNoPlace());
     }
     removeLeftoversOnce(target.parent_path().string());
     std::string temporary = temporaryPatternFor(target.string());

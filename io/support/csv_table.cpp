@@ -1,6 +1,6 @@
 #include "io/support/csv_table.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 
@@ -68,7 +68,7 @@ std::optional<std::size_t> CsvTable::column(std::string_view name) const
 core::Result<CsvTable> parseCsv(std::string_view text, const std::string& path)
 {
     if (!isText(text)) {
-        return fileError(path, says::tableNoText());
+        return fileError(path, messages::tableNoText());
     }
     if (text.starts_with(byteOrderMark)) {
         text.remove_prefix(byteOrderMark.size());
@@ -87,7 +87,7 @@ core::Result<CsvTable> parseCsv(std::string_view text, const std::string& path)
             }
         }
         if (cells.size() != width) {
-            return fileError(path, says::tableColumns(lines.number(), cells.size(), width));
+            return fileError(path, messages::tableColumns(lines.number(), cells.size(), width));
         }
         table.rows.push_back(std::move(cells));
         table.lineOfRow.push_back(lines.number());
@@ -115,7 +115,7 @@ core::Result<double> numberAt(const CsvTable& table, std::size_t row, std::size_
         return *value;
     }
     const std::string name = column < table.columns.size() ? table.columns[column] : std::to_string(column + 1);
-    return fileError(table.path, says::tableNoNumber(table.lineOfRow[row], name, cell.substr(0, 40)));
+    return fileError(table.path, messages::tableNoNumber(table.lineOfRow[row], name, cell.substr(0, 40)));
 }
 
 core::Result<int> branchAt(const CsvTable& table, std::size_t row, std::size_t column)
@@ -123,7 +123,7 @@ core::Result<int> branchAt(const CsvTable& table, std::size_t row, std::size_t c
     if (const auto id = parseInteger(table.rows[row][column])) {
         return *id;
     }
-    return fileError(table.path, says::tableBranchNoNumber(table.lineOfRow[row]));
+    return fileError(table.path, messages::tableBranchNoNumber(table.lineOfRow[row]));
 }
 
 }   // namespace angiopose::io

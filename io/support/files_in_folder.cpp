@@ -1,6 +1,6 @@
 #include "io/support/files_in_folder.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 
 #include <algorithm>
@@ -22,11 +22,11 @@ core::Result<std::vector<std::string>> filesInFolder(const std::string& folder, 
     std::error_code failed;
     fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, failed);
     if (failed) {
-        return fileError(folder, says::folderNotRead(failed.message()));
+        return fileError(folder, messages::folderNotRead(failed.message()));
     }
     for (; at != fs::recursive_directory_iterator(); at.increment(failed)) {
         if (failed || files.size() > maxFilesInFolder) {
-            return fileError(folder, failed ? says::folderNotReadToEnd() : says::folderTooFull());
+            return fileError(folder, failed ? messages::folderNotReadToEnd() : messages::folderTooFull());
         }
         if (reach == Reach::FolderOnly || at.depth() >= deepestFolder) {
             at.disable_recursion_pending();

@@ -1,6 +1,6 @@
 #include "io/support/input_bytes.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/system/files.h"
 
@@ -20,17 +20,17 @@ std::optional<core::Message> findObstacle(const std::string& path)
     const FileFacts facts = factsOf(path);
     switch (facts.kind) {
         case FileKind::Missing:
-            return says::fileMissing();
+            return messages::fileMissing();
         case FileKind::Unreachable:
-            return says::fileUnreachable(facts.problem);
+            return messages::fileUnreachable(facts.problem);
         case FileKind::Folder:
-            return says::fileIsFolder();
+            return messages::fileIsFolder();
         case FileKind::Other:
-            return says::fileNotRegular();
+            return messages::fileNotRegular();
         case FileKind::Regular:
             break;
     }
-    return facts.size == 0 ? std::optional(says::fileEmpty()) : std::nullopt;
+    return facts.size == 0 ? std::optional(messages::fileEmpty()) : std::nullopt;
 }
 
 core::Result<InputBytes> openFirst(const std::string& path, std::size_t wanted)
@@ -40,19 +40,19 @@ core::Result<InputBytes> openFirst(const std::string& path, std::size_t wanted)
     }
     ReadHandle file(path);
     if (!file.isOpen()) {
-        return fileError(path, says::fileNotOpened(file.problem()));
+        return fileError(path, messages::fileNotOpened(file.problem()));
     }
     const std::size_t size = file.size();
     const char* const mapping = file.map();
     if (!mapping) {
-        return fileError(path, says::fileNotRead(file.problem()));
+        return fileError(path, messages::fileNotRead(file.problem()));
     }
     InputBytes content(mapping, size);
     if (const auto problem = findReadError(content.view().data(), std::min(size, wanted))) {
         return fileError(path, *problem);
     }
     if (content.view().starts_with("version https://git-lfs.github.com/spec/")) {
-        return fileError(path, says::fileIsLfsPointer());
+        return fileError(path, messages::fileIsLfsPointer());
     }
     return content;
 }
@@ -64,29 +64,29 @@ struct Signature {
 };
 
 constexpr std::array signatures = {
-    Signature{0, "\x1f\x8b", &says::aGzipArchive},
-    Signature{0, "PK\x03\x04", &says::aZipArchive},
-    Signature{0, "NRRD000", &says::anNrrdVolume},
-    Signature{344, "n+1", &says::aNiftiVolume},
-    Signature{344, "ni1", &says::aNiftiHeader},
-    Signature{0, "\x89HDF", &says::anHdf5File},
-    Signature{0, "CDF\x01", &says::aNetCdfVolume},
-    Signature{0, "ObjectType", &says::aMetaImageHeader},
-    Signature{0, "TRACK", &says::aTrackVisTractogram},
-    Signature{0, "mrtrix tracks", &says::anMrtrixTractogram},
-    Signature{0, "ply", &says::aPlySurface},
-    Signature{0, "solid", &says::anStlSurface},
-    Signature{0, "glTF", &says::aGltfScene},
-    Signature{0, "%PDF", &says::aPdfDocument},
-    Signature{128, "DICM", &says::aDicomFile},
-    Signature{0, "\x89PNG", &says::aPngImage},
-    Signature{0, "\xff\xd8\xff", &says::aJpegImage},
-    Signature{0, {"II*\0", 4}, &says::aTiffImage},
-    Signature{0, {"MM\0*", 4}, &says::aTiffImage},
-    Signature{0, "# vtk DataFile", &says::aLegacyVtkFile},
-    Signature{0, "<?xml", &says::anXmlFile},
-    Signature{0, "<VTKFile", &says::aVtkXmlFile},
-    Signature{0, "{", &says::aJsonFile},
+    Signature{0, "\x1f\x8b", &messages::aGzipArchive},
+    Signature{0, "PK\x03\x04", &messages::aZipArchive},
+    Signature{0, "NRRD000", &messages::anNrrdVolume},
+    Signature{344, "n+1", &messages::aNiftiVolume},
+    Signature{344, "ni1", &messages::aNiftiHeader},
+    Signature{0, "\x89HDF", &messages::anHdf5File},
+    Signature{0, "CDF\x01", &messages::aNetCdfVolume},
+    Signature{0, "ObjectType", &messages::aMetaImageHeader},
+    Signature{0, "TRACK", &messages::aTrackVisTractogram},
+    Signature{0, "mrtrix tracks", &messages::anMrtrixTractogram},
+    Signature{0, "ply", &messages::aPlySurface},
+    Signature{0, "solid", &messages::anStlSurface},
+    Signature{0, "glTF", &messages::aGltfScene},
+    Signature{0, "%PDF", &messages::aPdfDocument},
+    Signature{128, "DICM", &messages::aDicomFile},
+    Signature{0, "\x89PNG", &messages::aPngImage},
+    Signature{0, "\xff\xd8\xff", &messages::aJpegImage},
+    Signature{0, {"II*\0", 4}, &messages::aTiffImage},
+    Signature{0, {"MM\0*", 4}, &messages::aTiffImage},
+    Signature{0, "# vtk DataFile", &messages::aLegacyVtkFile},
+    Signature{0, "<?xml", &messages::anXmlFile},
+    Signature{0, "<VTKFile", &messages::aVtkXmlFile},
+    Signature{0, "{", &messages::aJsonFile},
 };
 
 }   // namespace
@@ -94,7 +94,7 @@ constexpr std::array signatures = {
 std::optional<core::Message> findReadError(const char* mapping, std::size_t size)
 {
     const auto fault = faultOfMapping(mapping, size);
-    return fault ? std::optional<core::Message>(says::fileNotRead(*fault)) : std::nullopt;
+    return fault ? std::optional<core::Message>(messages::fileNotRead(*fault)) : std::nullopt;
 }
 
 InputBytes::InputBytes(InputBytes&& other) noexcept

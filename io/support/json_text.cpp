@@ -1,6 +1,6 @@
 #include "io/support/json_text.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 
 #include <algorithm>
@@ -101,7 +101,7 @@ std::string prettyJson(std::string_view json)
 core::Status checkJson(std::string_view text, const std::string& path)
 {
     if (nestingOf(text) > maxNesting) {
-        return fileError(path, says::jsonTooDeep(maxNesting));
+        return fileError(path, messages::jsonTooDeep(maxNesting));
     }
     try {
         [[maybe_unused]] const Json parsed = Json::parse(text);
@@ -109,9 +109,9 @@ core::Status checkJson(std::string_view text, const std::string& path)
     } catch (const Json::parse_error& error) {
         const std::size_t end = std::min(error.byte, text.size());
         const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-        return fileError(path, says::jsonInvalid(line));
+        return fileError(path, messages::jsonInvalid(line));
     } catch (const Json::exception&) {
-        return fileError(path, says::jsonNumberTooLarge());
+        return fileError(path, messages::jsonNumberTooLarge());
     }
 }
 

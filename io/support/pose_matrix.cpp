@@ -1,6 +1,6 @@
 #include "io/support/pose_matrix.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -18,7 +18,7 @@ core::Result<core::RigidTransform> poseFromRows(const MatrixRows& rows)
     const bool isFourByFour =
         rows.size() == 4 && std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row.size() == 4; });
     if (!isFourByFour) {
-        return core::Error(says::poseRows());
+        return core::Error(messages::poseRows());
     }
     Eigen::Matrix4d matrix;
     for (int i = 0; i < 4; ++i) {
@@ -27,19 +27,19 @@ core::Result<core::RigidTransform> poseFromRows(const MatrixRows& rows)
         }
     }
     if (!matrix.allFinite()) {
-        return core::Error(says::poseNotFinite());
+        return core::Error(messages::poseNotFinite());
     }
     if ((matrix.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() > 1e-9) {
-        return core::Error(says::poseLastRow());
+        return core::Error(messages::poseLastRow());
     }
     core::RigidTransform pose{matrix.topLeftCorner<3, 3>(), matrix.topRightCorner<3, 1>()};
     if (pose.rotation.determinant() < 0.0) {
-        return core::Error(says::poseReflection());
+        return core::Error(messages::poseReflection());
     }
     const Eigen::Matrix3d nearest = core::nearestRotation(pose.rotation);
     const double deviation = (pose.rotation - nearest).cwiseAbs().maxCoeff();
     if (!(deviation <= roundedTolerance)) {
-        return core::Error(says::poseNoRotation());
+        return core::Error(messages::poseNoRotation());
     }
     if (deviation > exactTolerance) {
         pose.rotation = nearest;

@@ -2,7 +2,7 @@
 
 #include "core/support/result.h"
 #include "core/support/verdict.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 
 #include <functional>
 #include <string>
@@ -21,7 +21,7 @@ inline bool isStopRequested(const ReadObserver& observe, double fraction)
 /// Returns the outcome of reading that was stopped.
 inline core::Stopped stoppedReading(const std::string& path)
 {
-    return {says::readingStopped().about(path)};
+    return {messages::readingStopped().about(path)};
 }
 
 /// Returns an observer for the part of the work from `first` to `last`.

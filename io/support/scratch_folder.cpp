@@ -1,6 +1,6 @@
 #include "io/support/scratch_folder.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 
 #include <array>
@@ -30,7 +30,7 @@ core::Status ScratchFolder::make() const
     if (!failed) {
         std::filesystem::permissions(path_, std::filesystem::perms::owner_all, failed);
     }
-    return failed ? core::Status(fileError(path_.string(), says::fileNotWritten(failed.message()))) : core::Done{};
+    return failed ? core::Status(fileError(path_.string(), messages::fileNotWritten(failed.message()))) : core::Done{};
 }
 
 }   // namespace angiopose::io

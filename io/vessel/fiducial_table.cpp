@@ -1,6 +1,6 @@
 #include "io/vessel/fiducial_table.h"
 
-#include "io/messages/says_exchange.h"
+#include "io/messages/messages.h"
 #include "io/support/csv_table.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
@@ -113,17 +113,18 @@ core::Result<std::vector<Fiducial>> parseFiducialTable(std::string_view text, co
         }
         if (line.front() == '#') {
             if (const auto foreign = readComment(line, layout)) {
-                return fileError(path, says::fiducialsSystem(foreign->substr(0, 20)));
+                return fileError(path, messages::fiducialsSystem(foreign->substr(0, 20)));
             }
             continue;
         }
         const auto fiducial = pointOf(cellsOf(line), layout);
         if (!fiducial) {
-            return fileError(path, says::fiducialsLine(number));
+            return fileError(path, messages::fiducialsLine(number));
         }
         fiducials.push_back(*fiducial);
     }
-    return fiducials.empty() ? core::Result<std::vector<Fiducial>>(fileError(path, says::fiducialsNone())) : fiducials;
+    return fiducials.empty() ? core::Result<std::vector<Fiducial>>(fileError(path, messages::fiducialsNone()))
+                             : fiducials;
 }
 
 std::string fiducialTable(const std::vector<Fiducial>& fiducials)

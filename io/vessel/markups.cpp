@@ -1,7 +1,6 @@
 #include "io/vessel/markups.h"
 
-#include "io/messages/says.h"
-#include "io/messages/says_exchange.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/json_text.h"
 #include "io/support/numbers.h"
@@ -23,7 +22,7 @@ core::Result<CoordinateRule> ruleOf(const Json& markup, const std::string& path)
     const std::string system = markup.value("coordinateSystem", "LPS");
     const std::string axes = lowered(system);
     if (axes != "lps" && axes != "ras") {
-        return fileError(path, says::fiducialsSystem(system.substr(0, 20)));
+        return fileError(path, messages::fiducialsSystem(system.substr(0, 20)));
     }
     const auto stated = markup.find("coordinateUnits");
     const std::string unit = stated == markup.end()                   ? "mm"
@@ -31,7 +30,7 @@ core::Result<CoordinateRule> ruleOf(const Json& markup, const std::string& path)
                                                                       : stated->get<std::string>();
     const auto unitMm = lengthUnitMm(unit);
     if (!unitMm) {
-        return fileError(path, says::markupsUnit(unit.substr(0, 20)));
+        return fileError(path, messages::markupsUnit(unit.substr(0, 20)));
     }
     CoordinateRule rule;
     rule.unitMm = *unitMm;
@@ -116,11 +115,11 @@ core::Result<LineSet> parseMarkups(std::string_view json, const std::string& pat
             }
         }
         if (notPlaced > 0) {
-            set.warnings.push_back(says::markupsNotPlaced(notPlaced));
+            set.warnings.push_back(messages::markupsNotPlaced(notPlaced));
         }
         return set;
     } catch (const std::exception&) {   // missing keys, wrong types, too few coordinates
-        return fileError(path, says::markupsNone());
+        return fileError(path, messages::markupsNone());
     }
 }
 
@@ -166,7 +165,8 @@ core::Result<std::vector<Fiducial>> parseFiducialMarkups(std::string_view json, 
     } catch (const std::exception&) {   // missing keys, wrong types, too few coordinates
         fiducials.clear();
     }
-    return fiducials.empty() ? core::Result<std::vector<Fiducial>>(fileError(path, says::fiducialsNone())) : fiducials;
+    return fiducials.empty() ? core::Result<std::vector<Fiducial>>(fileError(path, messages::fiducialsNone()))
+                             : fiducials;
 }
 
 std::string fiducialMarkups(const std::vector<Fiducial>& fiducials)

@@ -1,4 +1,4 @@
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 #include "io/support/text_cursor.h"
@@ -28,7 +28,7 @@ core::Result<VtkLines> parseObj(std::string_view content, const std::string& pat
         if (kind == "v") {
             const auto point = words.point();
             if (!point) {
-                return fileError(path, says::objBadPoint(line));
+                return fileError(path, messages::objBadPoint(line));
             }
             points.push_back(*point);
         } else if (kind == "f") {

@@ -1,6 +1,6 @@
 #include "io/vessel/stated_coordinates.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 #include "io/support/text_cursor.h"
@@ -157,7 +157,7 @@ std::string headerText(std::string_view content)
 core::Result<CoordinateRule> coordinateRule(std::string_view header, double askedUnitMm, const std::string& path)
 {
     if (!std::isfinite(askedUnitMm) || askedUnitMm < 0.0) {
-        return fileError(path, says::fileWrongUnit());
+        return fileError(path, messages::fileWrongUnit());
     }
     CoordinateRule rule;
     std::optional<StatedUnit> stated;
@@ -166,13 +166,13 @@ core::Result<CoordinateRule> coordinateRule(std::string_view header, double aske
         const std::string line(lines.line().substr(0, longestLine));
         const auto unit = unitIn(line);
         if (unit && stated && unit->unitMm != stated->unitMm) {
-            rule.notes.push_back(says::unitsContradict(stated->words, unit->words));
+            rule.notes.push_back(messages::unitsContradict(stated->words, unit->words));
         }
         stated = stated ? stated : unit;
         axes = axes.empty() ? axesIn(line) : axes;
     }
     if (!axes.empty() && axes != "RAS" && axes != "LPS") {
-        return fileError(path, says::axesOther(axes));
+        return fileError(path, messages::axesOther(axes));
     }
     rule.isRas = axes == "RAS";
     rule.isUnitStated = stated.has_value();
@@ -180,8 +180,9 @@ core::Result<CoordinateRule> coordinateRule(std::string_view header, double aske
     if (stated && (stated->unitMm != 1.0 || rule.unitMm != 1.0)) {
         const auto inMm = [](double mm) { return core::Quantity{mm, core::Quantity::asNeeded, "mm"}; };
         const bool isOverruled = std::abs(rule.unitMm - stated->unitMm) > 1e-9 * rule.unitMm;
-        rule.notes.push_back(isOverruled ? says::unitOverruled(stated->words, inMm(stated->unitMm), inMm(rule.unitMm))
-                                         : says::unitStated(stated->words, inMm(stated->unitMm)));
+        rule.notes.push_back(isOverruled
+                                 ? messages::unitOverruled(stated->words, inMm(stated->unitMm), inMm(rule.unitMm))
+                                 : messages::unitStated(stated->words, inMm(stated->unitMm)));
     }
     return rule;
 }

@@ -1,4 +1,4 @@
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 #include "io/support/text_cursor.h"
@@ -72,7 +72,7 @@ std::optional<VtkLines> parseText(std::string_view content)
         }
     }
     if (!hasEnd) {
-        surface.set.warnings.push_back(says::stlWithoutEnd(surface.triangles.size()));
+        surface.set.warnings.push_back(messages::stlWithoutEnd(surface.triangles.size()));
     }
     return surface.set.points.size() % 3 == 0 ? std::optional(std::move(surface)) : std::nullopt;
 }
@@ -88,18 +88,18 @@ core::Result<VtkLines> parseStl(std::string_view content, const std::string& pat
 {
     if (isText(content)) {
         auto surface = parseText(content);
-        return surface ? core::Result<VtkLines>(std::move(*surface)) : fileError(path, says::surfaceCutShort());
+        return surface ? core::Result<VtkLines>(std::move(*surface)) : fileError(path, messages::surfaceCutShort());
     }
     if (content.size() < headSize) {
-        return fileError(path, says::surfaceCutShort());
+        return fileError(path, messages::surfaceCutShort());
     }
     const std::size_t declared = declaredTriangles(content), held = heldTriangles(content);
     if (declared > held || (declared == 0 && held > 0)) {
-        return fileError(path, says::stlTooFew(declared, held));
+        return fileError(path, messages::stlTooFew(declared, held));
     }
     VtkLines surface = parseBinary(content);
     if (held > declared) {
-        surface.set.warnings.push_back(says::stlTooMany(declared, held));
+        surface.set.warnings.push_back(messages::stlTooMany(declared, held));
     }
     return surface;
 }

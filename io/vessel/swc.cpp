@@ -1,6 +1,6 @@
 #include "io/vessel/swc.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/csv_table.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
@@ -203,10 +203,10 @@ core::Result<LineSet> parseSwc(std::string_view text, const std::string& path)
     for (TextLines lines(text); lines.next();) {
         const auto row = parseRow(lines.line());
         if (!row || !(std::abs((*row)[0]) < 1e9) || !(std::abs((*row)[6]) < 1e9)) {
-            return fileError(path, says::swcLine(lines.number()));
+            return fileError(path, messages::swcLine(lines.number()));
         }
         if (!indexOfId.emplace(static_cast<long>((*row)[0]), set.points.size()).second) {
-            return fileError(path, says::swcIdTwice(lines.number()));
+            return fileError(path, messages::swcIdTwice(lines.number()));
         }
         if (saysMeetings && (*row)[1] == meetingType) {
             set.meetings.insert(set.points.size());
@@ -221,7 +221,7 @@ core::Result<LineSet> parseSwc(std::string_view text, const std::string& path)
         }
         const auto parent = indexOfId.find(parents[i].first);
         if (parent == indexOfId.end()) {
-            return fileError(path, says::swcParentMissing(parents[i].second, parents[i].first));
+            return fileError(path, messages::swcParentMissing(parents[i].second, parents[i].first));
         }
         set.lines.push_back({parent->second, i});
     }

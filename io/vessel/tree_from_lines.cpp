@@ -1,4 +1,4 @@
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 #include "io/vessel/line_set.h"
@@ -17,20 +17,20 @@ using core::VesselBranch;
 std::optional<core::Message> findDamage(const LineSet& set)
 {
     if (set.lines.empty()) {
-        return set.hasSurface ? says::treeIsSurface() : says::treeNoLines();
+        return set.hasSurface ? messages::treeIsSurface() : messages::treeNoLines();
     }
     if (set.points.size() > maxCenterlinePoints) {
-        return says::treeTooManyPoints(set.points.size(), maxCenterlinePoints);
+        return messages::treeTooManyPoints(set.points.size(), maxCenterlinePoints);
     }
     std::size_t total = 0;
     for (const auto& line : set.lines) {
         total += line.size();
         if (std::any_of(line.begin(), line.end(), [&](std::size_t i) { return i >= set.points.size(); })) {
-            return says::treeBadIndex();
+            return messages::treeBadIndex();
         }
     }
     if (total > 4 * maxCenterlinePoints) {
-        return says::treePointsRepeated();
+        return messages::treePointsRepeated();
     }
     return {};
 }
@@ -127,10 +127,10 @@ void mendLeaps(LineSet& set)
     set.ids = std::move(mended.ids);
     set.names = std::move(mended.names);
     if (turned > 0) {
-        set.warnings.push_back(says::treeTurnedRound(turned));
+        set.warnings.push_back(messages::treeTurnedRound(turned));
     }
     if (cuts > 0) {
-        set.warnings.push_back(says::treeLeaps(cuts, core::Quantity{longestMm, 1, "mm"}));
+        set.warnings.push_back(messages::treeLeaps(cuts, core::Quantity{longestMm, 1, "mm"}));
     }
 }
 
@@ -172,17 +172,17 @@ core::Result<ReadTree> treeFromLines(LineSet set, const std::string& path)
         }
     }
     if (tree.branches.empty()) {
-        return fileError(path, says::treeNoLength());
+        return fileError(path, messages::treeNoLength());
     }
     for (const VesselBranch& branch : tree.branches) {
         for (const Eigen::Vector3d& point : branch.pointsInPatient) {
             if (!point.allFinite() || point.cwiseAbs().maxCoeff() > 1e6) {
-                return fileError(path, says::surfaceCoordinate());
+                return fileError(path, messages::surfaceCoordinate());
             }
         }
     }
     if (tree.branches.size() > maxCenterlineBranches) {
-        return fileError(path, says::treeTooManyLines(tree.branches.size(), maxCenterlineBranches));
+        return fileError(path, messages::treeTooManyLines(tree.branches.size(), maxCenterlineBranches));
     }
     tree.branches = withoutSharedTrunks(tree.branches);
     numberBranches(tree.branches, !set.ids.empty());

@@ -1,6 +1,6 @@
 #include "io/vessel/tree_table.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/csv_table.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
@@ -23,14 +23,14 @@ core::Result<TreeColumns> columnsOf(const CsvTable& table)
         if (!table.rows.empty() && table.rows.front().size() == 3) {
             return TreeColumns{};
         }
-        return fileError(table.path, says::treeTableNoHeader());
+        return fileError(table.path, messages::treeTableNoHeader());
     }
     const auto x = table.column("x"), y = table.column("y"), z = table.column("z");
     if (!x || !y || !z) {
-        return fileError(table.path, says::treeTableNoColumns());
+        return fileError(table.path, messages::treeTableNoColumns());
     }
     if (table.column("id") && !table.column("branch")) {
-        return fileError(table.path, says::treeTableIsGraph());
+        return fileError(table.path, messages::treeTableIsGraph());
     }
     return TreeColumns{*x, *y, *z, table.column("radius"), table.column("branch"), table.column("label")};
 }

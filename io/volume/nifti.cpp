@@ -1,6 +1,6 @@
 #include "io/volume/nifti.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/support/numbers.h"
@@ -141,23 +141,23 @@ std::optional<core::Message> findUnsupported(const NiftiHeader& header)
 {
     const std::int64_t dimensions = header.dim[0];
     if (dimensions < 1 || dimensions > 7) {
-        return says::volumeHeaderDimensions(dimensions);
+        return messages::volumeHeaderDimensions(dimensions);
     }
     std::int64_t volumes = 1;
     for (std::size_t i = 4; i <= static_cast<std::size_t>(dimensions); ++i) {
         volumes = std::max(volumes, header.dim[i]);
     }
     if (volumes > 1) {
-        return says::volumeSeveralNifti(volumes);
+        return messages::volumeSeveralNifti(volumes);
     }
     if (header.datatype == 128 || header.datatype == 2304) {
-        return says::volumeColors();
+        return messages::volumeColors();
     }
     if (!typeOf(header.datatype)) {
-        return says::volumeNiftiType(header.datatype);
+        return messages::volumeNiftiType(header.datatype);
     }
     if (!(header.dataOffset >= 0.0 && header.dataOffset < 1e9)) {
-        return says::volumeImpossibleStart();
+        return messages::volumeImpossibleStart();
     }
     return {};
 }
@@ -181,7 +181,7 @@ double millimetersPerUnit(int units, core::Messages& warnings)
         case 2:
             return 1.0;
         default:
-            warnings.push_back(says::volumeUnitUnknown("xyzt_units = " + std::to_string(units)));
+            warnings.push_back(messages::volumeUnitUnknown("xyzt_units = " + std::to_string(units)));
             return 1.0;
     }
 }
@@ -215,7 +215,7 @@ NiftiMap mapOf(const NiftiHeader& header, core::Messages& warnings)
         const bool isAtlas = header.sformCode > 2 && header.qformCode <= 2;
         if (const double apart = largestDifference(qform, header.sform, header); apart > 0.5) {
             const core::Quantity apartMm = core::inMm(apart, 1);
-            warnings.push_back(isAtlas ? says::niftiQformUsed(apartMm) : says::niftiSformUsed(apartMm));
+            warnings.push_back(isAtlas ? messages::niftiQformUsed(apartMm) : messages::niftiSformUsed(apartMm));
         }
         return isAtlas ? qform : header.sform;
     }
@@ -223,7 +223,7 @@ NiftiMap mapOf(const NiftiHeader& header, core::Messages& warnings)
         return header.sform;
     }
     if (!hasQform) {
-        warnings.push_back(says::volumeVoxelsAssumed());
+        warnings.push_back(messages::volumeVoxelsAssumed());
         NiftiMap map = NiftiMap::Zero();
         map.diagonal() = Eigen::Vector3d(header.pixdim[1], header.pixdim[2], header.pixdim[3]);
         return map;
@@ -243,11 +243,12 @@ void findContradictions(const NiftiHeader& header, const NiftiMap& map, core::Me
     const Eigen::Vector3d stated(header.pixdim[1], header.pixdim[2], header.pixdim[3]);
     const Eigen::Vector3d used = map.leftCols<3>().colwise().norm();
     if (((stated.cwiseAbs() - used).array().abs() > 0.01 * used.array()).any()) {
-        warnings.push_back(says::niftiSizes(sizeText(stated), sizeText(used)));
+        warnings.push_back(messages::niftiSizes(sizeText(stated), sizeText(used)));
     }
     const std::size_t bits = 8 * bytesOf(*typeOf(header.datatype));
     if (header.bitsPerVoxel > 0 && static_cast<std::size_t>(header.bitsPerVoxel) != bits) {
-        warnings.push_back(says::niftiBits(header.bitsPerVoxel, bits, std::string(nameOf(*typeOf(header.datatype)))));
+        warnings.push_back(
+            messages::niftiBits(header.bitsPerVoxel, bits, std::string(nameOf(*typeOf(header.datatype)))));
     }
 }
 
@@ -332,7 +333,7 @@ core::Result<StoredVolume> parseNifti(std::string_view head, const std::string& 
     stored.isDeclaredLabels = header.intent == NIFTI_INTENT_LABEL;
     auto skip = static_cast<std::uint64_t>(header.dataOffset);
     if (const std::uint64_t least = minOffset(header); skip < least) {
-        stored.warnings.push_back(says::niftiStartWithinHeader(skip, least));
+        stored.warnings.push_back(messages::niftiStartWithinHeader(skip, least));
         skip = least;
     }
     if (!header.isPair && skip > head.size()) {

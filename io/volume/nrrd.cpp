@@ -1,6 +1,6 @@
 #include "io/volume/nrrd.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/decimal_point.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -158,7 +158,7 @@ struct NrrdAxes {
 std::optional<core::Message> findAxes(const Nrrd& nrrd, NrrdAxes& axes)
 {
     if (nrrd.dim < 3) {
-        return says::volumeNotThreeDimensional(nrrd.dim);
+        return messages::volumeNotThreeDimensional(nrrd.dim);
     }
     for (unsigned int i = 0; i < nrrd.dim; ++i) {
         axes.all.push_back(&nrrd.axis[i]);
@@ -168,19 +168,19 @@ std::optional<core::Message> findAxes(const Nrrd& nrrd, NrrdAxes& axes)
         const bool isList = axes.haveDirections && !hasDirection(*axis);
         const bool isOther = isList || isColor(*axis) || (nrrd.dim > 3 && axis->size == 1);
         if (isOther && axis->size > 1) {
-            return isColor(*axis) ? says::volumeColors() : says::volumeSeveralNrrd(axis->size);
+            return isColor(*axis) ? messages::volumeColors() : messages::volumeSeveralNrrd(axis->size);
         }
         if (!isOther || nrrd.dim == 3) {
             axes.ofSpace.push_back(axis);
         }
     }
     if (axes.ofSpace.size() != 3) {
-        return says::volumeDimensions(nrrd.dim);
+        return messages::volumeDimensions(nrrd.dim);
     }
     const std::size_t first = nrrd.axis[0].size;
     const bool looksLikeColor = nrrd.dim == 3 && first > 1 && first <= 4 && nrrd.axis[0].kind == nrrdKindUnknown &&
                                 nrrd.axis[1].size > 16 && nrrd.axis[2].size > 16;
-    return looksLikeColor ? std::optional(says::volumeColorAxis(first)) : std::nullopt;
+    return looksLikeColor ? std::optional(messages::volumeColorAxis(first)) : std::nullopt;
 }
 
 /// Returns the signs that convert the axes of the space to LPS; nullopt for spaces that are not anatomical.
@@ -226,13 +226,13 @@ AxesResult placedAxes(const Nrrd& nrrd, const NrrdAxes& axes, core::Messages& wa
     }
     const auto signs = lpsSignsOf(nrrd.space);
     if (!axes.haveDirections || !signs) {
-        warnings.push_back(says::volumeAxesAssumed());
+        warnings.push_back(messages::volumeAxesAssumed());
     }
     if (isSizeAssumed) {
-        warnings.push_back(says::volumeSizeAssumed());
+        warnings.push_back(messages::volumeSizeAssumed());
     }
     if (axes.haveDirections && steps.isIdentity(0.0)) {
-        warnings.push_back(says::volumeSizeOfOne());
+        warnings.push_back(messages::volumeSizeOfOne());
     }
     const bool hasOrigin = nrrd.spaceDim == 3 && AIR_EXISTS(nrrd.spaceOrigin[0]);
     const Eigen::Vector3d origin = hasOrigin ? Eigen::Vector3d(nrrd.spaceOrigin) : Eigen::Vector3d(0, 0, 0);
@@ -261,25 +261,25 @@ core::Result<std::uint64_t> afterLines(const std::string& path, std::size_t at, 
 std::optional<core::Message> findSource(const NrrdIoState& state, const HeaderText& header, VoxelSource& source)
 {
     if (state.encoding == nrrdEncodingBzip2) {
-        return says::volumeBzip2();
+        return messages::volumeBzip2();
     }
     if (state.encoding != nrrdEncodingRaw && state.encoding != nrrdEncodingGzip) {
-        return says::volumeTextNrrd(state.encoding->name);
+        return messages::volumeTextNrrd(state.encoding->name);
     }
     if (header.lineSkip < 0 || header.byteSkip < -1) {
-        return says::volumeSkips();
+        return messages::volumeSkips();
     }
     if (header.dataFile.starts_with("LIST") || header.dataFile.find('%') != std::string::npos) {
-        return says::volumeSeveralFiles();
+        return messages::volumeSeveralFiles();
     }
     if (header.dataFile.empty()) {
         const auto offset = afterLines(source.path, header.end, header.lineSkip);
         if (!offset) {
-            return says::volumeVoxelFileNotRead(offset.error().message);
+            return messages::volumeVoxelFileNotRead(offset.error().message);
         }
         source.offset = offset.value();
     } else if (header.lineSkip > 0) {
-        return says::volumeSkipsLinesElsewhere();
+        return messages::volumeSkipsLinesElsewhere();
     } else {
         source.path = (std::filesystem::path(source.path).parent_path() / header.dataFile).string();
     }
@@ -321,7 +321,7 @@ core::Result<StoredVolume> parseNrrd(std::string_view content, const std::string
     const HeaderText written = splitHeader(content);
     const NrrdHeader header = parsedHeader(written.text);
     if (!header.problem.empty()) {
-        return fileError(path, says::volumeHeaderNotRead(header.problem));
+        return fileError(path, messages::volumeHeaderNotRead(header.problem));
     }
     const Nrrd& nrrd = *header.nrrd;
     StoredVolume stored;
@@ -329,7 +329,7 @@ core::Result<StoredVolume> parseNrrd(std::string_view content, const std::string
     stored.format = "NRRD";
     const auto type = voxelTypeOf(nrrd.type);
     if (!type) {
-        return fileError(path, says::volumeOtherVoxelType());
+        return fileError(path, messages::volumeOtherVoxelType());
     }
     stored.type = *type;
     NrrdAxes axes;

@@ -1,6 +1,6 @@
 #include "io/volume/open_stored.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/volume/nifti.h"
@@ -52,7 +52,7 @@ core::Result<StoredVolume> openStored(const std::string& path)
         return openPlainVolume(*format, content, path);
     }
     const auto* found = describeContent(content);
-    return fileError(path, found ? says::volumeIsOther((*found)()) : says::volumeUnknown());
+    return fileError(path, found ? messages::volumeIsOther((*found)()) : messages::volumeUnknown());
 }
 
 }   // namespace angiopose::io

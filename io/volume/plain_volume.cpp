@@ -1,6 +1,6 @@
 #include "io/volume/plain_volume.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/support/numbers.h"
@@ -91,29 +91,30 @@ std::optional<core::Message> findMetaProblem(std::string_view content)
 {
     const std::string object = metaValue(content, "ObjectType");
     if (!object.empty() && object != "Image") {
-        return says::volumeHoldsOther(object.substr(0, 24));
+        return messages::volumeHoldsOther(object.substr(0, 24));
     }
     const int dimensions = parseInteger(metaValue(content, "NDims")).value_or(0);
     if (dimensions != 3) {
-        return says::volumeNotThreeDimensional(dimensions);
+        return messages::volumeNotThreeDimensional(dimensions);
     }
     if (const std::string channels = metaValue(content, "ElementNumberOfChannels");
         !channels.empty() && channels != "1") {
-        return says::volumeChannels(channels.substr(0, 8));
+        return messages::volumeChannels(channels.substr(0, 8));
     }
     if (const std::string binary = metaValue(content, "BinaryData"); !binary.empty() && !isYes(binary)) {
-        return says::volumeText();
+        return messages::volumeText();
     }
     const std::string dataFile = metaValue(content, "ElementDataFile");
     if (dataFile.empty()) {
-        return says::volumeNoDataFile();
+        return messages::volumeNoDataFile();
     }
     if (dataFile.starts_with("LIST") || dataFile.find('%') != std::string::npos) {
-        return says::volumeSeveralFiles();
+        return messages::volumeSeveralFiles();
     }
     const std::string headerSize = metaValue(content, "HeaderSize");
-    return !headerSize.empty() && parseInteger(headerSize).value_or(-2) < -1 ? std::optional(says::volumeHeaderSize())
-                                                                             : std::nullopt;
+    return !headerSize.empty() && parseInteger(headerSize).value_or(-2) < -1
+               ? std::optional(messages::volumeHeaderSize())
+               : std::nullopt;
 }
 
 /// Returns the location of a MetaImage's voxels.
@@ -172,12 +173,12 @@ PlainHeader metaHeader(std::string_view content, const std::string& path)
         !readNumbers(content, {"ElementSpacing", "ElementSize"}, {spacing.data(), 3}) ||
         !readNumbers(content, {"Offset", "Position", "Origin"}, {header.origin.data(), 3}) ||
         !readNumbers(content, {"TransformMatrix", "Rotation", "Orientation"}, {header.steps.data(), 9})) {
-        return unread(says::volumeFormatHeaderNotRead(nameOf(PlainFormat::MetaImage)));
+        return unread(messages::volumeFormatHeaderNotRead(nameOf(PlainFormat::MetaImage)));
     }
     const std::string typeName = metaValue(content, "ElementType");
     const auto type = typeIn(types, typeName);
     if (!type) {
-        return unread(says::volumeVoxelType(typeName.substr(0, 24)));
+        return unread(messages::volumeVoxelType(typeName.substr(0, 24)));
     }
     const double unitMm = millimetersPer(metaValue(content, "DistanceUnits"), header.warnings);
     header.size = sizeOf(size);
@@ -186,7 +187,7 @@ PlainHeader metaHeader(std::string_view content, const std::string& path)
     header.type = *type;
     header.source = metaSource(content, path);
     if (metaValue(content, "ElementSpacing").empty() && metaValue(content, "ElementSize").empty()) {
-        header.warnings.push_back(says::volumeSizeAssumed());
+        header.warnings.push_back(messages::volumeSizeAssumed());
     }
     return header;
 }
@@ -216,7 +217,7 @@ PlainHeader vtkHeader(std::string_view content, const std::string& path)
         {"int", Int32},     {"unsigned_int", Uint32}, {"long", Int64},      {"unsigned_long", Uint64},
         {"float", Float32}, {"double", Float64},      {"long_long", Int64}, {"unsigned_long_long", Uint64}};
     constexpr int maxLines = 64;
-    const core::Message notRead = says::volumeFormatHeaderNotRead(nameOf(PlainFormat::VtkImage));
+    const core::Message notRead = messages::volumeFormatHeaderNotRead(nameOf(PlainFormat::VtkImage));
     PlainHeader header;
     TextCursor text(content);
     text.line();
@@ -235,8 +236,8 @@ PlainHeader vtkHeader(std::string_view content, const std::string& path)
         const auto type = typeIn(types, lowered(words.word()));
         const std::string_view components = words.word();
         if (!type || (!components.empty() && components != "1")) {
-            return unread(type ? core::Message(says::volumeChannels(std::string(components.substr(0, 8))))
-                               : core::Message(says::volumeOtherVoxelType()));
+            return unread(type ? core::Message(messages::volumeChannels(std::string(components.substr(0, 8))))
+                               : core::Message(messages::volumeOtherVoxelType()));
         }
         if (TextCursor ahead = text; lowered(ahead.word()) == "lookup_table") {
             text.line();
@@ -244,7 +245,7 @@ PlainHeader vtkHeader(std::string_view content, const std::string& path)
         header.type = *type;
         header.source = {path, content.size() - text.left()};
         header.source.isBigEndian = true;
-        header.warnings.push_back(says::volumeAxesAssumed());
+        header.warnings.push_back(messages::volumeAxesAssumed());
         return header;
     }
     return unread(notRead);
@@ -269,8 +270,8 @@ PlainHeader giplHeader(std::string_view content, const std::string& path)
     const auto shortAt = [content](std::size_t at) { return int{numberAt<std::int16_t, std::uint16_t>(content, at)}; };
     const auto type = typeIn(types, shortAt(8));
     if (!type || shortAt(6) > 1) {
-        return unread(type ? core::Message(says::volumeNotThreeDimensional(4))
-                           : core::Message(says::volumeOtherVoxelType()));
+        return unread(type ? core::Message(messages::volumeNotThreeDimensional(4))
+                           : core::Message(messages::volumeOtherVoxelType()));
     }
     PlainHeader header;
     for (int axis = 0; axis < 3; ++axis) {
@@ -282,7 +283,7 @@ PlainHeader giplHeader(std::string_view content, const std::string& path)
     header.type = *type;
     header.source = {path, giplHeaderBytes};
     header.source.isBigEndian = true;
-    header.warnings.push_back(says::volumeAxesAssumed());
+    header.warnings.push_back(messages::volumeAxesAssumed());
     return header;
 }
 
@@ -299,7 +300,7 @@ public:
         std::error_code failed;
         const std::uint64_t size = std::filesystem::file_size(path_, failed);
         const std::uint64_t there = size - std::min(offset_, size), least = 2 * count_ - 1;   // a digit and a blank
-        return failed || there < least ? core::Status(fileError(path_, says::volumeCutShortBy(there, least)))
+        return failed || there < least ? core::Status(fileError(path_, messages::volumeCutShortBy(there, least)))
                                        : core::Done{};
     }
 
@@ -326,7 +327,7 @@ private:
                                              (*number >= static_cast<double>(std::numeric_limits<T>::min()) &&
                                               *number < static_cast<double>(std::numeric_limits<T>::max()) + 1.0));
             if (!isInside) {
-                return fileError(path_, says::volumeVoxelsDamaged());
+                return fileError(path_, messages::volumeVoxelsDamaged());
             }
             const auto value = static_cast<T>(*number);
             std::memcpy(voxels + i * sizeof(T), &value, sizeof(T));

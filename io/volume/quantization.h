@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 
 #include <algorithm>
 #include <array>
@@ -67,7 +67,7 @@ inline core::Message roundingNote(double step, const std::string& type)
 {
     std::array<char, 32> text;
     const auto end = std::to_chars(text.begin(), text.end(), std::abs(step), std::chars_format::general, 3).ptr;
-    return says::volumeRounded(type, std::string(text.begin(), end));
+    return messages::volumeRounded(type, std::string(text.begin(), end));
 }
 
 }   // namespace angiopose::io

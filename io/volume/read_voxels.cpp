@@ -1,7 +1,6 @@
 #include "io/volume/read_voxels.h"
 
-#include "io/messages/says.h"
-#include "io/messages/says_keeping.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 #include "io/support/system/own_process.h"
@@ -22,7 +21,7 @@ namespace {
 
 core::Error tooLarge(const StoredVolume& stored)
 {
-    return fileError(stored.path, says::volumeLargerThanMemory());
+    return fileError(stored.path, messages::volumeLargerThanMemory());
 }
 
 /// Reads voxels of up to 16 bits directly into the memory of `place`, then widens them there from the last to the first
@@ -73,7 +72,7 @@ void noteLosses(const StoredVolume& stored, const ValueRange& range, const Quant
                 core::Messages& warnings)
 {
     if (range.missing > 0) {
-        warnings.push_back(says::volumeNotNumbers(range.missing));
+        warnings.push_back(messages::volumeNotNumbers(range.missing));
     }
     if (!range.isWhole || quantization.scale != 1.0) {
         warnings.push_back(roundingNote(stored.slope * quantization.scale, std::string(nameOf(stored.type))));
@@ -118,15 +117,15 @@ core::Result<core::Volume> readWide(const StoredVolume& stored, const ReadObserv
     const std::size_t count = stored.geometry.voxelCount();
     const ValueRange whole = rangeOf(values, count);
     if (whole.missing == count) {
-        return fileError(stored.path, says::volumeNoNumbers());
+        return fileError(stored.path, messages::volumeNoNumbers());
     }
     const auto valueAt = [values](std::size_t i) { return static_cast<double>(values[i]); };
     const ValueRange range = usefulRange(whole, count, valueAt);
     if (const std::size_t outside =
             range.low > whole.low || range.high < whole.high ? countOutside(range, count, valueAt) : 0;
         outside > 0) {
-        warnings.push_back(says::volumeStrayValues(outside, toText(stored.slope * range.low + stored.intercept),
-                                                   toText(stored.slope * range.high + stored.intercept)));
+        warnings.push_back(messages::volumeStrayValues(outside, toText(stored.slope * range.low + stored.intercept),
+                                                       toText(stored.slope * range.high + stored.intercept)));
     }
     const Quantization quantization = quantizationOf(range);
     noteLosses(stored, range, quantization, warnings);
@@ -169,7 +168,7 @@ core::Result<core::LabelVolume> labelsAs(const StoredVolume& stored, const ReadO
         }
     }
     if (wrong) {
-        return fileError(stored.path, says::labelsNoWholeNumber(toText(*wrong)));
+        return fileError(stored.path, messages::labelsNoWholeNumber(toText(*wrong)));
     }
     return labels;
 }

@@ -1,6 +1,6 @@
 #include "io/volume/volume_axes.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/numbers.h"
 
 #include <Eigen/SVD>
@@ -20,13 +20,13 @@ std::optional<core::Message> findBadSize(const Eigen::Vector3i& size)
     const std::string text =
         std::to_string(size.x()) + " x " + std::to_string(size.y()) + " x " + std::to_string(size.z()) + " voxels";
     if ((size.array() < 1).any()) {
-        return says::volumeHeaderGives(text);
+        return messages::volumeHeaderGives(text);
     }
     if ((size.array() < 2).any()) {
-        return says::volumeSingleSlice(text);
+        return messages::volumeSingleSlice(text);
     }
     const double count = size.cast<double>().prod();
-    return count > static_cast<double>(maxVoxels) ? std::optional(says::volumeDeclares(text)) : std::nullopt;
+    return count > static_cast<double>(maxVoxels) ? std::optional(messages::volumeDeclares(text)) : std::nullopt;
 }
 
 double largestCosine(const Eigen::Matrix3d& axes)
@@ -65,7 +65,7 @@ double millimetersPer(std::string_view unit, core::Messages& warnings)
             return mm;
         }
     }
-    const core::Message unknown = says::volumeUnitUnknown(unit.substr(0, 24));
+    const core::Message unknown = messages::volumeUnitUnknown(unit.substr(0, 24));
     if (std::ranges::none_of(warnings, [&](const core::Message& said) { return said.text() == unknown.text(); })) {
         warnings.push_back(unknown);
     }
@@ -84,13 +84,13 @@ AxesResult geometryFromSteps(const Eigen::Vector3i& size, const Eigen::Matrix3d&
     const bool isFinite = steps.allFinite() && originInPatient.allFinite();
     if (!isFinite || spacing.minCoeff() < 1e-4 || spacing.maxCoeff() > 1e3 ||
         originInPatient.cwiseAbs().maxCoeff() > 1e6) {
-        result.problem = says::volumeNoPlace();
+        result.problem = messages::volumeNoPlace();
         return result;
     }
     Eigen::Matrix3d axes = steps * spacing.cwiseInverse().asDiagonal();
     const double cosine = largestCosine(axes);
     if (cosine > roundedCosine) {
-        result.problem = says::volumeSkewed(core::Quantity{std::acos(cosine) * 180.0 / std::numbers::pi, 1, "°"});
+        result.problem = messages::volumeSkewed(core::Quantity{std::acos(cosine) * 180.0 / std::numbers::pi, 1, "°"});
         return result;
     }
     result.geometry = {size, spacing, originInPatient, cosine > exactCosine ? nearestOrthonormal(axes) : axes};

@@ -1,6 +1,6 @@
 #include "io/volume/voxel_stream.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 
@@ -116,7 +116,7 @@ public:
     core::Status read(char* voxels, const ReadObserver& observe) const override;
 
 private:
-    core::Error cutShort() const { return fileError(source_.path, says::volumePackingDamaged()); }
+    core::Error cutShort() const { return fileError(source_.path, messages::volumePackingDamaged()); }
     bool isHeaderAmongVoxels() const;
     std::unique_ptr<PackedFile> openAtVoxels() const;
 
@@ -142,15 +142,16 @@ core::Status VoxelStream::check() const
 {
     std::error_code unknown;   // opening then reports the problem
     if (!std::filesystem::exists(source_.path, unknown) && !unknown) {
-        return fileError(path_, says::volumeVoxelsNotThere(std::filesystem::path(source_.path).filename().string()));
+        return fileError(path_,
+                         messages::volumeVoxelsNotThere(std::filesystem::path(source_.path).filename().string()));
     }
     const auto input = openInputStart(source_.path);
     if (!input) {
         return source_.path == path_ ? input.error()
-                                     : fileError(path_, says::volumeVoxelFileNotRead(input.error().message));
+                                     : fileError(path_, messages::volumeVoxelFileNotRead(input.error().message));
     }
     if (isHeaderAmongVoxels()) {
-        return fileError(path_, says::volumeVoxelsAreHeader());
+        return fileError(path_, messages::volumeVoxelsAreHeader());
     }
     const std::uint64_t size = input.value().view().size();
     const std::uint64_t there = size - std::min(source_.offset, size);
@@ -159,7 +160,7 @@ core::Status VoxelStream::check() const
         return cutShort();
     }
     if (!source_.isPacked && there < needed_ + source_.skip) {
-        return fileError(source_.path, says::volumeCutShortBy(there, needed_ + source_.skip));
+        return fileError(source_.path, messages::volumeCutShortBy(there, needed_ + source_.skip));
     }
     return static_cast<double>(needed_) > greatestInflation * static_cast<double>(there) ? core::Status(cutShort())
                                                                                          : core::Done{};
@@ -200,7 +201,8 @@ core::Status VoxelStream::read(char* voxels, const ReadObserver& observe) const
         }
         const std::size_t got = file->read(voxels + done, needed_ - done);
         if (got == 0) {
-            return file->hasReadError() ? fileError(source_.path, says::fileNotRead(std::strerror(EIO))) : cutShort();
+            return file->hasReadError() ? fileError(source_.path, messages::fileNotRead(std::strerror(EIO)))
+                                        : cutShort();
         }
         done += got;
     }

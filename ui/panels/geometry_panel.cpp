@@ -270,7 +270,7 @@ void GeometryPanel::focusFirstMissing()
 
 void GeometryPanel::editValue(GeometryValue value, double number)
 {
-    emit edited(withValue(state_, value, number, core::Origin::User, "typed in the window"),
+    emit edited(withValue(state_, value, number, core::Origin::User, "entered in the window"),
                 [value] { return tr(kindOf(value).label); });
 }
 
@@ -288,7 +288,7 @@ void GeometryPanel::assumeMissing()
     GeometryState assumed = state_;
     for (const GeometryValue value : allValues()) {
         if (kindOf(value).isNeeded && !shownValue(state_, value).value) {
-            assumed.cArm = withValue(assumed, value, kindOf(value).usual, core::Origin::Assumed, "usual for a C-arm");
+            assumed.cArm = withValue(assumed, value, kindOf(value).usual, core::Origin::Assumed, "typical for a C-arm");
         }
     }
     emit edited(assumed.cArm, [] { return tr("missing values"); });

@@ -121,7 +121,7 @@ Sourced<double> shownValue(const GeometryState& state, GeometryValue value)
         case GeometryValue::FieldWidth: {
             Sourced<double> width = cArm.columnSpacingMm;
             if (width.value && state.imageSizePx.x() > 0) {
-                width = {*width.value * state.imageSizePx.x(), Origin::Derived, "columns times pixel"};
+                width = {*width.value * state.imageSizePx.x(), Origin::Derived, "columns × pixel spacing"};
                 return width;
             }
             return {};
@@ -131,11 +131,11 @@ Sourced<double> shownValue(const GeometryState& state, GeometryValue value)
         case GeometryValue::Secondary:
             return cArm.secondaryAngleDeg;
         case GeometryValue::Roll:
-            return cArm.rollDeg.value ? cArm.rollDeg : Sourced<double>{0.0, Origin::Assumed, "no header tells it"};
+            return cArm.rollDeg.value ? cArm.rollDeg : Sourced<double>{0.0, Origin::Assumed, "not in the header"};
         case GeometryValue::CenterX:
         case GeometryValue::CenterY:
             return coordinate(cArm.principalPointPx, imageCenter(state), indexFrom(GeometryValue::CenterX, value),
-                              "middle of the image");
+                              "center of the image");
         case GeometryValue::IsocenterX:
         case GeometryValue::IsocenterY:
         case GeometryValue::IsocenterZ:
@@ -161,7 +161,7 @@ core::CArm withValue(const GeometryState& state, GeometryValue value, double num
             if (state.imageSizePx.x() > 0) {
                 const double pitch = number / state.imageSizePx.x();
                 cArm.columnSpacingMm = {pitch, origin,
-                                        "field width over " + std::to_string(state.imageSizePx.x()) + " px"};
+                                        "detector width / " + std::to_string(state.imageSizePx.x()) + " px"};
                 cArm.rowSpacingMm = cArm.columnSpacingMm;
             }
             break;

@@ -1,6 +1,6 @@
 #include "ui/panels/result_sentences.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/deformable/deform_vessels.h"
 #include "core/registration/deformation_check.h"
 #include "core/registration/judging/disagreeing_branches.h"
@@ -103,7 +103,7 @@ QString depthWords(const core::RegistrationResult& result)
 {
     const core::PoseUncertainty& uncertainty = result.uncertainty;
     const auto speaksOfDepth = [](const core::Message& warning) {
-        return warning.is(core::says::trustDepthUnknown) || warning.is(core::says::trustDepthMoved);
+        return warning.is(core::messages::trustDepthUnknown) || warning.is(core::messages::trustDepthMoved);
     };
     if (std::ranges::any_of(result.warnings, speaksOfDepth)) {
         return {};

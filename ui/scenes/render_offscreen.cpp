@@ -1,6 +1,6 @@
 #include "ui/scenes/render_offscreen.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "ui/scenes/burn_text.h"
 #include "ui/scenes/overlay_painter.h"
 #include "ui/scenes/overlay_strokes.h"
@@ -95,7 +95,7 @@ core::Result<core::ColorImage> renderOffscreen(OverlayScene& scene, int width, i
                                                const CornerTexts& texts, double scaleMaximumPx, double scaleMaximumMm)
 {
     if (!isDrawable(width, height)) {
-        return core::Error(core::says::pictureSize(largestPicturePx));
+        return core::Error(core::messages::pictureSize(largestPicturePx));
     }
     const ViewKeeper keeper(scene);
     scene.setLineWidthPx(std::max(1.5, lineWidthShare * std::min(width, height)));
@@ -109,7 +109,7 @@ core::Result<VectorPicture> drawVectors(OverlayScene& scene, int width, int heig
                                         const CornerTexts& texts, double scaleMaximumPx, double scaleMaximumMm)
 {
     if (!isDrawable(width, height)) {
-        return core::Error(core::says::pictureSize(largestPicturePx));
+        return core::Error(core::messages::pictureSize(largestPicturePx));
     }
     const ViewKeeper keeper(scene);
     scene.setViewRect(viewRect);

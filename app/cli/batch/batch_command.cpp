@@ -2,8 +2,7 @@
 #include "app/cli/batch/batch_pool.h"
 #include "app/cli/commands.h"
 #include "app/cli/shard.h"
-#include "app/messages/says.h"
-#include "app/messages/says_batch.h"
+#include "app/messages/messages.h"
 #include "core/support/parallel_for.h"
 
 #include <algorithm>
@@ -24,7 +23,7 @@ core::Status makeFolder(const std::string& folder)
 {
     std::error_code failure;
     fs::create_directories(folder, failure);
-    return failure ? core::Status(core::Error(says::folderNotMade(folder, failure.message())))
+    return failure ? core::Status(core::Error(messages::folderNotMade(folder, failure.message())))
                    : core::Status(core::Done{});
 }
 
@@ -114,8 +113,7 @@ private:
             jobs.push_back(std::move(job));
         }
         if (arguments_.isResumed) {
-            printMessage(std::to_string(kept) + " cases are done already, " + std::to_string(jobs.size()) +
-                         " are left.");
+            printMessage(std::to_string(kept) + " cases are already done, " + std::to_string(jobs.size()) + " remain.");
         }
         return jobs;
     }
@@ -162,7 +160,7 @@ int mergeBatch(const BatchPlan& plan, const BatchArguments& arguments)
     const BatchOutcomes& outcomes = merged.value();
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
         if (!outcomes[i]) {
-            printMessage(plan.entries[i].name + ": " + says::batchRowMissing().text());
+            printMessage(plan.entries[i].name + ": " + messages::batchRowMissing().text());
         }
     }
     if (const auto status = writeTables(plan.folder, plan.entries, outcomes, {}, MissingRows::Reported); !status) {

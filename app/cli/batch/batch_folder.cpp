@@ -2,7 +2,7 @@
 
 #include "app/cli/batch/batch_job.h"
 #include "app/cli/batch/batch_tables.h"
-#include "app/messages/says_batch.h"
+#include "app/messages/messages.h"
 #include "io/support/atomic_file.h"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ core::Result<BatchOutcomes> mergedOutcomes(const std::vector<std::string>& folde
                 outcomes[i] && summaryRow(entries[i], &*found) != summaryRow(entries[i], &*outcomes[i]);
             if (isOther || (first && !areSetAlike(first->asked, found->asked))) {
                 return core::Error(
-                    says::batchMergeDiffers((isOther ? *outcomes[i] : *first).name, folderOf(folder, entries[i])));
+                    messages::batchMergeDiffers((isOther ? *outcomes[i] : *first).name, folderOf(folder, entries[i])));
             }
             outcomes[i] = std::move(found);
             first = first ? first : &*outcomes[i];

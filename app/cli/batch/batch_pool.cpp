@@ -3,7 +3,7 @@
 #include "app/cli/batch/batch_row.h"
 #include "app/cli/batch/batch_worker.h"
 #include "app/cli/console.h"
-#include "app/messages/says_batch.h"
+#include "app/messages/messages.h"
 #include "io/support/system/own_process.h"
 #include "io/support/system/worker_process.h"
 
@@ -92,7 +92,7 @@ void BatchPool::give(Seat& seat, std::size_t job)
     }
     if (!seat.worker->isStarted()) {
         seat.worker.reset();
-        const core::Message why = says::batchNoWorker(io::ownBinary().string());
+        const core::Message why = messages::batchNoWorker(io::ownBinary().string());
         settle(seat, abandonedRow(jobs_[job], "crashed", why));
         return;
     }
@@ -152,7 +152,7 @@ void BatchPool::lose(Seat& seat)
         give(seat, *seat.job);
         return;
     }
-    settle(seat, abandonedRow(jobs_[*seat.job], "crashed", says::batchCrashed(how.empty() ? "killed" : how)));
+    settle(seat, abandonedRow(jobs_[*seat.job], "crashed", messages::batchCrashed(how.empty() ? "killed" : how)));
 }
 
 void BatchPool::endLate()
@@ -161,7 +161,7 @@ void BatchPool::endLate()
         if (seat->job && seat->deadline && Clock::now() >= *seat->deadline) {
             seat->worker.reset();   // kills the process: a hung worker reads no requests
             settle(*seat, abandonedRow(jobs_[*seat->job], "out of time",
-                                       says::batchOutOfTime(
+                                       messages::batchOutOfTime(
                                            core::Quantity{*options_.timeLimitSeconds, core::Quantity::asNeeded, "s"})));
         }
     }

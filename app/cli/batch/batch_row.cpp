@@ -5,7 +5,7 @@
 #include "app/cli/open_together.h"
 #include "app/cli/register_case.h"
 #include "app/cli/register_outputs.h"
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "core/support/stopwatch.h"
 #include "core/support/utc_time.h"
 #include "io/case/load_case_with.h"
@@ -154,7 +154,7 @@ std::optional<BatchOutcome> doRow(const BatchJob& job)
     std::error_code failure;
     fs::create_directories(job.folder, failure);
     if (failure) {
-        fail(outcome, says::folderNotMade(job.folder, failure.message()));
+        fail(outcome, messages::folderNotMade(job.folder, failure.message()));
         return outcome;
     }
     const io::HeldFile folder(job.folder, io::HeldFile::Way::Folder);
@@ -170,9 +170,9 @@ std::optional<BatchOutcome> doRow(const BatchJob& job)
             fail(outcome, status.error().message);
         }
     } catch (const std::bad_alloc&) {
-        fail(outcome, says::notEnoughMemory());
+        fail(outcome, messages::notEnoughMemory());
     } catch (const std::exception& error) {
-        fail(outcome, says::unexpectedFailure(error.what()));
+        fail(outcome, messages::unexpectedFailure(error.what()));
     }
     if (isInterrupted()) {
         removeOutputsIn(job.folder);

@@ -1,6 +1,6 @@
 #include "app/cli/batch/batch_tables.h"
 
-#include "app/messages/says_batch.h"
+#include "app/messages/messages.h"
 #include "core/support/format_number.h"
 
 #include <cmath>
@@ -43,7 +43,7 @@ std::string summaryRow(const io::BatchEntry& entry, const BatchOutcome* outcome)
         const bool isKnown = outcome && i < outcome->figures.size();
         row += "," + (isKnown ? core::plainText(outcome->figures[i]) : std::string());
     }
-    return row + "," + quoted(outcome ? outcome->message : says::batchRowMissing().text()) + "\n";
+    return row + "," + quoted(outcome ? outcome->message : messages::batchRowMissing().text()) + "\n";
 }
 
 std::string timesHeader()

@@ -23,7 +23,7 @@ std::vector<std::string> workerEnvironment(int threads)
 int runBatchWorker(int parent, int threads)
 {
     if (!io::WorkerChannel::open(parent)) {
-        printMessage("batch-worker is for `batch` alone, which starts it.");
+        printMessage("batch-worker is internal: only `batch` starts it.");
         return exitUsage;
     }
     core::limitThreads(threads);

@@ -26,10 +26,10 @@ const std::map<std::string, Writer>& writers()
 void addDescription(CLI::App& app, int& exitCode)
 {
     CLI::App* command =
-        app.add_subcommand("description", "Print the man page, the manual's page, or the completion of a shell");
+        app.add_subcommand("description", "Print the man page, the manual page or a shell completion script");
     command->group("");
     auto kind = std::make_shared<std::string>();
-    command->add_option("KIND", *kind, "What to print")
+    command->add_option("KIND", *kind, "Document to print")
         ->required()
         ->check(CLI::IsMember({"man", "markdown", "bash", "zsh", "fish"}));
     command->callback([&app, &exitCode, kind] {

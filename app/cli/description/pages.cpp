@@ -49,7 +49,7 @@ void writeOption(std::ostream& out, const OptionWords& option)
         help += (help.empty() ? "" : " ") + option.value.substr(option.value.find('{'));
     }
     out << (help.empty() ? "A file." : escaped(help)) << (option.isRequired && !isOperand ? " (required)" : "")
-        << (option.mayRepeat && help.find("repeated") == std::string::npos ? " (several may be given)" : "") << "\n";
+        << (option.mayRepeat && help.find("repeated") == std::string::npos ? " (may be repeated)" : "") << "\n";
 }
 
 /// Writes the footer line by line; a line with a word followed by two spaces becomes a list item.
@@ -116,7 +116,7 @@ void writeRow(std::ostream& out, const OptionWords& option)
     const bool isOperand = !option.names.front().starts_with('-');
     out << "| " << headingOf(option) << " | " << (isOperand ? "" : plainCell(option.value)) << " | "
         << plainCell(option.help) << (option.isRequired && !isOperand ? " (required)" : "")
-        << (option.mayRepeat ? " (several may be given)" : "") << " |\n";
+        << (option.mayRepeat ? " (may be repeated)" : "") << " |\n";
 }
 
 void writeSection(std::ostream& out, const std::string& program, const CommandWords& command)
@@ -148,14 +148,14 @@ std::string manPageOf(const ProgramWords& program)
     std::ostringstream out;
     out << ".TH ANGIOPOSE\\-CLI 1 \"\" \"AngioPose " ANGIOPOSE_VERSION "\" \"User Commands\"\n"
         << ".SH NAME\n"
-        << escaped(name) << " \\- where a 3\\-D vessel tree lies in a 2\\-D angiogram\n"
+        << escaped(name) << " \\- register a 3\\-D vessel tree to a 2\\-D angiogram\n"
         << ".SH SYNOPSIS\n"
         << bold(name) << " " << italic("COMMAND") << " [" << italic("options") << "] " << italic("operands")
         << "\n.br\n"
         << bold(name) << " " << italic("COMMAND") << " " << bold("--help") << "\n"
         << ".SH DESCRIPTION\n"
         << escaped(program.itself.summary) << "\n.PP\n"
-        << "Results go to standard output, messages and progress to standard error. Nothing needs a display.\n"
+        << "Results go to standard output, messages and progress to standard error. No command needs a display.\n"
         << ".SH OPTIONS\n";
     for (const OptionWords& option : program.itself.options) {
         writeOption(out, option);
@@ -175,9 +175,9 @@ std::string commandPageOf(const ProgramWords& program)
     std::ostringstream out;
     out << "# Command line\n\n"
         << program.itself.summary
-        << "\n\nResults go to standard output, messages and progress to standard error. Nothing needs a display.\n\n"
+        << "\n\nResults go to standard output, messages and progress to standard error. No command needs a display.\n\n"
         << program.itself.footer.substr(0, program.itself.footer.find('\n')) << "\n\n`" << program.itself.name
-        << " COMMAND --help` tells the same as this page.\n\n";
+        << " COMMAND --help` prints the same information.\n\n";
     for (const CommandWords& command : program.commands) {
         writeSection(out, program.itself.name, command);
     }

@@ -40,7 +40,7 @@ std::vector<CaptureSetting> makeCaptureSettings()
             const std::string range = plainText(from) + "-" + plainText(to);
             rows.push_back({{(isDegraded ? "degraded-" : "clean-") + range,
                              "start " + plainText(from) + "–" + plainText(to) + " mm, " +
-                                 (isDegraded ? "degraded target" : "curves sampled anew"),
+                                 (isDegraded ? "degraded target" : "resampled curves"),
                              true},
                             isDegraded,
                             from,
@@ -119,7 +119,7 @@ TrialMaker prepareCapture(std::size_t condition, std::uint64_t seed)
 Protocol captureRangeProtocol()
 {
     return {"capture-range",
-            "Start poses in bins of their mean target error: how far off may the start be (ALGORITHMS 4.5).",
+            "Initial poses in bins of their mean target error: determines the capture range (ALGORITHMS 4.5).",
             60,
             captureAnatomies,
             Success::RayDistanceWithin2Mm,

@@ -69,11 +69,13 @@ DsaOptions deformedBy(double stdMm)
 const std::vector<TrustSetting>& trustSettings()
 {
     static const std::vector<TrustSetting> rows{
-        {{"as-given", "start pose by the header"}, Mischief::None, {}},
+        {{"as-given", "initial pose from the header"}, Mischief::None, {}},
         {{"bent", "vessels deformed by 3 mm"}, Mischief::None, deformedBy(3.0)},
-        {{"few-vessels", "most branches not filled, as many foreign ones"}, Mischief::None, withMissing(0.6, 0.6)},
+        {{"few-vessels", "most branches unopacified, as many branches missing in the tree"},
+         Mischief::None,
+         withMissing(0.6, 0.6)},
         {{"half-outside", "half of the image cut off"}, Mischief::HalfOutside, {}},
-        {{"far-start", "start 60–150 mm and 30–75° off"}, Mischief::FarStart, {}},
+        {{"far-start", "initial pose 60–150 mm and 30–75° off"}, Mischief::FarStart, {}},
         {{"other-tree", "the vessel tree of another patient"}, Mischief::OtherTree, {}},
         {{"mirrored", "image mirrored, unknown to the camera"}, Mischief::Mirrored, {}},
     };
@@ -180,8 +182,8 @@ TrialMaker prepareTrust(std::size_t condition, std::uint64_t seed)
 Protocol clinicalProtocol()
 {
     return {"clinical",
-            "Synthetic angiograms of six trees through the real tracing, start poses as headers give them (ALGORITHMS "
-            "4.4).",
+            "Synthetic angiograms of six trees, traced as real images are, initial poses as headers give them "
+            "(ALGORITHMS 4.4).",
             278,
             clinicalAnatomies,
             Success::RayDistanceWithin2Mm,
@@ -192,7 +194,7 @@ Protocol clinicalProtocol()
 Protocol ownProtocol()
 {
     return {"own",
-            "Cases of one's own, listed in a table with their reference poses, landmarks or pairs of points.",
+            "Your own cases, listed in a table with their reference poses, landmarks or pairs of points.",
             0,
             1,
             Success::RayDistanceWithin2Mm,
@@ -203,7 +205,7 @@ Protocol ownProtocol()
 Protocol trustProtocol()
 {
     return {"trust",
-            "Clinical images as they are, harder, and impossible ones: does a method know when it fails?",
+            "Clinical images unchanged, made harder, and made impossible: does a method detect its failures?",
             60,
             trustAnatomies,
             Success::RayDistanceWithin2Mm,

@@ -1,7 +1,7 @@
 #include "core/evaluation/protocols/protocol.h"
 
 #include "core/evaluation/protocols/protocol_rows.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include <algorithm>
 #include <sstream>
@@ -40,7 +40,7 @@ Result<std::vector<std::size_t>> conditionsFrom(const Protocol& protocol, const 
             }
         }
         if (!isKnown) {
-            return Error(says::noSuchCondition(protocol.id, request));
+            return Error(messages::noSuchCondition(protocol.id, request));
         }
     }
     std::vector<std::size_t> chosen;

@@ -114,7 +114,7 @@ TrialMaker prepareRobustness(std::size_t condition, std::uint64_t seed)
 Protocol robustnessProtocol()
 {
     return {"robustness",
-            "Six trees, start poses of fixed distance, with and without missing leaves (ALGORITHMS 4.3).",
+            "Six trees, initial poses at fixed distances, with and without missing leaves (ALGORITHMS 4.3).",
             600,
             robustnessAnatomies,
             Success::ProjectionWithin5Px,

@@ -100,7 +100,7 @@ TrialMaker prepareSimulation(std::size_t condition, std::uint64_t seed)
 Protocol simulationProtocol()
 {
     return {"simulation",
-            "Generated trees, Gaussian start poses, ideal or degraded targets (ALGORITHMS 4.2, 4.4).",
+            "Generated trees, Gaussian initial poses, ideal or degraded targets (ALGORITHMS 4.2, 4.4).",
             1000,
             simulationAnatomies,
             Success::ProjectionWithin5Px,

@@ -62,7 +62,7 @@ ResultTable tableOf(const RunGroups& groups, const Condition& condition, const s
         }
         table.rows.push_back(std::move(row));
     }
-    table.notes = {"The pull towards the start pose ties Dist to the start's; the alternation frees it."};
+    table.notes = {"The pull toward the initial pose ties Dist to that of the initial pose; the alternation frees it."};
     return table;
 }
 

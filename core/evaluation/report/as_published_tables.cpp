@@ -67,24 +67,27 @@ struct Explanation {
     std::string_view text;
 };
 constexpr std::array explanations{
-    Explanation{"dynaweight",
-                "dynaweight: every problem runs until the kernel is narrow, and rounds go on until the median distance "
-                "is below 1 px. What is left of the error is the pull of the prior: dynaweight:seed_noprior has none."},
-    Explanation{"iterative-pnp",
-                "iterative-pnp: the kernel width starts at the square of the largest distance, as the paper prints it. "
-                "Started at the distance itself (iterative-pnp:largest) it narrows before the far points have moved, "
-                "and about half of the starts are lost."},
-    Explanation{"nicp",
-                "nicp: climbs until no step gains, at three kernel widths; turns and shifts are weighed alike. The "
-                "paper's step takes radians beside millimetres (nicp:literal), see its Dist in the robustness tables."},
-    Explanation{"dt-icp",
-                "dt-icp: no part of it sees farther than the nearest vessel, so the starts decide: compare the two "
-                "readings of them."},
-    Explanation{"automask", "automask: the target is drawn from the very tubes that it compares, without noise."},
     Explanation{
-        "rgbr",
-        "rgbr: looks for edges up to 20 mm along the normals of the walls; starts that lie farther off find those "
-        "of other vessels. The paper does not print its reach; with rgbr:rgbrReachMm=10 about twice as many fail."},
+        "dynaweight",
+        "dynaweight: every problem is iterated until the kernel is narrow, and rounds continue until the median "
+        "distance is below 1 px. The remaining error is the pull of the prior: dynaweight:seed_noprior has none."},
+    Explanation{"iterative-pnp",
+                "iterative-pnp: the kernel width starts at the square of the largest distance, as printed in the "
+                "paper. If it starts at the distance itself (iterative-pnp:largest), it narrows before the far points "
+                "have moved, and about half of the registrations fail."},
+    Explanation{"nicp",
+                "nicp: iterates until no step improves the cost, at three kernel widths; rotations and shifts have "
+                "equal weight. The step of the paper mixes radians and millimeters (nicp:literal); see its Dist in the "
+                "robustness tables."},
+    Explanation{"dt-icp",
+                "dt-icp: each point uses only its nearest vessel, so the result depends on the initial pose: compare "
+                "the two interpretations of the initial poses."},
+    Explanation{"automask",
+                "automask: the target is drawn from the same tubes that it is compared with, without noise."},
+    Explanation{"rgbr",
+                "rgbr: searches for edges up to 20 mm along the wall normals; from initial poses farther off it finds "
+                "the edges of other vessels. The paper does not state its search range; with rgbr:rgbrReachMm=10 about "
+                "twice as many registrations fail."},
 };
 
 bool isBeforePublished(const RunGroups& groups, const Condition& condition, std::size_t index)
@@ -109,8 +112,8 @@ std::vector<std::string> cellsOf(const std::string& label, const RunGroup& group
 std::string measureNote(const RunGroups& groups, const Condition& condition)
 {
     std::string reason =
-        "PR is the mean distance to the nearest target point here, not to the true partner as in the other table: only "
-        "so do the published rows fit together.";
+        "Here, PR is the mean distance to the nearest target point, not to the true partner as in the other table: "
+        "only this definition makes the published rows consistent.";
     const RunGroup& icp = groups.of(condition, "dt-icp");
     const RunGroup lost = icp.where(isGrossPx);
     if (lost.count() == 0) {
@@ -118,25 +121,25 @@ std::string measureNote(const RunGroups& groups, const Condition& condition)
     }
     return reason + " dt-icp's " + std::to_string(lost.count()) + " gross failures of " + std::to_string(icp.count()) +
            " lie " + fixedText(lost.mean(&RunRecord::meanMm), 1) +
-           " mm from their true partners; the paper has 54 % of them with a mean of 1.80 and a 95 % quantile of 6.65 "
-           "mm "
-           "over all.";
+           " mm from their true partners; the paper reports 54 % gross failures with a mean of 1.80 and a 95 % "
+           "quantile of 6.65 mm over all.";
 }
 
 std::string startNote(const RunGroups& groups, const Condition& condition, const std::string& method)
 {
-    return "Starts lie " + fixedText(groups.of(condition, method).mean(&RunRecord::startMeanPx), 0) +
-           " px off on average. The paper does not say whether its 2° and 5 mm are the length of the whole "
-           "disturbance (" +
-           std::string(startsAsLength) + ", which dt-icp's figures fit best) or the spread of each axis (" +
-           std::string(startsPerAxis) + "): its rows stand under both.";
+    return "Initial poses are " + fixedText(groups.of(condition, method).mean(&RunRecord::startMeanPx), 0) +
+           " px off on average. The paper does not say whether its 2° and 5 mm are the magnitude of the whole "
+           "displacement (" +
+           std::string(startsAsLength) +
+           ", which fits the figures of dt-icp best) or the standard deviation per axis (" +
+           std::string(startsPerAxis) + "): its rows are listed under both.";
 }
 
 ResultTable asPublishedTable(const RunGroups& groups, const Condition& condition)
 {
     ResultTable table;
     table.id = "simulation-" + condition.id + "-published";
-    table.title = "Beside the paper: " + condition.title;
+    table.title = "Comparison with the paper: " + condition.title;
     table.columns = {"method", "GFR %", "mean mm", "p75 mm", "p95 mm", "mean / published", "within twice"};
     for (std::size_t k = 0; k < groups.methods().size(); ++k) {
         if (!isBeforePublished(groups, condition, k)) {

@@ -94,9 +94,9 @@ ResultTable tableOf(const RunGroups& groups, const std::string& target, const st
         table.rows.push_back(std::move(row));
     }
     table.notes = {
-        "Success: mRPD below 2 mm, with the rate's 95 % interval, trees drawn anew with all their trials. "
-        "Capture range: upper edge of the last bin such that this and all lower ones succeed in at least 95 % of the "
-        "starts; at least that where the next bin was not run."};
+        "Success: mRPD below 2 mm, with the 95 % interval of the rate from resampling trees with all their trials. "
+        "Capture range: upper edge of the last bin for which it and all lower bins succeed in at least 95 % of the "
+        "trials; a lower bound if the next bin was not run."};
     if (const std::string missing = missingNote(groups, bins, target); !missing.empty()) {
         table.notes.push_back(missing);
     }
@@ -109,7 +109,7 @@ std::vector<ResultTable> captureRangeTables(const RunGroups& groups)
 {
     std::vector<ResultTable> tables;
     for (const auto& [target, title] :
-         {std::pair<std::string, std::string>{"clean", "curves sampled anew"}, {"degraded", "degraded target"}}) {
+         {std::pair<std::string, std::string>{"clean", "resampled curves"}, {"degraded", "degraded target"}}) {
         const std::vector<Condition> bins = binsOf(groups, target);
         if (std::ranges::any_of(bins, [&](const Condition& bin) { return hasRun(groups, bin); })) {
             tables.push_back(tableOf(groups, target, title));

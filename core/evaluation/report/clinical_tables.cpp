@@ -55,7 +55,7 @@ std::string orderNote(const RunGroups& groups, const Condition& condition)
     }
     return pairs == 0 ? ""
                       : " By the median, " + std::to_string(alike) + " of " + std::to_string(pairs) +
-                            " pairs of methods stand in the published order.";
+                            " pairs of methods are in the published order.";
 }
 
 ResultTable clinicalTable(const RunGroups& groups, const Condition& condition)
@@ -81,13 +81,13 @@ ResultTable clinicalTable(const RunGroups& groups, const Condition& condition)
     }
     table.notes = {
         "Distances to the true partners under the best rigid pose (PR), mm; GFR: PR above 5 mm; mRPD: mean distance of "
-        "the true points to the rays of the found ones. Shares with their 95 % intervals, trees drawn anew with all "
-        "their trials.",
+        "the true points to the rays of the registered ones. Shares with their 95 % intervals from resampling trees "
+        "with all their trials.",
         "gross flagged, failures flagged: share of those with PR above 5 mm, and with mRPD of 2 mm and more, that the "
-        "method does not call trustworthy; false alarms: share of the successes that it does not. "
-        "NEES: mean over all runs, and over the successes; 6 is expected of an honest covariance.",
-        "The published figures come from 278 images of patients that are not public, and their GFR does not fit their "
-        "quantiles; ours from synthetic images of known pose." +
+        "method does not rate reliable; false alarms: share of the successes that it does not rate reliable. NEES: "
+        "mean over all runs, and over the successes; a consistent covariance gives 6.",
+        "The published figures come from 278 patient images that are not public, and their GFR is inconsistent with "
+        "their quantiles; ours come from synthetic images with known poses." +
             orderNote(groups, condition)};
     return table;
 }
@@ -135,16 +135,16 @@ ResultTable ownTable(const RunGroups& groups, const Condition& condition)
         }
     }
     table.notes = {
-        "Median / 95th percentile over the cases; without a result the start pose counts. Against a reference pose PR "
-        "is the distance of projected tree points to their true partners, mRPD the distance of the targets to the rays "
-        "of "
-        "the found ones, mTRE that between both; targets are the landmarks, or the tree's points and the corners of "
-        "their box. Against pairs of points alone PR is the distance to the pixel, mRPD that to its ray.",
-        "< 1 mm, < 2 mm: shares by mRPD; gross: PR above 5 mm; with their 95 % intervals, patients drawn anew with all "
-        "their cases. failures flagged: share of those with mRPD of 2 mm and more that the method does not call "
-        "trustworthy; false alarms: share of the others. A pose that was found elsewhere says nothing of its trust.",
-        "Where the list says where bent vessels lay (column bent), PR, mRPD and mTRE are those of the tree as a result "
-        "shows it, bent or not; else those of its rigid pose."};
+        "Median / 95th percentile over the cases; without a result the initial pose counts. Against a reference pose, "
+        "PR is the distance of projected tree points to their true partners, mRPD the distance of the targets to the "
+        "rays of the registered ones, mTRE the distance between both; targets are the landmarks, or the tree's points "
+        "and the corners of their bounding box. Against pairs of points alone, PR is the distance to the pixel, mRPD "
+        "the distance to its ray.",
+        "< 1 mm, < 2 mm: shares by mRPD; gross: PR above 5 mm; with their 95 % intervals from resampling patients with "
+        "all their cases. failures flagged: share of those with mRPD of 2 mm and more that the method does not rate "
+        "reliable; false alarms: share of the others. Poses from other programs carry no reliability rating.",
+        "If the list gives the true position of deformed vessels (column bent), PR, mRPD and mTRE are those of the "
+        "tree as the result shows it, deformed or not; otherwise those of its rigid pose."};
     return table;
 }
 

@@ -36,8 +36,8 @@ ResultTable repeatabilityTable(const Means& means)
         }
     }
     table.notes = {
-        "SD within: of repeated readings of the same image, pooled over the images read more than once. "
-        "Repeatability coefficient: 1.96 √2 of it; two readings differ by less in 95 of 100 (Bland and "
+        "SD within: SD of repeated readings of the same image, pooled over the images read more than once. "
+        "Repeatability coefficient: 1.96 √2 times that SD; two readings differ by less in 95 of 100 cases (Bland and "
         "Altman 1996). Measured about the tree's centroid in the axes of the camera."};
     return table;
 }
@@ -55,9 +55,8 @@ ResultTable reproducibilityTable(const Means& means)
         }
     }
     table.notes = {
-        "Standard deviation of the observers' means within an image, pooled over the images that more than "
-        "one of them read. There is no intraclass correlation: a pose has no spread between images that it "
-        "could be compared with."};
+        "Standard deviation of the observers' means within an image, pooled over the images that more than one of them "
+        "read. No intraclass correlation is given: a pose has no variance between images to compare with."};
     return table;
 }
 
@@ -95,8 +94,8 @@ ResultTable agreementTable(const Means& means)
              false});
     });
     table.notes = {
-        "Differences of the observers' means in the images that both read. Limits: bias ± 1.96 SD; after ± "
-        "half of the 95 % interval (Bland and Altman 1986)."};
+        "Differences of the observers' means in the images that both read. Limits: bias ± 1.96 SD; the value after ± "
+        "is half of the 95 % interval (Bland and Altman 1986)."};
     return table;
 }
 
@@ -136,7 +135,7 @@ Plot agreementPlot(const std::string& first, const std::string& second, std::siz
     const std::string text = measureText(measure);
     Plot plot{"observers-" + fileWord(first) + "-" + fileWord(second) + "-" + poseMeasures()[measure].id,
               first + " and " + second + ": " + text,
-              axisAround("mean of both, from the pose before the trial: " + text, low, high),
+              axisAround("mean of both, relative to the pose before the trial: " + text, low, high),
               axisAround(first + " − " + second, least, most),
               {}};
     plot.series = {{"image", agreement.points, {}, true},

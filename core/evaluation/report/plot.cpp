@@ -115,7 +115,7 @@ Plot emptySuccessPlot(const RunGroups& groups, const std::string& id, const std:
 {
     return {plotId(groups, "success", id),
             title,
-            {"mean target error of the start, mm", 0.0, 1.0, false},
+            {"mean target error of the initial pose, mm", 0.0, 1.0, false},
             {"success rate, %", 0.0, 100.0, false},
             {}};
 }
@@ -203,8 +203,7 @@ std::vector<Plot> plotsOf(const RunSet& runs)
     const RunGroups groups(runs);
     std::vector<Plot> plots;
     if (groups.protocol().id == "capture-range") {
-        plots = {capturePlot(groups, "clean", "curves sampled anew"),
-                 capturePlot(groups, "degraded", "degraded target")};
+        plots = {capturePlot(groups, "clean", "resampled curves"), capturePlot(groups, "degraded", "degraded target")};
     } else {
         for (const Condition& condition : groups.conditions()) {
             plots.push_back(cumulativePlot(groups, condition, drawnProjectionDistance));

@@ -81,16 +81,16 @@ ResultTable robustnessTable(const RunGroups& groups, const Condition& condition)
     }
     table.notes = {
         "P1 to P6: medians over the trials of one tree; mean: over the trees. TRE is the distance of a projected tree "
-        "point to the nearest target point, Dist the shift of the camera-frame origin; the centroid's error does not "
-        "depend on that origin.",
-        "GFR: share of registrations whose points lie more than 5 px from their true partners on average, with its "
-        "95 % interval, trees drawn anew with all their trials."};
+        "point to the nearest target point, Dist the shift of the camera-frame origin; the error of the centroid does "
+        "not depend on that origin.",
+        "GFR: share of registrations whose points are more than 5 px from their true partners on average, with its 95 "
+        "% interval from resampling trees with all their trials."};
     if (publishedRobustness(condition.id, "nicp")) {
         table.notes.emplace_back(
-            "Where Dist equals the disturbance the shift was never undone: iterative-pnp is held by its prior, which "
-            "adds radians and millimetres; so is the published NICP by its step (nicp:literal), while nicp weighs "
-            "turns and shifts alike. dynaweight and nicp-alternating free the shift in their auxiliary problem and "
-            "take up to five rounds, more than the published figures show.");
+            "Where Dist equals the displacement, the shift was never corrected: iterative-pnp is constrained by its "
+            "prior, which adds radians and millimeters; the published NICP by its step (nicp:literal), while nicp "
+            "weights rotations and shifts equally. dynaweight and nicp-alternating free the shift in their auxiliary "
+            "problem and use up to five rounds, more than the published figures show.");
     }
     return table;
 }

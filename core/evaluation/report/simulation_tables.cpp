@@ -55,7 +55,7 @@ std::string startNote(const RunGroups& groups, const Condition& condition)
     if (ran == groups.methods().end()) {
         return {};
     }
-    return "Starts lie " + fixedText(groups.of(condition, *ran).mean(&RunRecord::startMeanPx), 0) +
+    return "Initial poses are " + fixedText(groups.of(condition, *ran).mean(&RunRecord::startMeanPx), 0) +
            " px off on average.";
 }
 
@@ -75,15 +75,14 @@ ResultTable simulationTable(const RunGroups& groups, const Condition& condition)
         table.rows.push_back({simulationCells(method, groups.of(condition, method)), false});
     }
     table.notes = {
-        "Distances are means over the tree's points to their true partners (PR), summarised over registrations; mm at "
+        "Distances are means over the tree's points to their true partners (PR), summarized over registrations; mm at "
         "the depth of the tree's centroid.",
-        "GFR: share of registrations with PR above 5 px (first) or 5 mm, with its 95 % interval, trees drawn anew with "
-        "all their trials; flagged: share "
-        "of the gross ones not called trustworthy; false alarms: share of the others.",
-        "angle, in plane and depth are medians; NEES is the mean of the normalised squared errors of all runs, and of "
-        "those that are not gross (6 is expected of an honest covariance); PR / CRB is their rms PR over what the "
-        "Cramér–Rao bound "
-        "of the drawn noise allows.",
+        "GFR: share of registrations with PR above 5 px (first) or 5 mm, with its 95 % interval from resampling trees "
+        "with all their trials; flagged: share of the gross failures not rated reliable; false alarms: share of the "
+        "others.",
+        "angle, in plane and depth are medians; NEES is the mean of the normalized squared errors of all runs, and of "
+        "those that are not gross failures (a consistent covariance gives 6); PR / CRB is the ratio of their rms PR to "
+        "the Cramér–Rao bound for the simulated noise.",
         startNote(groups, condition)};
     return table;
 }
@@ -154,10 +153,9 @@ std::vector<ResultTable> timeTables(const RunGroups& groups)
         }
     }
     table.notes = {
-        "Medians over the trials. Processor time of the registering thread, target map, search and judging "
-        "included. Target, search and solve are wall times: these say little with several --threads or on a busy "
-        "machine. Published times come from another "
-        "machine: compare through dt-icp only."};
+        "Medians over the trials. Processor time is that of the registering thread and includes target map, search and "
+        "evaluation. Target, search and solve are wall times, which mean little with several --threads or on a busy "
+        "machine. Published times come from another machine: compare them only relative to dt-icp."};
     return {table};
 }
 

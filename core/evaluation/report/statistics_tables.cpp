@@ -110,7 +110,7 @@ std::vector<ResultTable> statisticsTables(const RunGroups& groups)
     }
     ResultTable table;
     table.id = std::string(groups.protocol().id) + "-statistics";
-    table.title = "Is " + groups.methods().front() + " better? Wilcoxon's signed-rank test";
+    table.title = "Is " + groups.methods().front() + " better? Wilcoxon signed-rank test";
     table.columns = {"condition", "against", "of", "N", "W", "p one-sided", "p two-sided", "p Holm", "r", "shift mm"};
     for (const Condition& condition : groups.conditions()) {
         for (ResultTable::Row& row : rowsOf(groups, condition, comparedMedian)) {
@@ -127,7 +127,8 @@ std::vector<ResultTable> statisticsTables(const RunGroups& groups)
         std::string("Paired differences (") + groups.methods().front() + " minus the other) of " +
             (comparedValue(groups.protocol()) == &RunRecord::mrpdMm ? "mRPD" : "PR") + ", " +
             (isByAnatomy ? "of the medians, and of the 95th percentiles, over each tree's trials" : "of each trial") +
-            "; less than a nanometre is no difference; exact up to 50 pairs. W: rank sum of the differences where " +
+            "; differences below one nanometer count as zero; exact up to 50 pairs. W: rank sum of the differences "
+            "where " +
             groups.methods().front() + " is worse.",
         "p Holm: the one-sided p adjusted for all comparisons of the same condition and percentile; r = Φ⁻¹(1 − p)/√N, "
         "at most 1; shift: "
@@ -140,7 +141,7 @@ std::vector<ResultTable> trustTables(const RunGroups& groups)
 {
     ResultTable table;
     table.id = "trust";
-    table.title = "Does the method know when it fails?";
+    table.title = "Does the method detect its failures?";
     table.columns = {"method",    "images",        "gross", "of them flagged %", "failures", "of them flagged %",
                      "successes", "false alarms %"};
     for (const std::string& method : groups.methods()) {
@@ -156,9 +157,9 @@ std::vector<ResultTable> trustTables(const RunGroups& groups)
     }
     table.notes = {
         "gross: mean projection distance above 5 mm; failures: mRPD of 2 mm and more; successes: all others. flagged, "
-        "false alarms: the method does not call the pose trustworthy. Shares with their 95 % intervals, trees drawn "
-        "anew with all their trials.",
-        "Another patient's tree and a mirrored image have no right pose: every answer is a gross failure."};
+        "false alarms: the method does not rate the pose reliable. Shares with their 95 % intervals from resampling "
+        "trees with all their trials.",
+        "Another patient's tree and a mirrored image have no correct pose: every result is a gross failure."};
     return {table};
 }
 

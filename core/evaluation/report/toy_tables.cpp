@@ -101,23 +101,20 @@ std::vector<ResultTable> literalTables(const RunGroups& groups)
     const std::string title = "as printed, shift of 1";
     ResultTable errors = errorTable(groups, "a", title);
     errors.notes = {
-        "As printed, all corners have y = 0: square and source lie in one plane, the image is a single line, partly "
-        "outside the detector. A shift along that line, the depth and a turn within the plane move the line along "
-        "itself: distances to it do not tell them. Only its ends do, and where the points lie on it, which methods "
-        "that "
-        "match points with the projections of the tree's own points can use and traced vessels do not have. So angle "
-        "and Dist say what a method made of these, and a small TRE says only that points lie on the line."};
-    return {
-        errors,
-        countTable(
-            groups, "a",
-            {"toy-a-doubted",
-             "Toy square, " + title + ": runs whose pose the program does not trust",
-             {},
-             {},
-             {"The right answer is to doubt: the line does not determine the pose. The same judgement looks at every "
-              "method's pose; a run without a result counts as doubted."}},
-            [](const RunRecord& run) { return run.trustworthy == 0.0; })};
+        "As printed, all corners have y = 0: square and source lie in one plane, and the image is a single line, "
+        "partly outside the detector. A shift along that line, the depth and a rotation within the plane move the line "
+        "along itself, so distances to the line do not determine them. Only its ends and the positions of the points "
+        "on it do; methods that match points with the projections of the tree's own points can use these, but traced "
+        "vessels do not provide them. Therefore angle and Dist show what a method made of these positions, and a small "
+        "TRE only shows that points lie on the line."};
+    return {errors, countTable(groups, "a",
+                               {"toy-a-doubted",
+                                "Toy square, " + title + ": runs whose pose is rated unreliable",
+                                {},
+                                {},
+                                {"The correct answer is low confidence: the line does not determine the pose. The same "
+                                 "criterion rates every method's pose; a run without a result counts as unreliable."}},
+                               [](const RunRecord& run) { return run.trustworthy == 0.0; })};
 }
 
 }   // namespace

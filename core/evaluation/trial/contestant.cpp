@@ -2,7 +2,7 @@
 
 #include "core/evaluation/trial/cramer_rao_bound.h"
 #include "core/evaluation/trial/run_record.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/methods/method_info.h"
 #include "core/registration/options/option_text.h"
 #include "core/support/stopwatch.h"
@@ -38,7 +38,7 @@ Result<std::string> assignmentOf(const std::string& setting, const std::string& 
     if (found.size() == 1) {
         return found.front();
     }
-    return Error(found.empty() ? says::noSuchChoice(method, setting) : says::choiceOfSeveral(method, setting));
+    return Error(found.empty() ? messages::noSuchChoice(method, setting) : messages::choiceOfSeveral(method, setting));
 }
 
 std::vector<std::string> allMethods()
@@ -121,7 +121,7 @@ Result<std::vector<Contestant>> contestantsFrom(const std::string& requests)
         }
     }
     if (contestants.empty()) {
-        return Error(says::noMethodNamed());
+        return Error(messages::noMethodNamed());
     }
     return contestants;
 }

@@ -1,6 +1,6 @@
 #include "core/registration/alignment/camera_influence.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/support/symmetric.h"
 
 #include <cmath>
@@ -73,15 +73,16 @@ Messages contradictionsOf(const CameraEvidence& evidence, const ProjectionCamera
     const double focalShare = std::expm1(evidence.error[0]);
     if (std::abs(evidence.error[0]) > std::max(minFocalShare, informativeSigmas * evidence.std[0])) {
         const Quantity percent{100.0 * std::abs(focalShare), 1, "%"};
-        messages.push_back(focalShare > 0.0 ? says::cameraFocalLonger(percent) : says::cameraFocalShorter(percent));
+        messages.push_back(focalShare > 0.0 ? messages::cameraFocalLonger(percent)
+                                            : messages::cameraFocalShorter(percent));
     }
     const Eigen::Vector2d shift = evidence.error.tail<2>();
     const Eigen::Vector2d sigmas = shift.cwiseQuotient(evidence.std.tail<2>().eval());
     if (sigmas.cwiseAbs().maxCoeff() > informativeSigmas && shift.norm() > minPrincipalPx) {
         const Eigen::Vector2d there = shift + Eigen::Vector2d(camera.cx, camera.cy);
-        messages.push_back(says::cameraPrincipalPointOff(Quantity{shift.norm(), 0, "px"},
-                                                         static_cast<int>(std::lround(there.x())),
-                                                         static_cast<int>(std::lround(there.y()))));
+        messages.push_back(messages::cameraPrincipalPointOff(Quantity{shift.norm(), 0, "px"},
+                                                             static_cast<int>(std::lround(there.x())),
+                                                             static_cast<int>(std::lround(there.y()))));
     }
     return messages;
 }

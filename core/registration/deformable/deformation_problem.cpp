@@ -1,7 +1,7 @@
 #include "core/registration/deformable/deformation_problem.h"
 
 #include "core/geometry/angle_units.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/problem/in_view.h"
 #include "core/registration/problem/registration_problem.h"
 
@@ -26,7 +26,7 @@ Result<DeformationView> makeDeformationView(const DeformableView& view, const Ri
     }
     CurveCrossings curves(problem.value().target, input.camera);
     if (!curves.hasCurves()) {
-        return Error(says::deformationNeedsCurves());
+        return Error(messages::deformationNeedsCurves());
     }
     return DeformationView{input.camera, view.rigidCameraFromPatient * firstPose.inverse(), std::move(curves)};
 }
@@ -63,12 +63,12 @@ Result<DeformationProblem> makeDeformationProblem(std::span<const DeformableView
                                                   const DeformableOptions& options)
 {
     if (views.empty()) {
-        return Error(says::deformationNoView());
+        return Error(messages::deformationNoView());
     }
     if (!(options.posePriorDeg > 0.0 && options.posePriorMm > 0.0 && options.startDeg > 0.0 &&
           options.startLateralMm > 0.0 && options.startDepthMm > 0.0 && options.knotSpacingMm > 0.0 &&
           options.maxKnots > 0 && options.geometryDeg >= 0.0 && options.geometryMm >= 0.0)) {
-        return Error(says::deformationOptionsUnusable());
+        return Error(messages::deformationOptionsUnusable());
     }
     const DeformableView& first = views.front();
     std::vector<DeformationView> deformationViews;
@@ -79,7 +79,7 @@ Result<DeformationProblem> makeDeformationProblem(std::span<const DeformableView
         }
         if (views[k].input.tree.pointCount() != first.input.tree.pointCount() ||
             views[k].input.tree.branches.size() != first.input.tree.branches.size()) {
-            return Error(says::viewsOfOtherTree(viewNumber(views, k), viewNumber(views, 0)));
+            return Error(messages::viewsOfOtherTree(viewNumber(views, k), viewNumber(views, 0)));
         }
         deformationViews.push_back(std::move(view).value());
     }

@@ -1,6 +1,6 @@
 #include "core/registration/deformable/deformation_words.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/deformable/motion_of_tree.h"
 #include "core/registration/deformable/moved_part.h"
 
@@ -22,11 +22,11 @@ Message sideWord(const Eigen::Vector3d& direction)
     const bool isUp = direction[axis] > 0.0;
     switch (axis) {
         case 0:
-            return isUp ? says::sideLeft() : says::sideRight();
+            return isUp ? messages::sideLeft() : messages::sideRight();
         case 1:
-            return isUp ? says::sideBack() : says::sideFront();
+            return isUp ? messages::sideBack() : messages::sideFront();
         default:
-            return isUp ? says::sideHead() : says::sideFeet();
+            return isUp ? messages::sideHead() : messages::sideFeet();
     }
 }
 
@@ -48,16 +48,16 @@ void judgeDeformation(std::span<const DeformableView> views, DeformableResult& r
 {
     if (result.stopReason == StopReason::StoppedByUser) {
         result.verdict = DeformationVerdict::Unsure;
-        result.messages.push_back(says::deformationStopped());
+        result.messages.push_back(messages::deformationStopped());
         return;
     }
     const bool isSure = result.spreadMm <= greatestSpreadMm && result.explainedShare >= minExplained &&
                         result.noisePx <= greatestResidualPx;
     if (result.spreadMm > greatestSpreadMm) {
-        result.messages.push_back(says::deformationRunsDiffer(inMm(result.spreadMm, 1)));
+        result.messages.push_back(messages::deformationRunsDiffer(inMm(result.spreadMm, 1)));
     }
     if (result.explainedShare < minExplained) {
-        result.messages.push_back(says::deformationLittleSeen(Quantity{100.0 * result.explainedShare, 0, "%"}));
+        result.messages.push_back(messages::deformationLittleSeen(Quantity{100.0 * result.explainedShare, 0, "%"}));
     }
     if (result.logEvidenceGain < convincingGain) {
         result.verdict = DeformationVerdict::Rigid;
@@ -66,16 +66,16 @@ void judgeDeformation(std::span<const DeformableView> views, DeformableResult& r
     }
     result.verdict = isSure ? DeformationVerdict::Deformed : DeformationVerdict::Unsure;
     if (result.noisePx > greatestResidualPx) {
-        result.messages.push_back(says::deformationNotFollowed(Quantity{result.noisePx, 1, "px"}));
+        result.messages.push_back(messages::deformationNotFollowed(Quantity{result.noisePx, 1, "px"}));
     }
     if (const auto part = movedPart(views.front().input.tree, result)) {
-        result.messages.push_back(says::deformationPartMoved(sideWord(part->side),
-                                                             Quantity{100.0 * part->share, 0, "%"},
-                                                             inMm(part->shift.norm(), 1), sideWord(part->shift))
+        result.messages.push_back(messages::deformationPartMoved(sideWord(part->side),
+                                                                 Quantity{100.0 * part->share, 0, "%"},
+                                                                 inMm(part->shift.norm(), 1), sideWord(part->shift))
                                       .as(Severity::Note));
     }
     if (views.size() == 1) {
-        result.messages.push_back(says::deformationDepthUnknown().as(Severity::Note));
+        result.messages.push_back(messages::deformationDepthUnknown().as(Severity::Note));
     }
 }
 

@@ -1,6 +1,6 @@
 #include "core/registration/judging/trust.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/judging/pose_shift.h"
 #include "core/registration/judging/pose_uncertainty.h"
 
@@ -38,8 +38,9 @@ Quantity percent(double share)
 /// Warning for a tree that lies on vessels but covers only a tiny part of them: a different tree or a wrong unit.
 Message littleAgreement(double shareOfTree, double shareOfVessels)
 {
-    return shareOfTree >= wellFollowedShare ? says::trustLittleExplained(percent(shareOfVessels))
-                                            : says::trustLittleAgreement(percent(shareOfTree), percent(shareOfVessels));
+    return shareOfTree >= wellFollowedShare
+               ? messages::trustLittleExplained(percent(shareOfVessels))
+               : messages::trustLittleAgreement(percent(shareOfTree), percent(shareOfVessels));
 }
 
 /// Whether the visible part of the tree runs along traced vessels, however much lies outside the image.
@@ -53,7 +54,7 @@ void judgeFit(const FitSigns& signs, double coverage, Messages& reasons)
     const bool isDoubtful = signs.inViewShare < minInView || signs.agreement < minAgreement;
     if (isDoubtful && !followsVessels(signs)) {
         if (signs.inViewShare < minInView) {
-            reasons.push_back(says::trustOutsideImage(percent(signs.inViewShare)));
+            reasons.push_back(messages::trustOutsideImage(percent(signs.inViewShare)));
         }
         if (signs.agreement < minAgreement) {
             reasons.push_back(littleAgreement(signs.treeShare, coverage));
@@ -61,13 +62,13 @@ void judgeFit(const FitSigns& signs, double coverage, Messages& reasons)
     }
     const bool forksTooLittle = signs.filledForks < minFilledForks && !(signs.isSinglePath && signs.isLumen);
     if (signs.isPartlyOpacified && (signs.agreement < minFilledAgreement || forksTooLittle)) {
-        reasons.push_back(says::trustFilledDoubtful());
+        reasons.push_back(messages::trustFilledDoubtful());
     }
     if (signs.isSinglePath && !signs.isLumen) {
-        reasons.push_back(says::trustSinglePath());
+        reasons.push_back(messages::trustSinglePath());
     }
     if (signs.settlingMm > maxSettlingMm) {
-        reasons.push_back(says::trustBetterAside(inMm(signs.settlingMm, 1)));
+        reasons.push_back(messages::trustBetterAside(inMm(signs.settlingMm, 1)));
     }
 }
 
@@ -77,13 +78,13 @@ void judgeUncertainty(const PoseUncertainty& uncertainty, Messages& reasons)
     const auto& observed = uncertainty.observed;
     const PoseSigmas sigmas = sigmasOf(uncertainty.imageCovariance);
     if (!observed[0] || !observed[1] || sigmas.rotationDeg.head<2>().maxCoeff() > maxRotationStdDeg) {
-        reasons.push_back(says::trustTiltUncertain());
+        reasons.push_back(messages::trustTiltUncertain());
     }
     if (!observed[2] || sigmas.rotationDeg.z() > maxRotationStdDeg) {
-        reasons.push_back(says::trustTurnUncertain());
+        reasons.push_back(messages::trustTurnUncertain());
     }
     if (!observed[3] || !observed[4] || sigmas.inPlaneMm > maxInPlaneStdMm) {
-        reasons.push_back(says::trustShiftUncertain());
+        reasons.push_back(messages::trustShiftUncertain());
     }
 }
 
@@ -96,19 +97,19 @@ Trust judgeTrust(const RegistrationProblem& problem, const RegistrationResult& r
     judgeFit(signs, result.metrics.coverage, trust.warnings);
     judgeUncertainty(result.uncertainty, trust.warnings);
     if (signs.expectedErrorMm > maxExpectedErrorMm) {
-        trust.warnings.push_back(says::trustPoseUncertain(inMm(signs.expectedErrorMm, 1)));
+        trust.warnings.push_back(messages::trustPoseUncertain(inMm(signs.expectedErrorMm, 1)));
     }
     if (signs.rivalMm > maxRivalMm) {
-        trust.warnings.push_back(says::trustRival());
+        trust.warnings.push_back(messages::trustRival());
     }
     if (result.stopReason == StopReason::StoppedByUser) {
-        trust.warnings.push_back(says::trustStopped());
+        trust.warnings.push_back(messages::trustStopped());
     }
     trust.isTrustworthy = trust.warnings.empty();
     if (!result.uncertainty.observed[5]) {
         const double movedMm = std::abs(depthShiftMm(problem, result.cameraFromPatient));
-        trust.warnings.push_back(movedMm < stayedInDepthMm ? says::trustDepthUnknown()
-                                                           : says::trustDepthMoved(inMm(movedMm, 0)));
+        trust.warnings.push_back(movedMm < stayedInDepthMm ? messages::trustDepthUnknown()
+                                                           : messages::trustDepthMoved(inMm(movedMm, 0)));
     }
     return trust;
 }

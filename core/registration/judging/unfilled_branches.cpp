@@ -1,6 +1,6 @@
 #include "core/registration/judging/unfilled_branches.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include <algorithm>
 
@@ -41,8 +41,8 @@ double shareFilled(const std::vector<std::uint8_t>& isOpacified)
 double judgedShare(const RegistrationResult& result)
 {
     for (const Message& said : result.warnings) {
-        const bool shows =
-            said.is(says::trustPartFilled) || said.is(says::trustFewFilled) || said.is(says::trustPiecesFilled);
+        const bool shows = said.is(messages::trustPartFilled) || said.is(messages::trustFewFilled) ||
+                           said.is(messages::trustPiecesFilled);
         const Quantity* const percent = shows ? std::get_if<Quantity>(&said.arguments().front()) : nullptr;
         if (percent) {
             return 0.01 * percent->value;
@@ -65,16 +65,16 @@ Messages wordsOf(const std::vector<UnopacifiedBranch>& unopacified, double fille
         return {};
     }
     if (unopacified.size() == branchCount) {
-        return {says::trustPiecesFilled(shown)};
+        return {messages::trustPiecesFilled(shown)};
     }
     if (unopacified.size() > namedBranches) {
-        return {says::trustFewFilled(shown, unopacified.size(), branchCount)};
+        return {messages::trustFewFilled(shown, unopacified.size(), branchCount)};
     }
     std::vector<std::string> names;
     for (const UnopacifiedBranch& branch : unopacified) {
         names.push_back(std::to_string(branch.branchId));
     }
-    return {says::trustPartFilled(shown, names)};
+    return {messages::trustPartFilled(shown, names)};
 }
 
 }   // namespace angiopose::core

@@ -1,7 +1,7 @@
 #include "core/registration/methods/methods.h"
 
 #include "core/geometry/angle_units.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/alignment/alignment_points.h"
 #include "core/registration/alignment/final_refinement.h"
 #include "core/registration/alignment/pose_ranking.h"
@@ -260,9 +260,9 @@ Messages AngioPose::fitChosen()
     const Vector6d step = stepBetween(best.pose, fit.pose);
     isMovedByChoice_ = step.norm() > 0.0;
     best = ranking_.scored(fit.pose, best.stopReason);
-    return {says::chosenBranchesFitted(Quantity{fit.medianPx, 2, "px"}, Quantity{fit.medianBeforePx, 2, "px"},
-                                       Quantity{step.head<3>().norm() * degreesPerRadian, 2, "°"},
-                                       inMm(step.tail<3>().norm(), 2))
+    return {messages::chosenBranchesFitted(Quantity{fit.medianPx, 2, "px"}, Quantity{fit.medianBeforePx, 2, "px"},
+                                           Quantity{step.head<3>().norm() * degreesPerRadian, 2, "°"},
+                                           inMm(step.tail<3>().norm(), 2))
                 .as(Severity::Note)};
 }
 

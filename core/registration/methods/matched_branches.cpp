@@ -1,6 +1,6 @@
 #include "core/registration/methods/methods.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/methods/pose_trials.h"
 #include "core/registration/pnp/pair_deformation.h"
 #include "core/registration/pose/minimise.h"
@@ -65,9 +65,9 @@ void layOnto(const RegistrationProblem& problem, const std::vector<BranchPair>& 
 
 Message whatMoved(const PairDeformation& deformation)
 {
-    return says::matchedBranchesMoved(inMm(deformation.rmsMm, 2), inMm(deformation.largestMm, 2),
-                                      Quantity{deformation.medianPx, 2, "px"},
-                                      Quantity{deformation.medianBeforePx, 2, "px"})
+    return messages::matchedBranchesMoved(inMm(deformation.rmsMm, 2), inMm(deformation.largestMm, 2),
+                                          Quantity{deformation.medianPx, 2, "px"},
+                                          Quantity{deformation.medianBeforePx, 2, "px"})
         .as(Severity::Note);
 }
 

@@ -1,6 +1,6 @@
 #include "core/registration/methods/method_info.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/methods/method.h"
 #include "core/registration/options/option_fields.h"
 
@@ -12,10 +12,10 @@ namespace {
 std::optional<Message> findProblem(const PoseLocks& locks, const Method& method)
 {
     if (std::find(locks.begin(), locks.end(), false) == locks.end()) {
-        return says::allLocked();
+        return messages::allLocked();
     }
     if (isAnyLocked(locks) && !method.respectsLocks) {
-        return says::methodCannotLock(method.info.label);
+        return messages::methodCannotLock(method.info.label);
     }
     return {};
 }
@@ -41,13 +41,13 @@ std::optional<Message> findProblem(const RegistrationOptions& options)
         for (const MethodInfo& info : methodInfos()) {
             known.emplace_back(info.id);
         }
-        return says::noSuchMethod(options.method, known);
+        return messages::noSuchMethod(options.method, known);
     }
     for (const OptionField& field : optionFields()) {
         if (!isInRange(field, options)) {
             const OptionRange range = rangeOf(field);
-            return says::optionOutOfRange(field.key, Quantity{range.min, Quantity::asNeeded},
-                                          Quantity{range.max, Quantity::asNeeded});
+            return messages::optionOutOfRange(field.key, Quantity{range.min, Quantity::asNeeded},
+                                              Quantity{range.max, Quantity::asNeeded});
         }
     }
     return findProblem(options.locks, *findMethod(options.method));

@@ -1,6 +1,6 @@
 #include "core/registration/options/option_text.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include <charconv>
 
@@ -19,9 +19,9 @@ Message misfit(const OptionField& field, const std::string& text)
 {
     const auto names = namesOf(field);
     if (!names.empty()) {
-        return says::optionNeedsChoice(field.key, std::vector<std::string>(names.begin(), names.end()), text);
+        return messages::optionNeedsChoice(field.key, std::vector<std::string>(names.begin(), names.end()), text);
     }
-    return says::optionNeedsValue(field.key, text);
+    return messages::optionNeedsValue(field.key, text);
 }
 
 }   // namespace
@@ -38,11 +38,11 @@ Result<OptionValue> optionValue(const OptionField& field, const std::string& tex
     }
     if (const auto value = valueFrom(field, number)) {
         return holdsNumber(field, *value) ? Result<OptionValue>(*value)
-                                          : Error(says::optionNeedsWholeNumber(field.key, text));
+                                          : Error(messages::optionNeedsWholeNumber(field.key, text));
     }
     const OptionRange range = rangeOf(field);
-    return Error(says::optionValueOutOfRange(field.key, Quantity{range.min, Quantity::asNeeded},
-                                             Quantity{range.max, Quantity::asNeeded}, text));
+    return Error(messages::optionValueOutOfRange(field.key, Quantity{range.min, Quantity::asNeeded},
+                                                 Quantity{range.max, Quantity::asNeeded}, text));
 }
 
 Status setOption(RegistrationOptions& options, const std::string& assignment)
@@ -51,7 +51,7 @@ Status setOption(RegistrationOptions& options, const std::string& assignment)
     const std::string key = assignment.substr(0, equals);
     const OptionField* field = findOption(key);
     if (field == nullptr) {
-        return Error(says::noSuchOption(key));
+        return Error(messages::noSuchOption(key));
     }
     const auto value = optionValue(*field, equals == std::string::npos ? "" : assignment.substr(equals + 1));
     if (!value) {

@@ -1,7 +1,7 @@
 #include "core/registration/pose/landmark_pose.h"
 
 #include "core/geometry/angle_units.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/pose/centroid_pose.h"
 #include "core/registration/pose/damped_descent.h"
 #include "core/registration/pose/sqpnp.h"
@@ -148,11 +148,11 @@ double rmsSpread(const Eigen::Matrix<double, Size, Eigen::Dynamic>& points, int 
 std::optional<Message> findDegeneracy(std::span<const Landmark> landmarks, bool hasBefore)
 {
     if (landmarks.empty()) {
-        return says::landmarksMissing();
+        return messages::landmarksMissing();
     }
     const bool isEnough = landmarks.size() >= enoughLandmarks;
     if (!isEnough && !hasBefore) {
-        return says::landmarksTooFew(landmarks.size());
+        return messages::landmarksTooFew(landmarks.size());
     }
     Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(landmarks.size()));
     Eigen::Matrix2Xd pixels(2, static_cast<Eigen::Index>(landmarks.size()));
@@ -161,13 +161,13 @@ std::optional<Message> findDegeneracy(std::span<const Landmark> landmarks, bool 
         pixels.col(static_cast<Eigen::Index>(i)) = landmarks[i].pixel;
     }
     if (!points.allFinite() || !pixels.allFinite()) {
-        return says::landmarksNotFinite();
+        return messages::landmarksNotFinite();
     }
     if (landmarks.size() > 1 && (rmsSpread<3>(points, 0) < minSpreadMm || rmsSpread<2>(pixels, 0) < minSpreadPx)) {
-        return says::landmarksInOnePlace();
+        return messages::landmarksInOnePlace();
     }
     if (isEnough && rmsSpread<3>(points, 1) < minSpreadMm) {
-        return says::landmarksOnOneLine();
+        return messages::landmarksOnOneLine();
     }
     return {};
 }
@@ -247,7 +247,7 @@ Result<LandmarkPose> poseFromLandmarks(std::span<const Landmark> landmarks, cons
     const Fit other = alone ? refined(squares, aboutCentroid(*alone, centroid)) : Fit{};
     const Fit& best = chosen(near, other);
     if (!std::isfinite(best.cost)) {
-        return Error(says::landmarksWithoutPose());
+        return Error(messages::landmarksWithoutPose());
     }
     LandmarkPose result = judged(squares, best, landmarks, camera);
     result.leansOnPrior = !isEnough;

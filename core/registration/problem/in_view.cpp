@@ -1,12 +1,12 @@
 #include "core/registration/problem/in_view.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 namespace angiopose::core {
 
 Error inView(std::size_t number, const Error& error)
 {
-    return error.isStop() ? error : Error(says::inView(number, error.message));
+    return error.isStop() ? error : Error(messages::inView(number, error.message));
 }
 
 }   // namespace angiopose::core

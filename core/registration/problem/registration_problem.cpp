@@ -1,6 +1,6 @@
 #include "core/registration/problem/registration_problem.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/problem/auxiliary_points.h"
 #include "core/vessel/ordered_curves.h"
 
@@ -89,7 +89,7 @@ std::optional<Message> findUnknownBranch(const VesselTree& tree, const std::vect
 {
     for (const int id : branchIds) {
         if (tree.find(id) == nullptr) {
-            return says::chosenBranchMissing(id, role());
+            return messages::chosenBranchMissing(id, role());
         }
     }
     return {};
@@ -118,25 +118,25 @@ std::optional<Message> findProblem(const RegistrationInput& input, const VesselT
         problem = findProblem(input.camera);
     }
     if (!problem) {
-        problem = findUnknownBranch(input.tree, input.auxiliaryBranchIds, says::roleAuxiliary);
+        problem = findUnknownBranch(input.tree, input.auxiliaryBranchIds, messages::roleAuxiliary);
     }
     if (!problem) {
-        problem = findUnknownBranch(input.tree, input.excludedBranchIds, says::roleExcluded);
+        problem = findUnknownBranch(input.tree, input.excludedBranchIds, messages::roleExcluded);
     }
     if (problem) {
         return problem;
     }
     if (usedTree.branches.empty()) {
-        return says::allBranchesExcluded();
+        return messages::allBranchesExcluded();
     }
     if (input.image && (input.image->width != input.camera.width || input.image->height != input.camera.height)) {
-        return says::imageNotOfCamera();
+        return messages::imageNotOfCamera();
     }
     if (!isRigid(input.initialCameraFromPatient)) {
-        return says::startPoseNotRigid();
+        return messages::startPoseNotRigid();
     }
     if (reachesBehindSource(usedTree, input.initialCameraFromPatient)) {
-        return says::startPoseBehindSource();
+        return messages::startPoseBehindSource();
     }
     return {};
 }
@@ -178,7 +178,8 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
     const std::optional<OrderedCurves> reordered = putInOrder(input.target);
     const Centerline2d& target = reordered ? reordered->curves : input.target;
     if (reordered) {
-        problem.notes.push_back(says::targetReordered(static_cast<int>(reordered->reorderedPoints)).as(Severity::Note));
+        problem.notes.push_back(
+            messages::targetReordered(static_cast<int>(reordered->reorderedPoints)).as(Severity::Note));
     }
     problem.target = sampledTarget(target, options);
     problem.freedom = freedomOf(input, options.locks, problem);

@@ -1,6 +1,6 @@
 #include "core/registration/wire/judge_by_wire.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/judging/distance_metrics.h"
 #include "core/registration/judging/pose_shift.h"
 #include "core/registration/judging/pose_uncertainty.h"
@@ -38,22 +38,23 @@ Messages reasonsAgainst(const WireFinding& finding, const RegistrationResult& re
     const WirePath& best = finding.paths.front();
     if (best.probability < sureProbability) {
         if (finding.paths.size() > 1 && finding.paths[1].probability >= minReportedProbability) {
-            reasons.push_back(says::wireMayFollow(namesOf(finding.paths[1]), percent(finding.paths[1].probability)));
+            reasons.push_back(
+                messages::wireMayFollow(namesOf(finding.paths[1]), percent(finding.paths[1].probability)));
         } else {
-            reasons.push_back(says::wireUnlikely(percent(best.probability)));
+            reasons.push_back(messages::wireUnlikely(percent(best.probability)));
         }
     }
     if (best.followedShare < minFollowed) {
-        reasons.push_back(says::wireOffTree(percent(best.followedShare)));
+        reasons.push_back(messages::wireOffTree(percent(best.followedShare)));
     }
     if (finding.gapShare > maxGaps) {
-        reasons.push_back(says::wireInPieces(percent(finding.gapShare)));
+        reasons.push_back(messages::wireInPieces(percent(finding.gapShare)));
     }
     if (result.signs.expectedErrorMm > maxExpectedErrorMm) {
-        reasons.push_back(says::trustPoseUncertain(inMm(result.signs.expectedErrorMm, 1)));
+        reasons.push_back(messages::trustPoseUncertain(inMm(result.signs.expectedErrorMm, 1)));
     }
     if (result.stopReason == StopReason::StoppedByUser) {
-        reasons.push_back(says::trustStopped());
+        reasons.push_back(messages::trustStopped());
     }
     return reasons;
 }
@@ -79,8 +80,8 @@ void judgeByWire(const RegistrationProblem& problem, const WireFinding& finding,
     if (finding.paths.empty()) {
         result.trustworthy = false;
         result.warnings.insert(result.warnings.begin(), result.stopReason == StopReason::StoppedByUser
-                                                            ? says::trustStopped()
-                                                            : says::wireNowhere());
+                                                            ? messages::trustStopped()
+                                                            : messages::wireNowhere());
         return;
     }
     replaceImageCovariance(result.uncertainty, finding.covariance, problem.tree.spreadMm);
@@ -91,17 +92,17 @@ void judgeByWire(const RegistrationProblem& problem, const WireFinding& finding,
     result.signs.expectedErrorMm = expectedShiftMm(problem, result.cameraFromPatient, result.uncertainty);
     measureAlongWay(problem, finding, result);
     if (!finding.isAskedFor) {
-        result.warnings.push_back(says::wireFewerWays(std::to_string(finding.paths.size())));
+        result.warnings.push_back(messages::wireFewerWays(std::to_string(finding.paths.size())));
     }
     const Messages reasons = reasonsAgainst(finding, result);
     result.trustworthy = reasons.empty();
     result.warnings.insert(result.warnings.end(), reasons.begin(), reasons.end());
     if (!result.uncertainty.observed[5]) {
-        result.warnings.push_back(says::trustDepthUnknown());
+        result.warnings.push_back(messages::trustDepthUnknown());
     }
     const WirePath& best = finding.paths.front();
     result.warnings.push_back(
-        says::wireFollows(namesOf(best), percent(best.probability), inMm(best.offAxisMm, 1)).as(Severity::Note));
+        messages::wireFollows(namesOf(best), percent(best.probability), inMm(best.offAxisMm, 1)).as(Severity::Note));
 }
 
 }   // namespace angiopose::core

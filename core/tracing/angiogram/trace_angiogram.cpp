@@ -2,8 +2,7 @@
 
 #include "core/imaging/gray_statistics.h"
 #include "core/imaging/mask_morphology.h"
-#include "core/messages/says.h"
-#include "core/messages/says_contrast.h"
+#include "core/messages/messages.h"
 #include "core/support/parallel_for.h"
 #include "core/tracing/angiogram/curves/bridge_gaps.h"
 #include "core/tracing/angiogram/curves/contrast_seen.h"
@@ -63,14 +62,14 @@ bool isFinite(const ImageF& frame)
 std::optional<Message> problemWith(const ImageF& frame)
 {
     if (frame.isEmpty()) {
-        return says::frameEmpty();
+        return messages::frameEmpty();
     }
     if (!isFinite(frame)) {
-        return says::frameNotFinite();
+        return messages::frameNotFinite();
     }
     const float first = frame.pixels.front();
     if (std::all_of(frame.pixels.begin(), frame.pixels.end(), [first](float value) { return value == first; })) {
-        return says::frameOfOneColor();
+        return messages::frameOfOneColor();
     }
     return {};
 }
@@ -79,11 +78,11 @@ std::optional<Message> problemWith(const TraceOptions& options)
 {
     const auto& [thinnest, widest, branchLength, componentLength, sensitivity] = options;
     if (!(thinnest > 0.0 && thinnest <= widest && std::isfinite(widest))) {
-        return says::traceRadiiUnusable(Quantity{thinnest, Quantity::asNeeded, "px"},
-                                        Quantity{widest, Quantity::asNeeded, "px"});
+        return messages::traceRadiiUnusable(Quantity{thinnest, Quantity::asNeeded, "px"},
+                                            Quantity{widest, Quantity::asNeeded, "px"});
     }
     if (!(sensitivity > 0.0 && std::isfinite(sensitivity))) {
-        return says::traceSensitivityUnusable(Quantity{sensitivity, Quantity::asNeeded});
+        return messages::traceSensitivityUnusable(Quantity{sensitivity, Quantity::asNeeded});
     }
     return {};
 }
@@ -213,7 +212,7 @@ double contrastOf(const AngiogramTrace& trace)
 void addWordOfContrast(AngiogramTrace& trace)
 {
     if (trace.clutter > 0.0 && contrastOf(trace) < minContrast) {
-        trace.warnings = {says::frameWithLittleContrast()};
+        trace.warnings = {messages::frameWithLittleContrast()};
     }
 }
 
@@ -246,7 +245,7 @@ void addWordOfFirstFrame(AngiogramTrace& trace, const Angiogram& run, int frame)
     addSuspects(trace, seen.curveIds);
     spareTrunk(trace);
     if (seen.isEverything && contrastOf(trace) < surelyContrast) {   // else it was opacified from the start
-        trace.warnings = {says::frameWithNothingNew()};
+        trace.warnings = {messages::frameWithNothingNew()};
     } else {
         addWordOfContrast(trace);
     }
@@ -282,7 +281,7 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
         return Error(*problem);
     }
     if (isReportPage(frame)) {
-        return Error(says::frameIsReportPage());
+        return Error(messages::frameIsReportPage());
     }
     if (auto drawn = drawnMask(frame)) {
         return traceDrawn(std::move(*drawn), options);
@@ -303,7 +302,7 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     }
     trace.centerline.curves = centerdCurves(std::move(seen.paths), opacity, trace.fieldMask, maxRadiusPx);
     if (trace.centerline.curves.empty()) {
-        return Error(says::frameWithoutVessels());
+        return Error(messages::frameWithoutVessels());
     }
     trace.vesselMask = paintedVessels(trace.centerline, frame.width, frame.height);
     trace.suspectCurves = suspectCurves(trace.centerline, std::max(frame.width, frame.height));
@@ -316,7 +315,7 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
 Result<AngiogramTrace> traceFrame(const Angiogram& run, int frame, const TraceOptions& options)
 {
     if (frame < 0 || frame >= run.frameCount()) {
-        return Error(says::frameMissing(frame + 1, run.frameCount()));
+        return Error(messages::frameMissing(frame + 1, run.frameCount()));
     }
     auto traced = traceAngiogram(steadyFrame(run.frames, frame), run.polarity,
                                  settledFor(options, run.cArm, run.width(), run.height()), run.shutter);
@@ -340,7 +339,8 @@ Result<Centerline2d> traceMask(const Mask2d& mask, const TraceOptions& asked)
         centerline.curves.push_back(smoothCurve(path, static_cast<int>(centerline.curves.size()) + 1));
     }
     if (centerline.curves.empty()) {
-        return Error(says::maskWithoutVessels(Quantity{static_cast<double>(options.minComponentLengthPx), 0, "px"}));
+        return Error(
+            messages::maskWithoutVessels(Quantity{static_cast<double>(options.minComponentLengthPx), 0, "px"}));
     }
     return centerline;
 }

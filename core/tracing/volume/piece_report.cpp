@@ -1,6 +1,6 @@
 #include "core/tracing/volume/piece_report.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/tracing/volume/voxels/chosen_pieces.h"
 #include "core/tracing/volume/voxels/voxel_pieces.h"
 
@@ -63,13 +63,13 @@ Messages namedPieces(const std::vector<TracedPiece>& pieces, Reported reported)
         if (n + 1 > maxNamed && pieces.size() > maxNamed + 1) {
             rest += pieces[n].share;
         } else if (reported == Reported::LengthAndShare) {
-            named.push_back(says::pieceOfLength(inMm(pieces[n].lengthMm, 0), shareOf(pieces[n].share), place));
+            named.push_back(messages::pieceOfLength(inMm(pieces[n].lengthMm, 0), shareOf(pieces[n].share), place));
         } else {
-            named.push_back(says::pieceOfShare(shareOf(pieces[n].share), place));
+            named.push_back(messages::pieceOfShare(shareOf(pieces[n].share), place));
         }
     }
     if (pieces.size() > maxNamed + 1) {
-        named.push_back(says::otherPieces(pieces.size() - maxNamed, shareOf(rest)));
+        named.push_back(messages::otherPieces(pieces.size() - maxNamed, shareOf(rest)));
     }
     return named;
 }
@@ -118,19 +118,19 @@ Messages pieceWarnings(const std::vector<TracedPiece>& pieces, bool isBySeeds)
     }
     Messages reported;
     if (traced.size() > 1 && !isBySeeds) {
-        reported.push_back(says::vesselsInPieces(traced.size(), namedPieces(traced, Reported::LengthAndShare)));
+        reported.push_back(messages::vesselsInPieces(traced.size(), namedPieces(traced, Reported::LengthAndShare)));
     }
     if (shareOfAll(unasked) > worthMentioning) {
         const Messages named = namedPieces(unasked, Reported::Share);
         reported.push_back(unasked.size() == 1
-                               ? says::onePieceLeftOut(named)
-                               : says::piecesLeftOut(unasked.size(), shareOf(shareOfAll(unasked)), named));
+                               ? messages::onePieceLeftOut(named)
+                               : messages::piecesLeftOut(unasked.size(), shareOf(shareOfAll(unasked)), named));
     }
     if (shareOfAll(tooShort) > worthMentioning) {
         const Messages named = namedPieces(tooShort, Reported::Share);
         reported.push_back(tooShort.size() == 1
-                               ? says::onePieceTooShort(named)
-                               : says::piecesTooShort(tooShort.size(), shareOf(shareOfAll(tooShort)), named));
+                               ? messages::onePieceTooShort(named)
+                               : messages::piecesTooShort(tooShort.size(), shareOf(shareOfAll(tooShort)), named));
     }
     return reported;
 }

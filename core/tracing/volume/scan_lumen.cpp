@@ -1,6 +1,6 @@
 #include "core/tracing/volume/scan_lumen.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/support/parallel_for.h"
 #include "core/tracing/volume/lumen/segment_lumen.h"
 #include "core/tracing/volume/voxels/chosen_pieces.h"
@@ -46,12 +46,12 @@ public:
         }
         const auto brightest = brightestLevel(seen_.scan(volume_), order_);
         if (!brightest) {
-            return usual ? asked(says::scanNeedsSeed()) : Result<ScanLumen>(brightest.error());
+            return usual ? asked(messages::scanNeedsSeed()) : Result<ScanLumen>(brightest.error());
         }
         if (const auto seen = segmented(brightest.value(), fineBlockMm); !seen) {
             return seen.error();
         }
-        return isCredible() ? judged() : asked(says::scanNeedsSeed());
+        return isCredible() ? judged() : asked(messages::scanNeedsSeed());
     }
 
 private:
@@ -160,11 +160,11 @@ private:
         }
         if (seen_.skull) {
             great = arteriesOfHead(std::move(great), *seen_.skull, order_.geometry);
-            return great.empty() ? asked(says::headNeedsSeed()) : std::move(seen_);
+            return great.empty() ? asked(messages::headNeedsSeed()) : std::move(seen_);
         }
         if (!isLikeCt_) {
             std::erase_if(great, [this](const GreatVessel& vessel) { return !isClear(vessel); });
-            return great.empty() ? asked(says::scanNeedsSeed()) : std::move(seen_);
+            return great.empty() ? asked(messages::scanNeedsSeed()) : std::move(seen_);
         }
         return std::move(seen_);
     }

@@ -1,6 +1,6 @@
 #include "core/tracing/volume/trace_vessels.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/support/parallel_for.h"
 #include "core/support/quantile.h"
 #include "core/tracing/tree/lumen_tree.h"
@@ -68,13 +68,13 @@ VoxelMask asStored(const VoxelMask& part, const VoxelBox& box, const VolumeGeome
 std::optional<Message> problemWith(const VolumeGeometry& geometry, std::size_t voxels)
 {
     if (voxels == 0 || geometry.voxelCount() != voxels) {
-        return says::volumeEmpty();
+        return messages::volumeEmpty();
     }
     if (voxels > std::numeric_limits<std::uint32_t>::max()) {
-        return says::volumeTooLarge();
+        return messages::volumeTooLarge();
     }
     if (!(geometry.spacingMm.minCoeff() > 0.0) || !geometry.spacingMm.allFinite()) {
-        return says::volumeWithoutSpacing();
+        return messages::volumeWithoutSpacing();
     }
     return {};
 }
@@ -82,7 +82,8 @@ std::optional<Message> problemWith(const VolumeGeometry& geometry, std::size_t v
 std::optional<Message> problemWith(const VesselTracingOptions& options)
 {
     const bool hasSeeds = !options.seedsInPatient.empty();
-    return options.avoidInPatient.empty() || hasSeeds ? std::nullopt : std::optional<Message>(says::avoidWithoutSeed());
+    return options.avoidInPatient.empty() || hasSeeds ? std::nullopt
+                                                      : std::optional<Message>(messages::avoidWithoutSeed());
 }
 
 /// Options for a mask: all its voxels are vessel, unless the options select some.
@@ -136,7 +137,7 @@ Result<TreeOfLumen> treeOf(const ChosenLumen& chosen, const BloodFill& fill, con
         traced.warnings.push_back(loopWarning(found.loops.opened));
     }
     if (found.loops.kept > 0) {
-        traced.warnings.push_back(says::loopsKept(found.loops.kept));
+        traced.warnings.push_back(messages::loopsKept(found.loops.kept));
     }
     if (found.dimParts > 0) {
         traced.warnings.push_back(dimWarning(found.dimParts));
@@ -230,7 +231,7 @@ Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, 
     ChosenLumen lumen = std::move(chosen).value();
     fillCavities(lumen.lumen, &progress);
     auto traced =
-        unlessEmpty(treeOf(lumen, fillOf(lumen.lumen), stored, options, progress), Error(says::noLongBranch()));
+        unlessEmpty(treeOf(lumen, fillOf(lumen.lumen), stored, options, progress), Error(messages::noLongBranch()));
     if (!traced) {
         return traced.error();
     }
@@ -263,14 +264,14 @@ Result<TracedVessels> traceScan(ScanLumen seen, const Volume& given, const AxisO
     }
     const AxisOrder part = cropped(order, lumen.box);
     auto traced = unlessEmpty(treeOf(lumen, fillOf(volume, part, level, lumen.lumen), volume.geometry, asked, progress),
-                              options.threshold ? Error(says::noLongBranch()) : noVesselsFound(level));
+                              options.threshold ? Error(messages::noLongBranch()) : noVesselsFound(level));
     if (!traced) {
         return traced.error();
     }
     TracedVessels vessels = std::move(traced).value().vessels;
     tellOfScan(vessels, lumen, great, level);
     if (seen.corrected) {
-        vessels.warnings.push_back(says::coilBiasCorrected(Quantity{seen.corrected->fallOff, 1}));
+        vessels.warnings.push_back(messages::coilBiasCorrected(Quantity{seen.corrected->fallOff, 1}));
     }
     if (!options.seedsInPatient.empty()) {
         return vessels;
@@ -279,7 +280,7 @@ Result<TracedVessels> traceScan(ScanLumen seen, const Volume& given, const AxisO
         return noVesselsFound(level);
     }
     if (seen.skull && !options.threshold && runsAlongSkull(vessels.tree, *seen.skull)) {
-        return Error(says::veinsWithArteries());
+        return Error(messages::veinsWithArteries());
     }
     return startedBy(std::move(vessels), lumen, great);
 }

@@ -1,7 +1,7 @@
 #include "io/archive/dimse/association.h"
 
 #include "io/archive/dimse/association_failure.h"
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 #include "io/support/quiet_libraries.h"
 
 #include <dcmtk/config/osconfig.h>
@@ -58,7 +58,7 @@ core::Status checkPeerHost(T_ASC_Association* association, const ArchiveNode& no
     std::string certificate(ASC_getPeerCertificateLength(association), '\0');
     certificate.resize(ASC_getPeerCertificate(association, certificate.data(), certificate.size()));
     return isCertificateOf(certificate, node.host) ? core::Status(core::Done{})
-                                                   : core::Error(says::archiveTlsHost(node.host).about(node.name));
+                                                   : core::Error(messages::archiveTlsHost(node.host).about(node.name));
 }
 
 DataValue valueOf(const DUL_PDV& pdv)
@@ -94,13 +94,13 @@ core::Status resolveHost(const ArchiveNode& node, const StopQuestion& isStopRequ
     for (int tenths = 0; tenths < 10 * connectSeconds; ++tenths) {
         if (isKnown.wait_for(std::chrono::milliseconds(100)) == std::future_status::ready) {
             return isKnown.get() ? core::Status(core::Done{})
-                                 : core::Error(says::archiveUnknownHost(node.host).about(node.name));
+                                 : core::Error(messages::archiveUnknownHost(node.host).about(node.name));
         }
         if (isStopRequested()) {
             return stoppedAssociation(node);
         }
     }
-    return core::Error(says::archiveUnknownHost(node.host).about(node.name));
+    return core::Error(messages::archiveUnknownHost(node.host).about(node.name));
 }
 
 Association::Association(const ArchiveNode& node, StopQuestion isStopRequested)
@@ -243,7 +243,8 @@ core::Status Association::waitForData(const LifeQuestion& isAlive) const
             begun = Clock::now();
         }
     }
-    return core::Error(says::archiveNoAnswer(core::Quantity{double(node_.answerSeconds), 0, "s"}).about(node_.name));
+    return core::Error(
+        messages::archiveNoAnswer(core::Quantity{double(node_.answerSeconds), 0, "s"}).about(node_.name));
 }
 
 core::Error Association::failure(const OFCondition& condition)

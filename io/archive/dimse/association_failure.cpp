@@ -1,6 +1,6 @@
 #include "io/archive/dimse/association_failure.h"
 
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 
 #include <dcmtk/config/osconfig.h>
 // DCMTK headers come first because of their macros.
@@ -30,19 +30,19 @@ core::Message rejection(T_ASC_Parameters* parameters, const ArchiveNode& node)
     T_ASC_RejectParameters reject{};
     if (ASC_getRejectParameters(parameters, &reject).good()) {
         if (reject.reason == ASC_REASON_SU_CALLEDAETITLENOTRECOGNIZED) {
-            return says::archiveUnknownTitle(node.title, addressOf(node));
+            return messages::archiveUnknownTitle(node.title, addressOf(node));
         }
         if (reject.reason == ASC_REASON_SU_CALLINGAETITLENOTRECOGNIZED) {
-            return says::archiveTitleNotAllowed(node.ownTitle);
+            return messages::archiveTitleNotAllowed(node.ownTitle);
         }
         if (reject.reason == ASC_REASON_SP_PRES_TEMPORARYCONGESTION) {
-            return says::archiveRefused("temporary congestion");
+            return messages::archiveRefused("temporary congestion");
         }
         if (reject.reason == ASC_REASON_SP_PRES_LOCALLIMITEXCEEDED) {
-            return says::archiveRefused("local limit exceeded");
+            return messages::archiveRefused("local limit exceeded");
         }
     }
-    return says::archiveRefused("no reason given");
+    return messages::archiveRefused("no reason given");
 }
 
 bool isTlsFailure(const OFCondition& condition)
@@ -56,22 +56,22 @@ core::Error requestFailure(const OFCondition& condition, T_ASC_Parameters* param
 {
     const auto about = [&node](const core::Message& problem) { return core::Error(problem.about(node.name)); };
     if (isTlsFailure(condition)) {
-        return about(says::archiveTlsRefused(lastPart(condition)));
+        return about(messages::archiveTlsRefused(lastPart(condition)));
     }
     switch (condition.code()) {
         case DULC_ASSOCIATIONREJECTED:
             return about(rejection(parameters, node));
         case DULC_UNKNOWNHOST:
-            return about(says::archiveUnknownHost(node.host));
+            return about(messages::archiveUnknownHost(node.host));
         case DULC_TCPINITERROR:
-            return about(says::archiveNoConnection(addressOf(node), lastPart(condition)));
+            return about(messages::archiveNoConnection(addressOf(node), lastPart(condition)));
         case DULC_READTIMEOUT:
-            return about(says::archiveSilent(addressOf(node), seconds(node.answerSeconds)));
+            return about(messages::archiveSilent(addressOf(node), seconds(node.answerSeconds)));
         case DULC_PEERABORTEDASSOCIATION:
         case DULC_NETWORKCLOSED:
-            return about(says::archiveRefused(lastPart(condition)));
+            return about(messages::archiveRefused(lastPart(condition)));
         default:
-            return about(says::archiveNonsense(lastPart(condition)));
+            return about(messages::archiveNonsense(lastPart(condition)));
     }
 }
 
@@ -80,17 +80,17 @@ core::Error associationFailure(const OFCondition& condition, const ArchiveNode& 
     const auto about = [&node](const core::Message& problem) { return core::Error(problem.about(node.name)); };
     switch (condition.code()) {
         case DULC_READTIMEOUT:
-            return about(says::archiveNoAnswer(seconds(node.answerSeconds)));
+            return about(messages::archiveNoAnswer(seconds(node.answerSeconds)));
         case DULC_PEERABORTEDASSOCIATION:
-            return about(says::archiveAborted());
+            return about(messages::archiveAborted());
         default:
-            return about(says::archiveBroken(lastPart(condition)));
+            return about(messages::archiveBroken(lastPart(condition)));
     }
 }
 
 core::Error stoppedAssociation(const ArchiveNode& node)
 {
-    return core::Error(core::Stopped{says::archiveStopped()}).about(node.name);
+    return core::Error(core::Stopped{messages::archiveStopped()}).about(node.name);
 }
 
 bool isConnectionGone(const OFCondition& condition)

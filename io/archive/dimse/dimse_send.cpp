@@ -4,7 +4,7 @@
 #include "io/archive/dimse/get_series.h"
 #include "io/archive/dimse/link.h"
 #include "io/archive/dimse/storage_classes.h"
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 
 #include <fstream>
 #include <set>
@@ -75,7 +75,7 @@ private:
     {
         const auto context = link.contextFor(file.sopClass, file.transferSyntax);
         if (!context) {
-            fail(file, says::archiveNotTaken(file.sopClass, file.transferSyntax));
+            fail(file, messages::archiveNotTaken(file.sopClass, file.transferSyntax));
             return core::Done{};
         }
         DimseCommand request(DimseKind::StoreRequest, ++messageId_, file.sopClass);
@@ -100,7 +100,7 @@ private:
         return link.sendPieces(context, [&](std::size_t maxBytes) -> core::Result<DimseLink::Piece> {
             block.resize(static_cast<std::size_t>(std::min<std::uint64_t>(left, maxBytes & ~std::size_t{1})));
             if (!stream.read(block.data(), static_cast<std::streamsize>(block.size()))) {
-                return core::Error(says::archiveNotSendable().about(file.path));
+                return core::Error(messages::archiveNotSendable().about(file.path));
             }
             left -= block.size();
             bytes_ += block.size();
@@ -115,7 +115,7 @@ private:
             return received.error();
         }
         if (!received.value() || received.value()->command.kind() != DimseKind::StoreResponse) {
-            return core::Error(says::archiveNonsense("C-STORE").about(node_.name));
+            return core::Error(messages::archiveNonsense("C-STORE").about(node_.name));
         }
         const DimseCommand& answer = received.value()->command;
         const bool isWarning = (answer.status() & 0xf000U) == 0xb000U;   // stored, but elements were coerced
@@ -125,7 +125,7 @@ private:
             ++report_.transferred;
             report_.bytes += file.bytes;
         } else {
-            fail(file, says::archiveStoreRefused(statusText(answer)));
+            fail(file, messages::archiveStoreRefused(statusText(answer)));
         }
         return core::Done{};
     }

@@ -3,7 +3,7 @@
 #include "io/archive/dimse/identifier.h"
 #include "io/archive/dimse/storage_classes.h"
 #include "io/dicom/dicom_text.h"
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 
 #include <map>
 
@@ -24,7 +24,7 @@ core::Result<Answers> ask(DimseLink& link, const ArchiveNode& node, const Keys& 
 {
     const auto context = link.contextFor(sop::find);
     if (!context) {
-        return core::Error(says::archiveNoService("C-FIND", node.ownTitle).about(node.name));
+        return core::Error(messages::archiveNoService("C-FIND", node.ownTitle).about(node.name));
     }
     DimseCommand request(DimseKind::FindRequest, 1, sop::find);
     request.setNumber(DimseCommand::priority, 0);
@@ -42,7 +42,7 @@ core::Result<Answers> ask(DimseLink& link, const ArchiveNode& node, const Keys& 
             return received.error();
         }
         if (!received.value() || received.value()->command.kind() != DimseKind::FindResponse) {
-            return core::Error(says::archiveNonsense("C-FIND").about(node.name));
+            return core::Error(messages::archiveNonsense("C-FIND").about(node.name));
         }
         const DimseCommand& answer = received.value()->command;
         std::string data;
@@ -57,7 +57,7 @@ core::Result<Answers> ask(DimseLink& link, const ArchiveNode& node, const Keys& 
             return answers;
         }
         if (answer.status() != dimse::pending && answer.status() != dimse::pendingWithWarning) {
-            return core::Error(says::archiveStatus("C-FIND", statusText(answer)).about(node.name));
+            return core::Error(messages::archiveStatus("C-FIND", statusText(answer)).about(node.name));
         }
         if (answers.sets.size() == most) {
             answers.isCut = true;
@@ -143,7 +143,7 @@ core::Status dimseEcho(const ArchiveNode& node, const StopQuestion& isStopReques
     DimseLink link = std::move(opened).value();
     const auto context = link.contextFor(sop::verification);
     if (!context) {
-        return core::Error(says::archiveNoService("C-ECHO", node.ownTitle).about(node.name));
+        return core::Error(messages::archiveNoService("C-ECHO", node.ownTitle).about(node.name));
     }
     if (auto sent = link.send(context->id, DimseCommand(DimseKind::EchoRequest, 1, sop::verification)); !sent) {
         return sent;
@@ -153,7 +153,7 @@ core::Status dimseEcho(const ArchiveNode& node, const StopQuestion& isStopReques
         return received.error();
     }
     if (!received.value() || received.value()->command.status() != dimse::success) {
-        return core::Error(says::archiveNonsense("C-ECHO").about(node.name));
+        return core::Error(messages::archiveNonsense("C-ECHO").about(node.name));
     }
     link.release();
     return core::Done{};
@@ -184,9 +184,9 @@ core::Result<ArchiveMatches> dimseFind(const ArchiveNode& node, const ArchiveQue
     }
     settleMatches(query, matches.found);
     if (answers.value().isCut) {
-        matches.warnings.push_back(says::archiveManyMatches(most).about(node.name));
+        matches.warnings.push_back(messages::archiveManyMatches(most).about(node.name));
         if (isOfSeries) {
-            return core::Error(says::archiveManyMatches(most).about(node.name));
+            return core::Error(messages::archiveManyMatches(most).about(node.name));
         }
         return matches;
     }

@@ -4,7 +4,7 @@
 #include "io/archive/dimse/receiver.h"
 #include "io/archive/dimse/storage_classes.h"
 #include "io/archive/dimse/take_object.h"
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 
 #include <atomic>
 #include <thread>
@@ -24,7 +24,7 @@ core::Status settleRetrieval(const ArchiveNode& node, const std::string& service
     if (status == dimse::success || status == dimse::someFailed) {
         return core::Done{};
     }
-    return core::Error(says::archiveStatus(service, statusText(answer)).about(node.name));
+    return core::Error(messages::archiveStatus(service, statusText(answer)).about(node.name));
 }
 
 bool isPending(const DimseCommand& answer)
@@ -42,7 +42,7 @@ core::Status takeAll(DimseLink& link, const ArchiveNode& node, const SeriesReque
             return received.error();
         }
         if (!received.value()) {
-            return core::Error(says::archiveAborted().about(node.name));
+            return core::Error(messages::archiveAborted().about(node.name));
         }
         const DimseLink::Received& message = *received.value();
         if (message.command.kind() == DimseKind::StoreRequest) {
@@ -52,7 +52,7 @@ core::Status takeAll(DimseLink& link, const ArchiveNode& node, const SeriesReque
             continue;
         }
         if (message.command.kind() != DimseKind::GetResponse) {
-            return core::Error(says::archiveNonsense("C-GET").about(node.name));
+            return core::Error(messages::archiveNonsense("C-GET").about(node.name));
         }
         if (message.command.hasData()) {
             if (auto ignored = link.receiveData(); !ignored) {
@@ -100,7 +100,7 @@ core::Status awaitEnd(DimseLink& link, const ArchiveNode& node, Arrivals& arriva
             return received.error();
         }
         if (!received.value() || received.value()->command.kind() != DimseKind::MoveResponse) {
-            return core::Error(says::archiveNonsense("C-MOVE").about(node.name));
+            return core::Error(messages::archiveNonsense("C-MOVE").about(node.name));
         }
         const DimseCommand& answer = received.value()->command;
         if (answer.hasData()) {
@@ -150,7 +150,7 @@ core::Result<std::optional<core::Done>> getSeries(const ArchiveNode& node, const
 core::Status moveSeries(const ArchiveNode& node, const SeriesRequest& series, Arrivals& arrivals)
 {
     if (node.receivePort == 0) {
-        return core::Error(says::archiveNoWayBack().about(node.name));
+        return core::Error(messages::archiveNoWayBack().about(node.name));
     }
     ReceiverOptions options;
     options.port = node.receivePort;
@@ -171,7 +171,7 @@ core::Status moveSeries(const ArchiveNode& node, const SeriesRequest& series, Ar
     DimseLink link = std::move(opened).value();
     const auto context = link.contextFor(sop::move);
     if (!context) {
-        return core::Error(says::archiveNoService("C-GET, C-MOVE", node.ownTitle).about(node.name));
+        return core::Error(messages::archiveNoService("C-GET, C-MOVE", node.ownTitle).about(node.name));
     }
     DimseCommand request(DimseKind::MoveRequest, 1, sop::move);
     request.setText(DimseCommand::moveDestination, node.ownTitle, ' ');

@@ -1,7 +1,7 @@
 #include "io/archive/dimse/link.h"
 
 #include "io/archive/dimse/association_failure.h"
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 
 #include <utility>
 
@@ -13,7 +13,7 @@ constexpr std::size_t maxCommandBytes = std::size_t{64} << 10;
 
 core::Error nonsense(const Association& association)
 {
-    return core::Error(says::archiveNonsense("DIMSE").about(association.node().name));
+    return core::Error(messages::archiveNonsense("DIMSE").about(association.node().name));
 }
 
 }   // namespace
@@ -27,7 +27,7 @@ core::Result<DimseLink> DimseLink::open(const ArchiveNode& node, const std::vect
         return checked.error();
     }
     if (node.host.empty()) {
-        return core::Error(says::archiveNoDimse().about(node.name));
+        return core::Error(messages::archiveNoDimse().about(node.name));
     }
     auto association = Association::request(node, contexts, std::move(isStopRequested));
     if (!association) {

@@ -3,7 +3,7 @@
 #include "io/archive/dimse/association_failure.h"
 #include "io/archive/dimse/storage_classes.h"
 #include "io/archive/dimse/take_object.h"
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 
 #include <dcmtk/config/osconfig.h>
 // DCMTK headers come first because of their macros.
@@ -86,7 +86,7 @@ void answerContexts(T_ASC_Association* association)
 bool isOurs(const core::Error& error)
 {
     const core::Message& message = error.message;
-    return message.is(says::archiveCacheTooSmall) || message.is(says::archiveNoFolder) ||
+    return message.is(messages::archiveCacheTooSmall) || message.is(messages::archiveNoFolder) ||
            std::string_view(message.id()).starts_with("file.");
 }
 
@@ -120,7 +120,7 @@ core::Status Receiver::Parts::begin()
     prepareNetwork(options.answerSeconds);
     const OFCondition made = ASC_initializeNetwork(NET_ACCEPTOR, options.port, options.answerSeconds, &network);
     if (made.bad()) {
-        return core::Error(says::archivePortTaken(options.port, made.text()));
+        return core::Error(messages::archivePortTaken(options.port, made.text()));
     }
     if (options.isTls) {
         auto layer = makeTlsLayer(options.tls, TlsRole::IsAsked);
@@ -146,7 +146,8 @@ std::optional<DimseLink> Receiver::Parts::welcome(Arrivals& arrivals, const Stop
     if (came.good()) {
         return judge(association, arrivals, isStopRequested);
     }
-    arrivals.warn(options.isTls ? says::archiveCallNotSecured(came.text()) : says::archiveCallFailed(came.text()));
+    arrivals.warn(options.isTls ? messages::archiveCallNotSecured(came.text())
+                                : messages::archiveCallFailed(came.text()));
     if (association != nullptr) {
         ASC_dropAssociation(association);
         ASC_destroyAssociation(&association);
@@ -160,8 +161,9 @@ std::optional<DimseLink> Receiver::Parts::judge(T_ASC_Association* association, 
     const Caller caller = callerOf(association);
     const bool isCalledRight = options.ownTitle.empty() || caller.calledTitle == options.ownTitle;
     if (!isCalledRight || !isListed(options.titles, caller.title) || !isListed(options.hosts, caller.address)) {
-        arrivals.warn(isCalledRight ? says::archiveTitleTurnedAway(caller.address, caller.title)
-                                    : says::archiveCalledOtherwise(caller.address, caller.title, caller.calledTitle));
+        arrivals.warn(isCalledRight
+                          ? messages::archiveTitleTurnedAway(caller.address, caller.title)
+                          : messages::archiveCalledOtherwise(caller.address, caller.title, caller.calledTitle));
         reject(association,
                isCalledRight ? ASC_REASON_SU_CALLINGAETITLENOTRECOGNIZED : ASC_REASON_SU_CALLEDAETITLENOTRECOGNIZED);
         ASC_dropAssociation(association);
@@ -199,7 +201,7 @@ core::Status Receiver::Parts::takeAll(DimseLink& link, Arrivals& arrivals) const
         } else if (message.command.kind() == DimseKind::StoreRequest) {
             done = takeObject(link, message, options.expected, arrivals);
         } else {
-            done = core::Error(says::archiveNonsense("C-STORE"));
+            done = core::Error(messages::archiveNonsense("C-STORE"));
         }
         if (!done) {
             return done;
@@ -219,11 +221,11 @@ core::Status checkReceiver(const ReceiverOptions& options)
     }
     for (const std::string& title : titles) {
         if (!isAeTitle(title)) {
-            return core::Error(says::archiveBadTitle(title));
+            return core::Error(messages::archiveBadTitle(title));
         }
     }
     if (options.isTls && (options.tls.certificateFile.empty() || options.tls.keyFile.empty())) {
-        return core::Error(says::archivePortUnsecured());
+        return core::Error(messages::archivePortUnsecured());
     }
     return core::Done{};
 }

@@ -1,6 +1,6 @@
 #include "io/archive/dimse/take_object.h"
 
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 
 #include <cstdint>
 #include <string>
@@ -84,7 +84,7 @@ core::Status takeObject(DimseLink& link, const DimseLink::Received& request, con
 {
     const auto context = link.contextOf(request.context);
     if (!context || !request.command.hasData()) {
-        return core::Error(says::archiveNonsense("C-STORE"));
+        return core::Error(messages::archiveNonsense("C-STORE"));
     }
     ExpectedObject object = expected;
     object.sopInstance = request.command.text(DimseCommand::affectedInstance);

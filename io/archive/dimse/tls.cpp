@@ -1,6 +1,6 @@
 #include "io/archive/dimse/tls.h"
 
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 
 #include <dcmtk/config/osconfig.h>
 // DCMTK headers come first because of their macros.
@@ -14,7 +14,7 @@ namespace {
 
 core::Error uselessFile(const std::string& path, const OFCondition& why)
 {
-    return says::archiveTlsFile(path, why.text());
+    return messages::archiveTlsFile(path, why.text());
 }
 
 core::Status trustFile(DcmTLSTransportLayer& layer, const std::string& caFile)
@@ -40,7 +40,8 @@ core::Status showCertificate(DcmTLSTransportLayer& layer, const TlsFiles& files)
         return uselessFile(files.certificateFile, set);
     }
     if (!layer.checkPrivateKeyMatchesCertificate()) {
-        return core::Error(says::archiveTlsFile(files.keyFile, "it is not the key of " + files.certificateFile));
+        return core::Error(
+            messages::archiveTlsFile(files.keyFile, "it is not the private key of " + files.certificateFile));
     }
     return core::Done{};
 }
@@ -59,7 +60,7 @@ core::Result<TransportLayer> makeTlsLayer(const TlsFiles& files, TlsRole role)
     auto layer =
         std::make_unique<DcmTLSTransportLayer>(role == TlsRole::Asks ? NET_REQUESTOR : NET_ACCEPTOR, nullptr, OFFalse);
     if (const OFCondition set = layer->setTLSProfile(TSP_Profile_BCP195); set.bad()) {
-        return core::Error(says::archiveTlsRefused(set.text()));
+        return core::Error(messages::archiveTlsRefused(set.text()));
     }
     if (auto trusted = trustFile(*layer, files.caFile); !trusted) {
         return trusted.error();
@@ -68,7 +69,7 @@ core::Result<TransportLayer> makeTlsLayer(const TlsFiles& files, TlsRole role)
         return shown.error();
     }
     if (const OFCondition set = layer->activateCipherSuites(); set.bad()) {
-        return core::Error(says::archiveTlsRefused(set.text()));
+        return core::Error(messages::archiveTlsRefused(set.text()));
     }
     layer->setCertificateVerification(DCV_requireCertificate);
     return TransportLayer(layer.release());

@@ -1,6 +1,6 @@
 #include "io/archive/model/node.h"
 
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 
 #include <algorithm>
 
@@ -48,16 +48,16 @@ std::vector<core::Message> problemsOf(const ArchiveNode& node)
             found.push_back(problem);
         }
     };
-    refuseIf(node.name.empty() || node.name.size() > maxName, says::archiveNoName());
-    refuseIf(node.host.empty() && node.webUrl.empty(), says::archiveNoAddress());
-    refuseIf(!isHostName(node.host), says::archiveBadHost(node.host));
-    refuseIf(!isPort(node.port), says::archiveBadPort(node.port));
-    refuseIf(node.receivePort != 0 && !isPort(node.receivePort), says::archiveBadPort(node.receivePort));
-    refuseIf(!isAeTitle(node.title), says::archiveBadTitle(node.title));
-    refuseIf(!isAeTitle(node.ownTitle), says::archiveBadTitle(node.ownTitle));
-    refuseIf(!node.webUrl.empty() && !isHttpUrl(node.webUrl), says::archiveBadUrl(node.webUrl));
-    refuseIf(node.certificateFile.empty() != node.keyFile.empty(), says::archiveKeyWithoutCertificate());
-    refuseIf(node.answerSeconds < 1 || node.answerSeconds > 600, says::archiveBadTime());
+    refuseIf(node.name.empty() || node.name.size() > maxName, messages::archiveNoName());
+    refuseIf(node.host.empty() && node.webUrl.empty(), messages::archiveNoAddress());
+    refuseIf(!isHostName(node.host), messages::archiveBadHost(node.host));
+    refuseIf(!isPort(node.port), messages::archiveBadPort(node.port));
+    refuseIf(node.receivePort != 0 && !isPort(node.receivePort), messages::archiveBadPort(node.receivePort));
+    refuseIf(!isAeTitle(node.title), messages::archiveBadTitle(node.title));
+    refuseIf(!isAeTitle(node.ownTitle), messages::archiveBadTitle(node.ownTitle));
+    refuseIf(!node.webUrl.empty() && !isHttpUrl(node.webUrl), messages::archiveBadUrl(node.webUrl));
+    refuseIf(node.certificateFile.empty() != node.keyFile.empty(), messages::archiveKeyWithoutCertificate());
+    refuseIf(node.answerSeconds < 1 || node.answerSeconds > 600, messages::archiveBadTime());
     return found;
 }
 
@@ -84,10 +84,10 @@ core::Messages connectionNotes(const ArchiveNode& node)
 {
     core::Messages notes;
     if (!node.host.empty() && !node.isTls && !isHere(node.host)) {
-        notes.push_back(says::archivePlainText(addressOf(node)).about(node.name));
+        notes.push_back(messages::archivePlainText(addressOf(node)).about(node.name));
     }
     if (node.webUrl.starts_with("http://") && !isHere(hostOfUrl(node.webUrl))) {
-        notes.push_back(says::archivePlainText(node.webUrl).about(node.name));
+        notes.push_back(messages::archivePlainText(node.webUrl).about(node.name));
     }
     return notes;
 }

@@ -1,6 +1,6 @@
 #include "io/archive/model/query.h"
 
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 
 #include <algorithm>
 #include <array>
@@ -41,7 +41,7 @@ core::Result<std::string> queryDates(const std::string& text)
     const std::size_t dots = text.find("..");
     if (dots == std::string::npos) {
         const std::string date = plainDate(text);
-        return date.empty() && !text.empty() ? core::Result<std::string>(core::Error(says::archiveBadDate(text)))
+        return date.empty() && !text.empty() ? core::Result<std::string>(core::Error(messages::archiveBadDate(text)))
                                              : core::Result<std::string>(date);
     }
     const std::string first = text.substr(0, dots), last = text.substr(dots + 2);
@@ -49,7 +49,7 @@ core::Result<std::string> queryDates(const std::string& text)
     const bool isWrong =
         (from.empty() && !first.empty()) || (to.empty() && !last.empty()) || (from.empty() && to.empty());
     if (isWrong) {
-        return core::Error(says::archiveBadDate(text));
+        return core::Error(messages::archiveBadDate(text));
     }
     return from + "-" + to;
 }

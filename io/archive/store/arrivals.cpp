@@ -1,7 +1,7 @@
 #include "io/archive/store/arrivals.h"
 
 #include "io/archive/store/cache.h"
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 
 #include <filesystem>
 
@@ -20,7 +20,7 @@ std::uint64_t heldBy(const ObjectStore& store)
 /// Whether an error concerns only the object, not the folder it is stored in.
 bool isAboutObject(const core::Error& error)
 {
-    return error.message.is(says::archiveObjectUnreadable) || error.message.is(says::archiveObjectForeign);
+    return error.message.is(messages::archiveObjectUnreadable) || error.message.is(messages::archiveObjectForeign);
 }
 
 }   // namespace
@@ -58,7 +58,7 @@ core::Status Arrivals::makeRoom(const StoredObject& stored)
     std::error_code failed;
     std::filesystem::remove(stored.path, failed);
     held_ -= stored.bytes;
-    return core::Error(says::archiveCacheTooSmall(sizeText(limit_.maxBytes)).about(store_->root()));
+    return core::Error(messages::archiveCacheTooSmall(sizeText(limit_.maxBytes)).about(store_->root()));
 }
 
 core::Result<Arrivals::Fate> Arrivals::take(IncomingObject object, const ExpectedObject& expected)
@@ -73,7 +73,7 @@ core::Result<Arrivals::Fate> Arrivals::take(IncomingObject object, const Expecte
     }
     const StoredObject& stored = finished.value();
     if (stored.kind == StoredObject::Kind::Conflict) {
-        miss(says::archiveObjectDiffers(std::filesystem::path(stored.path).stem().string()));
+        miss(messages::archiveObjectDiffers(std::filesystem::path(stored.path).stem().string()));
         return Fate::Differs;
     }
     if (auto counted = count(stored); !counted) {

@@ -2,7 +2,7 @@
 
 #include "io/archive/model/query.h"
 #include "io/archive/store/object_store.h"
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -132,7 +132,7 @@ core::Result<std::size_t> emptyCache(const std::string& root)
     const auto left = cachedSeries(root);
     if (std::ranges::any_of(left, [](const CachedSeries& series) { return series.objects > 0; })) {
         const auto why = std::make_error_code(std::errc::permission_denied);
-        return core::Error(says::archiveNoFolder(why.message()).about(root));
+        return core::Error(messages::archiveNoFolder(why.message()).about(root));
     }
     return dropped;
 }

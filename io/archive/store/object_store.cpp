@@ -1,7 +1,7 @@
 #include "io/archive/store/object_store.h"
 
 #include "io/archive/model/query.h"
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 #include "io/study/study_file.h"
 #include "io/support/own_leftovers.h"
 
@@ -21,7 +21,7 @@ constexpr std::chrono::hours staleAfter{6};   // longer than any object takes to
 
 core::Error noFolder(const std::string& path, const std::error_code& why)
 {
-    return says::archiveNoFolder(why.message()).about(path);
+    return messages::archiveNoFolder(why.message()).about(path);
 }
 
 /// Returns a temporary path that identifies the process; a later process cleans up after one that was killed.
@@ -100,10 +100,10 @@ std::optional<core::Message> mismatchOf(const core::StudyIdentity& came, const E
                          (!expected.seriesUid.empty() && came.seriesUid != expected.seriesUid) ||
                          (!expected.sopInstance.empty() && came.sopInstanceUid != expected.sopInstance);
     if (isOther) {
-        return says::archiveObjectForeign(came.sopInstanceUid);
+        return messages::archiveObjectForeign(came.sopInstanceUid);
     }
     if (!isUid(came.studyUid) || !isUid(came.seriesUid) || !isUid(came.sopInstanceUid)) {
-        return says::archiveObjectUnreadable();
+        return messages::archiveObjectUnreadable();
     }
     return std::nullopt;
 }
@@ -129,7 +129,7 @@ core::Status IncomingObject::write(std::string_view bytes)
 {
     if (bytes.size() > maxBytes_ - bytes_) {
         isTooLarge_ = true;
-        return core::Error(says::archiveObjectTooLarge(sizeText(maxBytes_)));
+        return core::Error(messages::archiveObjectTooLarge(sizeText(maxBytes_)));
     }
     bytes_ += bytes.size();
     return file_.write(bytes);
@@ -143,7 +143,7 @@ core::Result<StoredObject> IncomingObject::finish(const ExpectedObject& expected
     const Remover remover(temporary_);
     const auto read = readStudyFile(temporary_);
     if (!read || !read.value()) {
-        return core::Error(says::archiveObjectUnreadable());
+        return core::Error(messages::archiveObjectUnreadable());
     }
     const core::StudyIdentity& identity = read.value()->images.identity;
     if (const auto mismatch = mismatchOf(identity, expected)) {

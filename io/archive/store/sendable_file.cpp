@@ -2,7 +2,7 @@
 
 #include "io/archive/model/query.h"
 #include "io/dicom/dicom_gate.h"
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 #include "io/study/file_start.h"
 #include "io/study/study_file.h"
 
@@ -41,7 +41,7 @@ core::Result<SendableFile> readSendableFile(const std::string& path)
     }
     const auto read = readStudyFile(path);
     if (!read || !read.value()) {
-        return core::Error(says::archiveNotSendable().about(path));
+        return core::Error(messages::archiveNotSendable().about(path));
     }
     const DicomImages& images = read.value()->images;
     SendableFile file;
@@ -54,7 +54,7 @@ core::Result<SendableFile> readSendableFile(const std::string& path)
     file.bytes = start.value().fileSize;
     const bool isWhole = file.dataset > 0 && !images.damage && (file.bytes - file.dataset) % 2 == 0;
     if (!isWhole || !isUid(file.sopClass) || !isUid(file.sopInstance) || !isUid(file.transferSyntax)) {
-        return core::Error(says::archiveNotSendable().about(path));
+        return core::Error(messages::archiveNotSendable().about(path));
     }
     return file;
 }

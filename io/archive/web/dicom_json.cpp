@@ -1,6 +1,6 @@
 #include "io/archive/web/dicom_json.h"
 
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 #include "io/support/json_text.h"
 
 #include <nlohmann/json.hpp>
@@ -65,12 +65,12 @@ core::Result<Json> parsedSets(const std::string& json)
         return Json::array();
     }
     if (!checkJson(json, "")) {
-        return core::Error(says::archiveNonsense("JSON"));
+        return core::Error(messages::archiveNonsense("JSON"));
     }
     Json parsed = Json::parse(json, nullptr, false);
     const bool areSets =
         parsed.is_array() && std::ranges::all_of(parsed, [](const Json& set) { return set.is_object(); });
-    return areSets ? core::Result<Json>(std::move(parsed)) : core::Error(says::archiveNonsense("JSON"));
+    return areSets ? core::Result<Json>(std::move(parsed)) : core::Error(messages::archiveNonsense("JSON"));
 }
 
 ArchiveMatch matchOf(const Json& set)

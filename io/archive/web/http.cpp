@@ -1,7 +1,7 @@
 #include "io/archive/web/http.h"
 
 #include "io/archive/model/query.h"
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 #include "io/support/input_bytes.h"
 
 #include <curl/curl.h>
@@ -134,7 +134,7 @@ bool HttpConnection::Parts::take(std::string_view piece)
         return static_cast<bool>(taken);
     }
     if (reply.body.size() + piece.size() > maxBodyBytes) {
-        failure = core::Error(says::archiveHttpTooLarge(sizeText(maxBodyBytes)).about(node.name));
+        failure = core::Error(messages::archiveHttpTooLarge(sizeText(maxBodyBytes)).about(node.name));
         return false;
     }
     reply.body += piece;
@@ -147,16 +147,16 @@ core::Error HttpConnection::Parts::failureOf(CURLcode code) const
     const auto about = [this](const core::Message& problem) { return core::Error(problem.about(node.name)); };
     switch (code) {
         case CURLE_ABORTED_BY_CALLBACK:
-            return core::Error(core::Stopped{says::archiveStopped()}).about(node.name);
+            return core::Error(core::Stopped{messages::archiveStopped()}).about(node.name);
         case CURLE_COULDNT_RESOLVE_HOST:
         case CURLE_COULDNT_RESOLVE_PROXY:
         case CURLE_COULDNT_CONNECT:
-            return about(says::archiveNoConnection(node.webUrl, why));
+            return about(messages::archiveNoConnection(node.webUrl, why));
         case CURLE_OPERATION_TIMEDOUT: {
             double connected = 0.0;
             curl_easy_getinfo(handle, CURLINFO_CONNECT_TIME, &connected);
-            return about(connected > 0.0 ? says::archiveNoAnswer(core::Quantity{double(node.answerSeconds), 0, "s"})
-                                         : says::archiveNoConnection(node.webUrl, why));
+            return about(connected > 0.0 ? messages::archiveNoAnswer(core::Quantity{double(node.answerSeconds), 0, "s"})
+                                         : messages::archiveNoConnection(node.webUrl, why));
         }
         case CURLE_PEER_FAILED_VERIFICATION:
         case CURLE_SSL_CONNECT_ERROR:
@@ -164,9 +164,9 @@ core::Error HttpConnection::Parts::failureOf(CURLcode code) const
         case CURLE_SSL_CACERT_BADFILE:
         case CURLE_SSL_ISSUER_ERROR:
         case CURLE_SSL_CIPHER:
-            return about(says::archiveTlsRefused(why));
+            return about(messages::archiveTlsRefused(why));
         default:
-            return about(says::archiveBroken(why));
+            return about(messages::archiveBroken(why));
     }
 }
 
@@ -181,7 +181,7 @@ core::Result<HttpReply> HttpConnection::Parts::perform()
     }
     curl_easy_getinfo(handle, CURLINFO_RESPONSE_CODE, &reply.status);
     if (reply.status == 401 || reply.status == 403) {
-        return core::Error(says::archiveHttpForbidden(reply.status).about(node.name));
+        return core::Error(messages::archiveHttpForbidden(reply.status).about(node.name));
     }
     return std::move(reply);
 }
@@ -196,7 +196,7 @@ core::Result<HttpConnection> HttpConnection::open(const ArchiveNode& node, StopQ
         return checked.error();
     }
     if (node.webUrl.empty()) {
-        return core::Error(says::archiveNoWeb().about(node.name));
+        return core::Error(messages::archiveNoWeb().about(node.name));
     }
     static std::once_flag once;
     std::call_once(once, [] {
@@ -214,7 +214,7 @@ core::Result<HttpConnection> HttpConnection::open(const ArchiveNode& node, StopQ
     parts->authorization = std::move(authorization).value();
     parts->handle = curl_easy_init();
     if (parts->handle == nullptr) {
-        return core::Error(says::archiveBroken("libcurl").about(node.name));
+        return core::Error(messages::archiveBroken("libcurl").about(node.name));
     }
     return HttpConnection(std::move(parts));
 }

@@ -1,6 +1,6 @@
 #include "io/archive/web/multipart.h"
 
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 
 #include <algorithm>
 #include <utility>
@@ -20,7 +20,7 @@ std::string lowered(std::string text)
 
 core::Error unlawful()
 {
-    return core::Error(says::archiveNonsense("multipart"));
+    return core::Error(messages::archiveNonsense("multipart"));
 }
 
 }   // namespace

@@ -1,7 +1,7 @@
 #include "io/archive/web/dicom_json.h"
 #include "io/archive/web/http.h"
 #include "io/archive/web/web_archive.h"
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 
 #include <algorithm>
 #include <cstring>
@@ -139,9 +139,9 @@ core::Status settleStored(const ArchiveNode& node, const SendableFile& file, con
         ++report.duplicates;
     } else if (answer.failure != 0 || reply.status == 409 || reply.status == 202) {
         ++report.failed;
-        report.note(says::archiveStoreRefused(statusText(static_cast<unsigned>(answer.failure))).about(file.path));
+        report.note(messages::archiveStoreRefused(statusText(static_cast<unsigned>(answer.failure))).about(file.path));
     } else {
-        return core::Error(says::archiveHttpStatus("STOW-RS", std::to_string(reply.status)).about(node.name));
+        return core::Error(messages::archiveHttpStatus("STOW-RS", std::to_string(reply.status)).about(node.name));
     }
     return core::Done{};
 }
@@ -163,7 +163,7 @@ core::Result<std::string> askWeb(HttpConnection& http, const ArchiveNode& node, 
         return reply.error();
     }
     if (reply.value().status != 200 && reply.value().status != 204) {
-        return core::Error(says::archiveHttpStatus(service, std::to_string(reply.value().status)).about(node.name));
+        return core::Error(messages::archiveHttpStatus(service, std::to_string(reply.value().status)).about(node.name));
     }
     return std::move(reply).value().body;
 }
@@ -205,7 +205,7 @@ core::Result<ArchiveMatches> webFind(const ArchiveNode& node, const ArchiveQuery
     settleMatches(query, matches.found);
     if (matches.found.size() > most) {
         matches.found.resize(most);
-        matches.warnings.push_back(says::archiveManyMatches(most).about(node.name));
+        matches.warnings.push_back(messages::archiveManyMatches(most).about(node.name));
     }
     if (isOfSeries) {
         if (auto series = intoWebSeries(http, node, query, matches); !series) {

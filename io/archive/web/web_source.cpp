@@ -2,7 +2,7 @@
 #include "io/archive/web/http.h"
 #include "io/archive/web/multipart.h"
 #include "io/archive/web/web_archive.h"
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 
 #include <optional>
 #include <set>
@@ -26,7 +26,7 @@ public:
         if (!reader_) {
             const auto boundary = boundaryOf(contentType);
             if (!boundary) {
-                return core::Error(says::archiveNonsense(contentType));
+                return core::Error(messages::archiveNonsense(contentType));
             }
             reader_.emplace(*boundary, handler());
         }
@@ -127,10 +127,10 @@ public:
         }
         if (reply.value().status != 200) {
             const std::string status = std::to_string(reply.value().status);
-            return core::Error(says::archiveHttpStatus("WADO-RS", status).about(node_.name));
+            return core::Error(messages::archiveHttpStatus("WADO-RS", status).about(node_.name));
         }
         return parts.isWhole() ? core::Status(core::Done{})
-                               : core::Error(says::archiveBroken("multipart").about(node_.name));
+                               : core::Error(messages::archiveBroken("multipart").about(node_.name));
     }
 
 private:

@@ -6,7 +6,7 @@
 #include "io/case/fields/vessel_fields.h"
 #include "io/case/fields/vessel_key.h"
 #include "io/case/fields/view_fields.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/json_text.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ StoredField<Case> vesselField()
     field.read = [read = field.read](const Json& value, Case& session, Reading& reading) {
         read(value, session, reading);
         if (!reading.hasVessels) {
-            reading.problems.push_back(says::caseNoInput().about("vessel"));
+            reading.problems.push_back(messages::caseNoInput().about("vessel"));
         }
     };
     return field;
@@ -40,7 +40,7 @@ StoredField<Case> vesselField()
 StoredField<Case> locksField()
 {
     const Json schema = about(listSchema(choiceSchema({"right", "up", "along-ray", "roll", "lao-rao", "cra-cau"})),
-                              "Degrees of freedom that nudging and registering leave as they are.");
+                              "Degrees of freedom that nudging and registration do not change.");
     return {"locked", schema,
             [](const Json& value, Case& session, Reading&) {
                 for (const Json& id : value) {
@@ -85,8 +85,8 @@ StoredField<Case> otherViewsField()
     schema["maxItems"] = 100;
     return {"views",
             about(std::move(schema),
-                  "Other views of the same vessels, registered together with this one: a case file, or what a case "
-                  "says about its view. Their angles tell the geometry between the views."),
+                  "Other views of the same vessels, registered jointly with this one: a case file, or the view entries "
+                  "of a case. Their angles define the geometry between the views."),
             [](const Json& value, Case& session, Reading& reading) {
                 for (const Json& each : value) {
                     readOtherView(each, session.views.emplace_back(), reading);
@@ -108,26 +108,27 @@ StoredField<Case> shownPlaceField()
 {
     return {
         "shownPlace",
-        about(integerSchema(0, 100), "How many of `views` come before the view of this case; absent: none."),
+        about(integerSchema(0, 100), "Number of `views` that precede the view of this case; absent: none."),
         [](const Json& value, Case&, Reading& reading) { reading.shownPlace = value.get<std::size_t>(); },
         [](const Case& session, const fs::path&) { return session.shownView > 0 ? Json(session.shownView) : Json(); }};
 }
 
 StoredField<Case> methodField()
 {
-    return {"method", textSchema(),
-            [](const Json& value, Case& session, Reading& reading) {
-                const std::string& method = session.options.method = value.get<std::string>();
-                const auto methods = core::methodInfos();
-                if (std::ranges::find(methods, method, &core::MethodInfo::id) == methods.end()) {
-                    std::vector<std::string> known;
-                    for (const core::MethodInfo& info : methods) {
-                        known.emplace_back(info.id);
-                    }
-                    reading.problems.push_back(says::caseMethodUnknown(method.substr(0, 40), known).about("method"));
+    return {
+        "method", textSchema(),
+        [](const Json& value, Case& session, Reading& reading) {
+            const std::string& method = session.options.method = value.get<std::string>();
+            const auto methods = core::methodInfos();
+            if (std::ranges::find(methods, method, &core::MethodInfo::id) == methods.end()) {
+                std::vector<std::string> known;
+                for (const core::MethodInfo& info : methods) {
+                    known.emplace_back(info.id);
                 }
-            },
-            [](const Case& session, const fs::path&) { return Json(session.options.method); }};
+                reading.problems.push_back(messages::caseMethodUnknown(method.substr(0, 40), known).about("method"));
+            }
+        },
+        [](const Case& session, const fs::path&) { return Json(session.options.method); }};
 }
 
 StoredField<Case> optionsField()
@@ -161,8 +162,8 @@ Json schemaOfRows()
                 {"title", "AngioPose case"},
                 {"description",
                  "One session: a vessel tree, an angiogram, the geometry between them and the pose. Lengths in mm, "
-                 "angles in degrees, pixels from the centre of the first pixel; patient space is DICOM LPS. Keys not "
-                 "listed here are allowed and kept."}};
+                 "angles in degrees, pixels from the center of the first pixel; patient space is DICOM LPS. Keys not "
+                 "listed here are allowed and preserved."}};
     schema.update(objectSchema(propertiesOf(caseFields()), {"format", "version", "vessel", "angiogram"}));
     schema["definitions"] = schemaDefinitions();
     schema["definitions"]["view"] = viewSchema();

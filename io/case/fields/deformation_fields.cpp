@@ -37,7 +37,7 @@ StoredField<DeformableResult> verdictField()
 /// Poses of all views; the first is this view's own.
 StoredField<DeformableResult> viewPosesField()
 {
-    return {"viewPoses", about(listSchema(definedAs("matrix")), "Of all views that told it, the view itself first."),
+    return {"viewPoses", about(listSchema(definedAs("matrix")), "Of all views that determined it, this view first."),
             [](const Json& value, DeformableResult& deformed, Reading& reading) {
                 for (const Json& rows : value) {
                     if (const auto pose = poseFromRows(rows.get<MatrixRows>())) {
@@ -76,24 +76,24 @@ StoredField<BranchMotion> motionField()
 
 StoredField<BranchMotion> spreadField()
 {
-    return {
-        "covarianceMm2",
-        about(listSchema(numberSchema()), "xx, xy, xz, yy, yz and zz of every point's place, camera axes of the view."),
-        [](const Json& value, BranchMotion& motion, Reading&) {
-            const auto numbers = value.get<std::vector<double>>();
-            for (std::size_t i = 0; i + spreadNumbers <= numbers.size(); i += spreadNumbers) {
-                const double* const n = &numbers[i];
-                motion.covariance.emplace_back();
-                motion.covariance.back() << n[0], n[1], n[2], n[1], n[3], n[4], n[2], n[4], n[5];
-            }
-        },
-        [](const BranchMotion& motion, const fs::path&) {
-            Json numbers = Json::array();
-            for (const Eigen::Matrix3d& m : motion.covariance) {
-                numbers.insert(numbers.end(), {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)});
-            }
-            return numbers;
-        }};
+    return {"covarianceMm2",
+            about(listSchema(numberSchema()),
+                  "xx, xy, xz, yy, yz and zz of every point's position, camera axes of the view."),
+            [](const Json& value, BranchMotion& motion, Reading&) {
+                const auto numbers = value.get<std::vector<double>>();
+                for (std::size_t i = 0; i + spreadNumbers <= numbers.size(); i += spreadNumbers) {
+                    const double* const n = &numbers[i];
+                    motion.covariance.emplace_back();
+                    motion.covariance.back() << n[0], n[1], n[2], n[1], n[3], n[4], n[2], n[4], n[5];
+                }
+            },
+            [](const BranchMotion& motion, const fs::path&) {
+                Json numbers = Json::array();
+                for (const Eigen::Matrix3d& m : motion.covariance) {
+                    numbers.insert(numbers.end(), {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)});
+                }
+                return numbers;
+            }};
 }
 
 StoredFields<BranchMotion> branchFieldsWithoutPoints()
@@ -170,7 +170,8 @@ StoredField<core::RegistrationResult> deformedField()
 {
     const StoredFields<DeformableResult> fields = withBranches(branchMotionFields());
     Json schema = objectSchema(propertiesOf(fields), {"verdict", "cameraFromPatient", "viewPoses", "stopReason"});
-    return {"deformable", about(std::move(schema), "What bending the vessels from the pose found; absent: not asked."),
+    return {"deformable",
+            about(std::move(schema), "Result of the deformable registration from the pose; absent: not requested."),
             [fields](const Json& value, core::RegistrationResult& result, Reading& reading) {
                 core::DeformableResult deformed;
                 readFields(value, deformed, fields, reading);

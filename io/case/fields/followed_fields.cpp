@@ -20,15 +20,15 @@ constexpr int maxFrames = 100000;
 
 StoredFields<TrackedFrame> trackedFields()
 {
-    return {
-        storedPose(&TrackedFrame::cameraFromPatient), storedMeasure("score", &TrackedFrame::score),
-        storedIfSet("searched", about(flagSchema(), "The frame before did not lead to it."), &TrackedFrame::searched),
-        storedValue("trustworthy", flagSchema(), &TrackedFrame::isTrustworthy)};
+    return {storedPose(&TrackedFrame::cameraFromPatient), storedMeasure("score", &TrackedFrame::score),
+            storedIfSet("searched", about(flagSchema(), "The pose was found by a search, not from the previous frame."),
+                        &TrackedFrame::searched),
+            storedValue("trustworthy", flagSchema(), &TrackedFrame::isTrustworthy)};
 }
 
 StoredField<FollowedFrame> problemField()
 {
-    return {"messages", about(listSchema(Json{{"type", "object"}}), "Why nothing was traced."),
+    return {"messages", about(listSchema(Json{{"type", "object"}}), "Reason why nothing was traced."),
             [](const Json& value, FollowedFrame& frame, Reading&) {
                 if (const core::Messages messages = messagesFrom(value.dump()); !messages.empty()) {
                     frame.problem = messages.front();
@@ -44,7 +44,7 @@ StoredField<FollowedFrame> deformationOfFrameField()
 {
     const StoredFields<core::DeformableResult> fields = deformedFieldsWithoutPoints();
     Json schema = objectSchema(propertiesOf(fields), {"verdict", "cameraFromPatient", "viewPoses", "stopReason"});
-    return {"deformable", about(std::move(schema), "How the vessels are bent beside the pose; absent: they are not."),
+    return {"deformable", about(std::move(schema), "Deformation of the vessels in addition to the pose; absent: none."),
             [fields](const Json& value, FollowedFrame& frame, Reading& reading) {
                 core::DeformableResult deformed;
                 readFields(value, deformed, fields, reading);
@@ -63,9 +63,11 @@ StoredFields<FollowedFrame> frameFields()
             [](auto& frame) -> auto& { return frame.tracked; }, field));
     }
     rows.push_back(problemField());
-    rows.push_back(storedIfSet(
-        "bentAsInFrame", about(integerSchema(0, maxFrames), "It does not show the vessels well enough, that one does."),
-        &FollowedFrame::deformedAsInFrame));
+    rows.push_back(
+        storedIfSet("bentAsInFrame",
+                    about(integerSchema(0, maxFrames),
+                          "Frame whose deformation is used because this frame does not show the vessels well enough."),
+                    &FollowedFrame::deformedAsInFrame));
     rows.push_back(deformationOfFrameField());
     return rows;
 }
@@ -76,7 +78,7 @@ StoredField<FollowedRun> framesField()
     Json item = objectSchema(propertiesOf(fields), {"frame", "cameraFromPatient", "trustworthy"});
     Json schema = listSchema(std::move(item));
     schema["maxItems"] = maxFrames;
-    return {"frames", about(std::move(schema), "In order."),
+    return {"frames", about(std::move(schema), "In frame order."),
             [fields](const Json& list, FollowedRun& run, Reading& reading) {
                 std::vector<FollowedFrame> frames;
                 Reading ofFrames;
@@ -101,7 +103,7 @@ StoredField<FollowedRun> deformationsFileField()
 {
     return {"bends",
             about(objectSchema({{"path", definedAs("path")}, {"sha256", definedAs("sha256")}}, {"path"}),
-                  "NRRD with the motion of every point in every frame that is bent by itself."),
+                  "NRRD with the motion of every point in every frame that has its own deformation."),
             [](const Json& value, FollowedRun& run, Reading&) { run.deformationsFile = fileFrom(value); },
             [](const FollowedRun& run, const fs::path& folder) { return fileJson(run.deformationsFile, folder); }};
 }
@@ -111,13 +113,14 @@ StoredField<FollowedRun> deformationsFileField()
 StoredField<core::View> followedField()
 {
     const StoredFields<FollowedRun> rows{
-        storedValue("fromFrame", about(integerSchema(0, maxFrames), "Whose pose was given."), &FollowedRun::fromFrame),
+        storedValue("fromFrame", about(integerSchema(0, maxFrames), "Frame whose pose was given."),
+                    &FollowedRun::fromFrame),
         deformationsFileField(), framesField()};
     Json schema = objectSchema(propertiesOf(rows), {"fromFrame", "frames"});
     schema["properties"]["savedWith"] =
-        about(Json{{"type", "object"}, {"additionalProperties", textSchema()}}, "As of a result.");
+        about(Json{{"type", "object"}, {"additionalProperties", textSchema()}}, "As in a result.");
     return {"followed",
-            about(std::move(schema), "Where following the vessels through the run found them; absent: not followed."),
+            about(std::move(schema), "Result of tracking the vessels through the run; absent: not tracked."),
             [rows](const Json& value, core::View& view, Reading& reading) {
                 readFields(value, view.followed, rows, reading);
             },

@@ -109,8 +109,8 @@ StoredField<ViewGeometry> cameraField()
 {
     return {"camera",
             about(objectSchema(propertiesOf(cameraFields()), {"fx", "fy", "cx", "cy", "width", "height"}),
-                  "Overrides what follows from the values below. fx is negative for an image shown as seen from the "
-                  "detector."),
+                  "Overrides the camera computed from the values below. fx is negative for an image shown as seen from "
+                  "the detector."),
             [](const Json& value, ViewGeometry& geometry, Reading& reading) {
                 core::ProjectionCamera& camera = geometry.cameraOverride.emplace();
                 readFields(value, camera, cameraFields(), reading);
@@ -126,7 +126,7 @@ StoredField<ViewGeometry> cameraField()
 /// Older files have a single distance: taken from a header, it is the distance to the object plane.
 StoredField<ViewGeometry> formerDistanceField()
 {
-    return {"sourceToPatientMm", about(sourcedSchema(numberSchema()), "Of older files: sourceToIsocenterMm."),
+    return {"sourceToPatientMm", about(sourcedSchema(numberSchema()), "In older files: sourceToIsocenterMm."),
             [](const Json& value, ViewGeometry& geometry, Reading&) {
                 const auto former = sourcedFrom<double>(value);
                 const bool isOfHeader = former.origin == Origin::Header || former.origin == Origin::Derived;
@@ -147,17 +147,17 @@ StoredFields<ViewGeometry> geometryFields()
         cameraField(),
         sourcedField("sourceToDetectorMm", numberSchema(), &CArm::sourceToDetectorMm),
         sourcedField("sourceToIsocenterMm", numberSchema(), &CArm::sourceToIsocenterMm,
-                     "SOD: the gantry turns about what lies there."),
+                     "Source-to-isocenter distance; the gantry rotates about the isocenter."),
         sourcedField("sourceToObjectMm", numberSchema(), &CArm::sourceToObjectMm,
-                     "Where the device assumes the object along the beam: the start depth of the vessels."),
+                     "Object position along the beam assumed by the device: initial depth of the vessels."),
         formerDistanceField(),
         spacingField(),
         sourcedField("primaryAngleDeg", numberSchema(), &CArm::primaryAngleDeg, "LAO +, RAO -."),
         sourcedField("secondaryAngleDeg", numberSchema(), &CArm::secondaryAngleDeg, "CRA +, CAU -."),
-        sourcedField("rollDeg", numberSchema(), &CArm::rollDeg, "Image turned clockwise on screen."),
+        sourcedField("rollDeg", numberSchema(), &CArm::rollDeg, "Clockwise rotation of the image on screen."),
         sourcedField("principalPointPx", definedAs("pair"), &CArm::principalPointPx, "cx, cy."),
         sourcedField("isocentreInPatientMm", definedAs("point"), &CArm::isocenterInPatientMm,
-                     "Where the gantry turns about, in the vessels' coordinates; absent: the tree's centroid."),
+                     "Rotation center of the gantry, in the vessels' coordinates; absent: the tree's centroid."),
         sourcedField("mirrored", flagSchema(), &CArm::mirrored, "True: shown as seen from the source."),
     };
 }

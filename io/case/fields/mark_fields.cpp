@@ -2,7 +2,7 @@
 
 #include "io/case/fields/json_values.h"
 #include "io/case/fields/word_field.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/measurement_words.h"
 
 #include <set>
@@ -32,11 +32,12 @@ Json pointList(const char* definition, int least, int most)
 
 StoredFields<VesselMark> markFields()
 {
-    return {storedValue("id", about(integerSchema(1, 1000000), "By which `sightings` name it."), &VesselMark::id),
+    return {storedValue("id", about(integerSchema(1, 1000000), "Id used by `sightings`."), &VesselMark::id),
             wordField("kind", choiceSchema({"check-point", "ostium-ring"}), &VesselMark::kind, markKinds),
             storedIfSet("name", textSchema(), &VesselMark::name),
             storedValue("pointInPatientMm", definedAs("point"), &VesselMark::pointInPatient),
-            storedIfSet("normal", about(definedAs("point"), "Of a ring: along its branch, unit."), &VesselMark::normal),
+            storedIfSet("normal", about(definedAs("point"), "Unit vector of a ring, along its branch."),
+                        &VesselMark::normal),
             storedIfSet("radiusMm", about(numberSchema(0, 1000), "Of a ring."), &VesselMark::radiusMm)};
 }
 
@@ -47,11 +48,11 @@ void checkMarks(std::vector<VesselMark>& marks, Reading& reading)
     for (VesselMark& mark : marks) {
         const std::string subject = "vessel.marks: " + std::to_string(mark.id);
         if (!ids.insert(mark.id).second) {
-            reading.problems.push_back(says::caseMarkTwice(mark.id).about(subject));
+            reading.problems.push_back(messages::caseMarkTwice(mark.id).about(subject));
         }
         const bool isRing = mark.kind == VesselMarkKind::OstiumRing;
         if (isRing && !(mark.radiusMm > 0.0 && mark.normal.norm() > usableLength)) {
-            reading.problems.push_back(says::caseRingOpen().about(subject));
+            reading.problems.push_back(messages::caseRingOpen().about(subject));
         } else if (std::abs(mark.normal.norm() - 1.0) > usableLength) {
             mark.normal = isRing ? mark.normal.normalized() : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
         }
@@ -63,7 +64,7 @@ void checkMarks(std::vector<VesselMark>& marks, Reading& reading)
 StoredField<core::Vessels> marksField()
 {
     StoredField<core::Vessels> field =
-        storedList("marks", manyOf("Check points and rings of ostia on the vessels."), &core::Vessels::marks,
+        storedList("marks", manyOf("Target points and ostium rings on the vessels."), &core::Vessels::marks,
                    objectSchema({}, {"id", "kind", "pointInPatientMm"}), markFields());
     field.read = [read = field.read](const Json& value, core::Vessels& vessels, Reading& reading) {
         read(value, vessels, reading);
@@ -75,32 +76,31 @@ StoredField<core::Vessels> marksField()
 StoredField<core::View> sightingsField()
 {
     return storedList(
-        "sightings", manyOf("Where check points of the vessels are seen in the image."), &core::View::sightings,
+        "sightings", manyOf("Positions of target points of the vessels in the image."), &core::View::sightings,
         objectSchema({}, {"mark", "pixel"}),
         StoredFields<Sighting>{
-            storedValue("mark", about(integerSchema(1, 1000000), "Its id among the marks of the vessels."),
-                        &Sighting::markId),
+            storedValue("mark", about(integerSchema(1, 1000000), "Id of the mark of the vessels."), &Sighting::markId),
             storedValue("pixel", definedAs("pair"), &Sighting::pixel),
             storedValue("frame", integerSchema(0, 100000), &Sighting::frame)});
 }
 
 StoredField<core::View> annotationsField()
 {
-    StoredField<core::View> field =
-        storedList("annotations", manyOf("Arrows and words on the image; they are drawn and mean nothing else."),
-                   &core::View::annotations, objectSchema({}, {"kind", "pixels"}),
-                   StoredFields<ImageAnnotation>{
-                       wordField("kind", choiceSchema({"arrow", "text"}), &ImageAnnotation::kind, annotationKinds),
-                       storedValue("pixels", about(pointList("pair", 1, 2), "Of an arrow its tail and its tip."),
-                                   &ImageAnnotation::pixels),
-                       storedIfSet("text", textSchema(), &ImageAnnotation::text),
-                       storedValue("frame", integerSchema(0, 100000), &ImageAnnotation::frame)});
+    StoredField<core::View> field = storedList(
+        "annotations", manyOf("Arrows and texts on the image; they are only drawn."), &core::View::annotations,
+        objectSchema({}, {"kind", "pixels"}),
+        StoredFields<ImageAnnotation>{
+            wordField("kind", choiceSchema({"arrow", "text"}), &ImageAnnotation::kind, annotationKinds),
+            storedValue("pixels", about(pointList("pair", 1, 2), "Tail and tip of an arrow; position of a text."),
+                        &ImageAnnotation::pixels),
+            storedIfSet("text", textSchema(), &ImageAnnotation::text),
+            storedValue("frame", integerSchema(0, 100000), &ImageAnnotation::frame)});
     field.read = [read = field.read](const Json& value, core::View& view, Reading& reading) {
         read(value, view, reading);
         for (std::size_t i = 0; i < view.annotations.size(); ++i) {
             const ImageAnnotation& each = view.annotations[i];
             if (each.pixels.size() != (each.kind == core::AnnotationKind::Arrow ? 2U : 1U)) {
-                reading.problems.push_back(says::caseAnnotationPoints().about("annotations: " + std::to_string(i)));
+                reading.problems.push_back(messages::caseAnnotationPoints().about("annotations: " + std::to_string(i)));
             }
         }
     };

@@ -3,7 +3,7 @@
 #include "core/measuring/measure_image.h"
 #include "io/case/fields/json_values.h"
 #include "io/case/fields/word_field.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/measurement_words.h"
 
 namespace angiopose::io {
@@ -23,10 +23,11 @@ StoredFields<ImageMeasurement> measurementFields()
         wordField("kind", choiceSchema({"length", "angle", "area"}), &ImageMeasurement::kind, measurementKinds),
         wordField("plane",
                   about(choiceSchema({"vessels", "detector", "pixels", "typed"}),
-                        "Where it is taken to lie: at the depth of the vessels' centroid, on the detector, "
-                        "nowhere, or where a pixel is angiogram.typedMmPerPx."),
+                        "Assumed depth: that of the vessels' centroid, the detector, none, or a pixel size of "
+                        "angiogram.typedMmPerPx."),
                   &ImageMeasurement::plane, measurementPlanes),
-        storedValue("pixels", about(points, "Along a length; of an angle the second is its vertex; around an area."),
+        storedValue("pixels",
+                    about(points, "Points along a length; of an angle, the second is its vertex; outline of an area."),
                     &ImageMeasurement::pixels),
         storedValue("frame", integerSchema(0, 100000), &ImageMeasurement::frame),
         storedIfSet("name", textSchema(), &ImageMeasurement::name)};
@@ -39,13 +40,15 @@ StoredFields<SliceMeasurement> sliceMeasurementFields()
     points["maxItems"] = 1000;
     return {
         wordField("kind", choiceSchema({"length", "angle", "area"}), &SliceMeasurement::kind, measurementKinds),
-        wordField("plane", about(choiceSchema({"axial", "coronal", "sagittal"}), "Of the slice, along the patient."),
-                  &SliceMeasurement::plane, bodyPlaneWords),
-        storedValue("pointsInPatientMm",
-                    about(points,
-                          "In the slice: along a length; of an angle the second is its vertex; around an "
-                          "area."),
-                    &SliceMeasurement::pointsInPatient),
+        wordField(
+            "plane",
+            about(choiceSchema({"axial", "coronal", "sagittal"}), "Orientation of the slice relative to the patient."),
+            &SliceMeasurement::plane, bodyPlaneWords),
+        storedValue(
+            "pointsInPatientMm",
+            about(points,
+                  "Points in the slice: along a length; of an angle, the second is its vertex; outline of an area."),
+            &SliceMeasurement::pointsInPatient),
         storedIfSet("name", textSchema(), &SliceMeasurement::name)};
 }
 
@@ -53,7 +56,7 @@ StoredFields<SliceMeasurement> sliceMeasurementFields()
 void checkPoints(MeasurementKind kind, std::size_t points, const std::string& subject, Reading& reading)
 {
     if (points < core::minPoints(kind)) {
-        reading.problems.push_back(says::caseMeasurementPoints(core::minPoints(kind), points).about(subject));
+        reading.problems.push_back(messages::caseMeasurementPoints(core::minPoints(kind), points).about(subject));
     }
 }
 
@@ -61,7 +64,7 @@ void checkPoints(MeasurementKind kind, std::size_t points, const std::string& su
 
 StoredField<core::View> measurementsField()
 {
-    const Json schema{{"description", "What was measured in the image. Values follow from camera and pose."},
+    const Json schema{{"description", "Measurements in the image. Values are computed from camera and pose."},
                       {"maxItems", 10000}};
     StoredField<core::View> field = storedList("measurements", schema, &core::View::measurements,
                                                objectSchema({}, {"kind", "plane", "pixels"}), measurementFields());
@@ -77,7 +80,7 @@ StoredField<core::View> measurementsField()
 
 StoredField<core::Vessels> sliceMeasurementsField()
 {
-    const Json schema{{"description", "What was measured in slices of the scan, mm."}, {"maxItems", 10000}};
+    const Json schema{{"description", "Measurements in slices of the scan, mm."}, {"maxItems", 10000}};
     StoredField<core::Vessels> field =
         storedList("measurements", schema, &core::Vessels::measurements,
                    objectSchema({}, {"kind", "plane", "pointsInPatientMm"}), sliceMeasurementFields());

@@ -1,6 +1,6 @@
 #include "io/case/fields/option_values.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/numbers.h"
 
 #include <cmath>
@@ -53,15 +53,15 @@ std::optional<core::Message> setOption(core::RegistrationOptions& options, const
     const auto names = core::namesOf(field);
     if (names.empty()) {
         const core::OptionRange range = core::rangeOf(field);
-        return says::caseOptionNumber(core::Quantity{range.min, core::Quantity::asNeeded},
-                                      core::Quantity{range.max, core::Quantity::asNeeded})
+        return messages::caseOptionNumber(core::Quantity{range.min, core::Quantity::asNeeded},
+                                          core::Quantity{range.max, core::Quantity::asNeeded})
             .about(key);
     }
     std::vector<std::string> choices;
     for (const std::string_view known : names) {
         choices.push_back("\"" + std::string(known) + "\"");
     }
-    return says::caseOptionChoice(choices).about(key);
+    return messages::caseOptionChoice(choices).about(key);
 }
 
 }   // namespace angiopose::io

@@ -98,8 +98,8 @@ StoredField<RegistrationResult> cameraEvidenceField()
     Json schema{{"type", "object"}, {"properties", propertiesOf(fields)}};
     return {"camera",
             about(std::move(schema),
-                  "What the images say about the camera: error (log of the focal length, then the "
-                  "principal point in px) with its sigma, and how much better it explains them."),
+                  "Evidence of the images about the camera: error (log of the focal length, then the principal point "
+                  "in px) with its sigma, and how much better it explains the images."),
             [fields](const Json& value, RegistrationResult& result, Reading& reading) {
                 readFields(value, result.camera.emplace(), fields, reading);
             },
@@ -168,7 +168,7 @@ StoredFields<IterationReport> iterationFields()
 /// The initial pose, stored with the resulting pose.
 StoredField<RegistrationResult> startField()
 {
-    return {"initial", about(definedAs("pose"), "From which it began."),
+    return {"initial", about(definedAs("pose"), "Initial pose."),
             [](const Json& value, RegistrationResult& result, Reading& reading) {
                 if (const auto pose = poseFromRows(value.at("cameraFromPatient").get<MatrixRows>())) {
                     result.provenance.start = pose.value();
@@ -184,7 +184,7 @@ StoredField<RegistrationResult> startField()
 
 StoredField<Provenance> runOptionsField()
 {
-    return {"options", about(Json{{"type", "object"}}, "Those it was found with."),
+    return {"options", about(Json{{"type", "object"}}, "Options of the registration."),
             [](const Json& value, Provenance& provenance, Reading& reading) {
                 readOptions(value.dump(), provenance.options, reading.problems);
             },
@@ -216,22 +216,23 @@ const StoredFields<RegistrationResult>& resultFields()
             storedPart("uncertainty", Json::object(), &RegistrationResult::uncertainty, uncertaintyFields()),
             cameraEvidenceField(),
             storedList("perBranch", Json::object(), &RegistrationResult::branches, Json::object(), branchFields()),
-            storedList(
-                "unfilled",
-                about(Json::object(), "Branches that the image seems not to show; the pose rests on the others."),
-                &RegistrationResult::unopacified, Json::object(), unopacifiedFields()),
+            storedList("unfilled",
+                       about(Json::object(),
+                             "Branches that appear unopacified in the image; the pose is based on the others."),
+                       &RegistrationResult::unopacified, Json::object(), unopacifiedFields()),
             storedList("alternatives", Json::object(), &RegistrationResult::alternatives, Json::object(),
                        hypothesisFields()),
             storedList("ways",
                        about(Json::object(),
-                             "That a wire or catheter may take through the tree (method wire), the one "
-                             "of the pose first: branches in its order, and where its tip lies (LPS mm)."),
+                             "Possible paths of a guidewire or catheter through the tree (method wire), the path of "
+                             "the pose first: branches in order along the wire, and position of its tip (LPS mm)."),
                        &RegistrationResult::wirePaths, Json::object(), wirePathFields()),
             storedValue("trustworthy", flagSchema(), &RegistrationResult::trustworthy),
-            storedIfSet("probabilityWithin2Mm",
-                        about(Json{{"type", "number"}, {"minimum", 0}, {"maximum", 1}},
-                              "That the overlay lies within 2 mm of the vessels, in the mean over the tree."),
-                        &RegistrationResult::probabilityWithin2Mm),
+            storedIfSet(
+                "probabilityWithin2Mm",
+                about(Json{{"type", "number"}, {"minimum", 0}, {"maximum", 1}},
+                      "Probability that the overlay lies within 2 mm of the vessels, on average over the tree."),
+                &RegistrationResult::probabilityWithin2Mm),
             storedMessages(&RegistrationResult::warnings),
             storedReason(&RegistrationResult::stopReason),
             storedValue("iterations", Json{{"type", "integer"}, {"minimum", 0}}, &RegistrationResult::iterations),
@@ -254,7 +255,7 @@ StoredField<core::View> resultField()
         [](auto& result) -> auto& { return result.provenance; },
         storedIfSet("frame",
                     about(Json{{"type", "integer"}, {"minimum", 0}},
-                          "In which it was found, counts from 0; absent: in the one that is shown."),
+                          "Registered frame, counted from 0; absent: the displayed frame."),
                     &Provenance::frame)));
     rows.push_back(
         storedList("history", Json::object(), &RegistrationResult::history, Json::object(), iterationFields()));
@@ -262,8 +263,10 @@ StoredField<core::View> resultField()
                                {"method", "pose", "metrics", "uncertainty", "trustworthy", "messages", "stopReason"});
     schema["properties"]["savedWith"] =
         about(Json{{"type", "object"}, {"additionalProperties", textSchema()}},
-              "Digests of what the result stood beside when it was saved. Where one differs, the result is left out.");
-    return {"result", about(std::move(schema), "Of the run that found the current pose; absent: found otherwise."),
+              "Hashes of the data that the result was saved with. If one differs, the result is ignored.");
+    return {"result",
+            about(std::move(schema),
+                  "Result of the registration that found the current pose; absent: the pose has another origin."),
             [rows](const Json& value, core::View& view, Reading& reading) {
                 RegistrationResult result;
                 readFields(value, result, rows, reading);

@@ -30,21 +30,22 @@ bool isFinite(const SnapshotMetrics& metrics)
 
 StoredField<PoseSnapshot> metricsField()
 {
-    return {"metrics",
-            about(objectSchema(propertiesOf(metricsFields())), "As judged on its frame when the pose was kept."),
-            [](const Json& value, PoseSnapshot& snapshot, Reading& reading) {
-                readFields(value, snapshot.metrics.emplace(), metricsFields(), reading);
-            },
-            [](const PoseSnapshot& snapshot, const fs::path& folder) {
-                return snapshot.metrics && isFinite(*snapshot.metrics)   // JSON has no NaN
-                           ? writeFields(*snapshot.metrics, metricsFields(), folder)
-                           : Json();
-            }};
+    return {
+        "metrics",
+        about(objectSchema(propertiesOf(metricsFields())), "As evaluated on its frame when the snapshot was saved."),
+        [](const Json& value, PoseSnapshot& snapshot, Reading& reading) {
+            readFields(value, snapshot.metrics.emplace(), metricsFields(), reading);
+        },
+        [](const PoseSnapshot& snapshot, const fs::path& folder) {
+            return snapshot.metrics && isFinite(*snapshot.metrics)   // JSON has no NaN
+                       ? writeFields(*snapshot.metrics, metricsFields(), folder)
+                       : Json();
+        }};
 }
 
 StoredField<PoseSnapshot> kindField()
 {
-    return {"kind", about(choiceSchema({"kept", "run"}), "Kept by a user, or left by a run."),
+    return {"kind", about(choiceSchema({"kept", "run"}), "Saved by a user, or result of a registration."),
             [](const Json& value, PoseSnapshot& snapshot, Reading&) {
                 snapshot.kind = value == "run" ? SnapshotKind::Run : SnapshotKind::Kept;
             },
@@ -73,7 +74,7 @@ StoredFields<PoseSnapshot> snapshotFields()
             storedIfSet("author", textSchema(), &PoseSnapshot::author),
             storedIfSet("note", textSchema(), &PoseSnapshot::note),
             storedIfSet("time", about(textSchema(), "ISO 8601, UTC."), &PoseSnapshot::time),
-            storedIfSet("method", about(textSchema(), "Absent: found by hand."), &PoseSnapshot::method),
+            storedIfSet("method", about(textSchema(), "Absent: found manually."), &PoseSnapshot::method),
             storedValue("frame", integerSchema(0, 100000), &PoseSnapshot::frame),
             poseField(),
             metricsField(),
@@ -84,7 +85,7 @@ Json snapshotsSchema()
 {
     Json schema = listSchema(objectSchema(propertiesOf(snapshotFields()), {"cameraFromPatient"}));
     schema["maxItems"] = 10000;
-    return about(schema, "Poses kept by the user or left by runs, oldest first.");
+    return about(schema, "Poses saved by the user or found by registrations, oldest first.");
 }
 
 void readSnapshots(const Json& list, core::View& view, Reading& reading)

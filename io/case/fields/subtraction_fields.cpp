@@ -17,22 +17,24 @@ SubtractionKeys& keysOf(Reading& reading)
 
 StoredField<RunTreatment> compositeField()
 {
-    return {"composite",
-            about(choiceSchema({"none", "minimum"}), "minimum: every frame shows all the contrast medium of the run."),
-            [](const Json& value, RunTreatment& treatment, Reading&) { treatment.isComposite = value == "minimum"; },
-            [](const RunTreatment& treatment, const fs::path&) {
-                return Json(treatment.isComposite ? "minimum" : "none");
-            }};
+    return {
+        "composite",
+        about(choiceSchema({"none", "minimum"}), "minimum: every frame is the peak-opacification image of the run."),
+        [](const Json& value, RunTreatment& treatment, Reading&) { treatment.isComposite = value == "minimum"; },
+        [](const RunTreatment& treatment, const fs::path&) {
+            return Json(treatment.isComposite ? "minimum" : "none");
+        }};
 }
 
 StoredField<RunTreatment> maskFramesField()
 {
-    return {"maskFrames",
-            about(listSchema(integerSchema(0, 100000)), "Averaged, counted from 0; empty: chosen automatically."),
-            [](const Json& value, RunTreatment&, Reading& reading) {
-                keysOf(reading).maskFrames = value.get<std::vector<int>>();
-            },
-            [](const RunTreatment& treatment, const fs::path&) { return Json(treatment.plan.maskFrames); }};
+    return {
+        "maskFrames",
+        about(listSchema(integerSchema(0, 100000)), "Frames to average, counted from 0; empty: chosen automatically."),
+        [](const Json& value, RunTreatment&, Reading& reading) {
+            keysOf(reading).maskFrames = value.get<std::vector<int>>();
+        },
+        [](const RunTreatment& treatment, const fs::path&) { return Json(treatment.plan.maskFrames); }};
 }
 
 StoredField<RunTreatment> intervalField()
@@ -42,8 +44,8 @@ StoredField<RunTreatment> intervalField()
         storedIfSet("reversedFrom", integerSchema(0, 100000), &MaskInterval::reversedFrom)};
     return {"interval",
             about(objectSchema(propertiesOf(fields)),
-                  "One mask for each frame instead of averaged ones: offset frames before it (TID); with reversedFrom, "
-                  "masks go backwards from there (REV_TID)."),
+                  "One mask per frame instead of averaged masks: offset frames before it (TID); with reversedFrom, "
+                  "masks go backward from that frame (REV_TID)."),
             [](const Json& value, RunTreatment&, Reading& reading) {
                 readFields(value, keysOf(reading).interval.emplace(), fields, reading);
             },
@@ -56,7 +58,7 @@ StoredField<RunTreatment> maskShiftField()
 {
     return {"maskShiftPx",
             about(anyOfSchema(definedAs("pair"), choiceSchema({"automatic"})),
-                  "Right, down, for every frame; or found for each."),
+                  "Right, down, for every frame; automatic: determined for each frame."),
             [](const Json& value, RunTreatment&, Reading& reading) {
                 keysOf(reading).isShiftAutomatic = value.is_string();
                 if (value.is_array()) {
@@ -83,7 +85,7 @@ StoredField<RunTreatment> relationField()
 StoredField<RunTreatment> polarityField()
 {
     using core::Polarity;
-    return {"vessels", about(choiceSchema({"dark", "bright"}), "Absent: as the image says."),
+    return {"vessels", about(choiceSchema({"dark", "bright"}), "Absent: as given by the image."),
             [](const Json& value, RunTreatment& treatment, Reading&) {
                 treatment.polarity = value == "bright" ? Polarity::VesselsBright : Polarity::VesselsDark;
             },
@@ -95,7 +97,7 @@ StoredField<RunTreatment> polarityField()
 
 StoredFields<RunTreatment> treatmentFields()
 {
-    return {storedValue("on", about(flagSchema(), "Mask frames are subtracted; absent: they are."),
+    return {storedValue("on", about(flagSchema(), "Whether mask frames are subtracted; absent: yes."),
                         &RunTreatment::isSubtracted),
             compositeField(),
             maskFramesField(),
@@ -110,8 +112,8 @@ StoredFields<RunTreatment> treatmentFields()
 StoredField<View> subtractionField()
 {
     const Json schema{{"description",
-                       "How the stored frames become the run that is shown and traced. Absent keys: as the image's "
-                       "header has them."}};
+                       "Processing of the stored frames into the run that is displayed and traced. Absent keys: as in "
+                       "the image's header."}};
     StoredField<View> field = storedPart("subtraction", schema, &View::treatment, treatmentFields());
     field.read = [read = field.read](const Json& value, View& view, Reading& reading) {
         reading.view.subtraction.emplace();

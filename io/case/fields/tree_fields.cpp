@@ -1,6 +1,6 @@
 #include "io/case/fields/tree_fields.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 
 #include <limits>
 
@@ -66,7 +66,7 @@ core::Result<core::VesselTree> treeFromJson(const Json& json)
     for (const Json& branch : json.at("branches")) {
         tree.branches.push_back(branchFrom(branch));
         if (tree.find(tree.branches.back().id) != &tree.branches.back()) {
-            return core::Error(says::caseBranchTwice(tree.branches.back().id));
+            return core::Error(messages::caseBranchTwice(tree.branches.back().id));
         }
     }
     if (const auto problem = core::findProblem(tree)) {
@@ -80,7 +80,7 @@ Json treeSchema()
     Json point = listSchema(numberSchema());
     point["minItems"] = 3;
     point["maxItems"] = 4;
-    Json points = about(listSchema(point), "Points in patient LPS, each with the radius where it is known.");
+    Json points = about(listSchema(point), "Points in patient LPS, each with its radius if known.");
     points["minItems"] = 2;
     const Json id = integerSchema(std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
     Json branches = listSchema(objectSchema(

@@ -7,7 +7,7 @@
 #include "io/case/fields/tree_fields.h"
 #include "io/case/fields/vessel_key.h"
 #include "io/case/fields/word_field.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 
 namespace angiopose::io {
 namespace {
@@ -24,15 +24,15 @@ constexpr std::array loopWords = {"opened", "kept"};
 Json inputSchema(VesselInputKind kind)
 {
     static constexpr std::array sentences = {
-        "One of centerline, segmentation, surface or volume; the first of them that is there is read.",
+        "One of centerline, segmentation, surface or volume; the first of them that is present is read.",
         "Label image: NIfTI, NRRD, MetaImage.", "VTP, VTK, STL, PLY, OBJ.",
-        "NIfTI, NRRD, MetaImage, a DICOM slice, or a folder of them; then dicom.seriesInstanceUid names the series. "
-        "Beside another kind: the scan that those vessels lie in."};
+        "NIfTI, NRRD, MetaImage, a DICOM slice, or a folder of slices; then dicom.seriesInstanceUid names the series. "
+        "In addition to another kind: the scan that contains those vessels."};
     Json members{{"path", definedAs("path")},
                  {"sha256", definedAs("sha256")},
                  {"dicom", objectSchema({{"seriesInstanceUid", textSchema()}})}};
     if (kind == VesselInputKind::Segmentation) {
-        members["origin"] = about(choiceSchema({"edited"}), "Edited by hand: the mask belongs to this case.");
+        members["origin"] = about(choiceSchema({"edited"}), "Edited manually: the mask belongs to this case.");
     }
     const Json schema = objectSchema(members, {"path"});
     return about(schema, sentences[static_cast<std::size_t>(kind)]);
@@ -79,7 +79,7 @@ StoredField<Vessels> inputField(VesselInputKind kind)
 
 StoredField<Vessels> tracingField()
 {
-    const Json schema{{"description", "How a segmentation, surface or volume is traced; absent: the defaults."}};
+    const Json schema{{"description", "Options for tracing a segmentation, surface or volume; absent: the defaults."}};
     return writtenWhere([](const Vessels& vessels) { return vessels.input.kind != VesselInputKind::Centerline; },
                         storedThrough<Vessels>(
                             [](auto& vessels) -> auto& { return vessels.input; },
@@ -92,7 +92,7 @@ StoredField<Vessels> labelsField()
         [](auto& vessels) -> auto& { return vessels.input; },
         storedIfSet("labels",
                     about(listSchema(integerSchema(1, 65535)),
-                          "Of a segmentation: the labels that are vessels; empty or absent: all."),
+                          "Labels of a segmentation that are vessels; empty or absent: all."),
                     &VesselInput::labels));
 }
 
@@ -101,27 +101,27 @@ StoredField<Vessels> unitField()
     const Json schema{{"type", "number"}, {"exclusiveMinimum", 0}, {"maximum", 10000}};
     return storedThrough<Vessels>(
         [](auto& vessels) -> auto& { return vessels.input; },
-        storedIfSet("unitMm", about(schema, "Length of one unit of a surface or a centreline file, mm."),
+        storedIfSet("unitMm", about(schema, "Length of one unit of a surface or a centerline file, mm."),
                     &VesselInput::unitMm));
 }
 
 /// The tree as edited by the user, which replaces the tree of the input.
 StoredField<Vessels> editedTreeField()
 {
-    return {"editedTree",
-            about(treeSchema(), "The vessels as edited by hand; they stand for what the input above gives."),
-            [](const Json& value, Vessels& vessels, Reading& reading) {
-                auto tree = treeFromJson(value);
-                if (!tree) {
-                    reading.problems.push_back(says::caseEditedTree(tree.error().message).about("vessel.editedTree"));
-                    return;
-                }
-                vessels.tree = std::make_shared<const core::VesselTree>(std::move(tree).value());
-                vessels.isTreeEdited = true;
-            },
-            [](const Vessels& vessels, const fs::path&) {
-                return vessels.isTreeEdited && vessels.tree ? treeJson(*vessels.tree) : Json();
-            }};
+    return {
+        "editedTree", about(treeSchema(), "The vessels after manual editing; they replace those of the input above."),
+        [](const Json& value, Vessels& vessels, Reading& reading) {
+            auto tree = treeFromJson(value);
+            if (!tree) {
+                reading.problems.push_back(messages::caseEditedTree(tree.error().message).about("vessel.editedTree"));
+                return;
+            }
+            vessels.tree = std::make_shared<const core::VesselTree>(std::move(tree).value());
+            vessels.isTreeEdited = true;
+        },
+        [](const Vessels& vessels, const fs::path&) {
+            return vessels.isTreeEdited && vessels.tree ? treeJson(*vessels.tree) : Json();
+        }};
 }
 
 }   // namespace
@@ -134,28 +134,27 @@ const StoredFields<VesselTracingOptions>& vesselTracingFields()
         storedValue("minBranchRadiusMm", numberSchema(0, 1000), &Options::minBranchRadiusMm),
         storedValue("pointSpacingMm", numberSchema(0.01, 100), &Options::pointSpacingMm),
         storedIfSet("threshold",
-                    about(numberSchema(), "The lumen begins at this value (HU for CT); absent: found from the blood."),
+                    about(numberSchema(), "Minimum value of the lumen (HU for CT); absent: estimated from the blood."),
                     &Options::threshold),
         storedIfSet("seedsInPatientMm", listSchema(definedAs("point")), &Options::seedsInPatient),
         storedIfSet("avoidInPatientMm",
-                    about(listSchema(definedAs("point")), "What is reached from these on wider ways is no vessel."),
+                    about(listSchema(definedAs("point")),
+                          "Points outside vessels: what is connected to them by a wider path is not a vessel."),
                     &Options::avoidInPatient),
         storedIfSet("rootInPatientMm", definedAs("point"), &Options::rootInPatient),
-        storedIfSet(
-            "tubesOnly",
-            about(flagSchema(), "Thin vessels alone, from the seeds: chambers, organs and wide vessels end them."),
-            &Options::tubesOnly),
-        writtenWhere(
-            [](const Options& options) { return options.pieces != core::TracedPieces::Usual; },
-            wordField("pieces",
-                      about(choiceSchema({"usual", "all", "largest"}),
-                            "Which pieces are traced where there is no seed; absent or usual: all of a mask, of "
-                            "a scan that of the great vessel."),
-                      &Options::pieces, pieceWords)),
-        writtenWhere(
-            [](const Options& options) { return options.loops != core::VesselLoops::Opened; },
-            wordField("loops", about(choiceSchema({"opened", "kept"}), "What becomes of loops; absent: opened."),
-                      &Options::loops, loopWords))};
+        storedIfSet("tubesOnly",
+                    about(flagSchema(),
+                          "Only thin vessels, from the seeds; tracing ends at chambers, organs and wide vessels."),
+                    &Options::tubesOnly),
+        writtenWhere([](const Options& options) { return options.pieces != core::TracedPieces::Usual; },
+                     wordField("pieces",
+                               about(choiceSchema({"usual", "all", "largest"}),
+                                     "Pieces that are traced without a seed; absent or usual: all of a mask, or that "
+                                     "of the great vessel of a scan."),
+                               &Options::pieces, pieceWords)),
+        writtenWhere([](const Options& options) { return options.loops != core::VesselLoops::Opened; },
+                     wordField("loops", about(choiceSchema({"opened", "kept"}), "Treatment of loops; absent: opened."),
+                               &Options::loops, loopWords))};
     return fields;
 }
 
@@ -169,16 +168,16 @@ const StoredFields<Vessels>& vesselFields()
         tracingField(),
         labelsField(),
         unitField(),
-        storedValue("auxiliaryBranches",
-                    about(definedAs("branchIds"), "Branches of the auxiliary problem; empty means the nodes."),
+        storedValue("auxiliaryBranches", about(definedAs("branchIds"), "Auxiliary branches; empty: the nodes."),
                     &Vessels::auxiliaryBranchIds),
         storedValue("excludedBranches", definedAs("branchIds"), &Vessels::excludedBranchIds),
-        storedIfSet("hiddenBranches", about(definedAs("branchIds"), "Branches that count but are not drawn."),
+        storedIfSet("hiddenBranches", about(definedAs("branchIds"), "Branches that are used but not drawn."),
                     &Vessels::hiddenBranchIds),
-        storedIfSet("pivotInPatientMm",
-                    about(definedAs("point"),
-                          "What the vessels turn about by hand, and whose shifts are locked; absent: their centroid."),
-                    &Vessels::pickedPivotInPatient),
+        storedIfSet(
+            "pivotInPatientMm",
+            about(definedAs("point"),
+                  "Rotation center for manual rotation and reference of locked shifts; absent: the vessels' centroid."),
+            &Vessels::pickedPivotInPatient),
         marksField(),
         sliceMeasurementsField(),
         editedTreeField(),

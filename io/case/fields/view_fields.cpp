@@ -9,7 +9,7 @@
 #include "io/case/fields/result_fields.h"
 #include "io/case/fields/snapshot_fields.h"
 #include "io/case/fields/subtraction_fields.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/support/pose_matrix.h"
 
 namespace angiopose::io {
@@ -42,7 +42,7 @@ StoredField<View> imageField()
 
 StoredField<View> frameField()
 {
-    return {"frame", about(integerSchema(0, 100000), "Counts from 0; absent: the fullest frame."),
+    return {"frame", about(integerSchema(0, 100000), "Counted from 0; absent: the peak-opacification frame."),
             [](const Json& value, View& view, Reading& reading) {
                 view.frame = value.get<int>();
                 reading.view.hasFrame = true;
@@ -56,7 +56,7 @@ StoredFields<GivenTarget> targetFields()
     const StoredField<GivenTarget> origin{
         "origin",
         about(choiceSchema({"given", "edited"}),
-              "edited: curves of one frame, changed by hand in the window and written by it. Absent: given."),
+              "edited: curves of one frame, edited and saved in the window. Absent: given."),
         [](const Json& value, GivenTarget& target, Reading&) {
             if (value == "edited") {
                 target.editedFrame = 0;
@@ -64,7 +64,7 @@ StoredFields<GivenTarget> targetFields()
         },
         [](const GivenTarget& target, const fs::path&) { return target.editedFrame ? Json("edited") : Json(); }};
     const StoredField<GivenTarget> frame{
-        "frame", about(integerSchema(0, 100000), "Of edited curves: they replace tracing for this frame alone."),
+        "frame", about(integerSchema(0, 100000), "Frame of edited curves; they replace tracing for this frame only."),
         [](const Json& value, GivenTarget& target, Reading&) {
             if (target.editedFrame) {
                 target.editedFrame = value.get<int>();
@@ -75,19 +75,19 @@ StoredFields<GivenTarget> targetFields()
     const StoredField<GivenTarget> devices{
         "deviceCurves",
         about(definedAs("branchIds"),
-              "Of edited curves: these are catheters or wires. They are no vessels; the method wire follows them."),
+              "Edited curves that are catheters or guidewires, not vessels; the method wire uses them."),
         [](const Json& value, GivenTarget&, Reading& reading) {
             reading.view.deviceCurveIds = value.get<std::vector<int>>();
         },
         [](const GivenTarget& target, const fs::path&) {
             return target.devices ? Json(core::idsOf(*target.devices)) : Json();
         }};
-    return {origin, frame, writtenWhere(isEdited, devices),
-            writtenWhere(isEdited, storedValue("acceptedCurves",
-                                               about(definedAs("branchIds"),
-                                                     "Of edited curves: these are vessels, though they look like a "
-                                                     "catheter."),
-                                               &GivenTarget::acceptedCurveIds))};
+    return {
+        origin, frame, writtenWhere(isEdited, devices),
+        writtenWhere(isEdited, storedValue("acceptedCurves",
+                                           about(definedAs("branchIds"),
+                                                 "Edited curves that are vessels although they look like a catheter."),
+                                           &GivenTarget::acceptedCurveIds))};
 }
 
 StoredField<View> targetField()
@@ -118,7 +118,7 @@ StoredField<View> traceField()
         read(value, view, reading);
         const double widest = view.traceOptions.maxVesselRadiusPx;
         if (widest != 0.0 && widest < view.traceOptions.minVesselRadiusPx) {
-            reading.problems.push_back(says::caseRadiiSwapped().about("angiogram.trace"));
+            reading.problems.push_back(messages::caseRadiiSwapped().about("angiogram.trace"));
         }
     };
     return field;
@@ -142,7 +142,7 @@ Json poseJson(const core::RigidTransform& pose)
 
 StoredField<View> initialPoseField()
 {
-    return {"initial", about(definedAs("pose"), "Absent: from the angles, with the tree's centroid in the isocentre."),
+    return {"initial", about(definedAs("pose"), "Absent: from the angles, with the tree's centroid at the isocenter."),
             [](const Json& value, View& view, Reading& reading) {
                 view.initialCameraFromPatient = poseFrom(value, "initial", reading);
             },
@@ -167,7 +167,8 @@ StoredField<View> landmarksField()
 {
     using core::Landmark;
     const Json schema{
-        {"description", "Places known on the vessels and in the image, from which the start pose can be found."},
+        {"description",
+         "Corresponding points on the vessels and in the image, from which the initial pose can be computed."},
         {"maxItems", 10000}};
     return storedList(
         "landmarks", schema, &View::landmarks, objectSchema({}, {"pointInPatientMm", "pixel"}),
@@ -183,7 +184,7 @@ const StoredFields<TraceOptions>& traceOptionFields()
     static const StoredFields<TraceOptions> fields{
         storedValue("minVesselRadiusPx", numberSchema(0.1, 1000), &TraceOptions::minVesselRadiusPx),
         storedIfSet("maxVesselRadiusPx",
-                    about(numberSchema(0.1, 1000), "Absent: by pixel spacing and magnification, at least 8."),
+                    about(numberSchema(0.1, 1000), "Absent: from pixel spacing and magnification, at least 8."),
                     &TraceOptions::maxVesselRadiusPx),
         storedValue("minBranchLengthPx", integerSchema(0, 100000), &TraceOptions::minBranchLengthPx),
         storedValue("minComponentLengthPx", integerSchema(0, 100000), &TraceOptions::minComponentLengthPx),
@@ -196,13 +197,14 @@ const StoredFields<View>& viewFields()
     static const StoredFields<View> fields{
         storedGroup<View>(
             "angiogram", objectSchema({}, {"image"}),
-            {storedIfSet("name", about(textSchema(), "What the user calls this view."), &View::name), imageField(),
+            {storedIfSet("name", about(textSchema(), "Name of this view, given by the user."), &View::name),
+             imageField(),
 
-             storedIfSet("samePatient", about(flagSchema(), "Somebody made sure, whatever the headers say."),
+             storedIfSet("samePatient", about(flagSchema(), "A user confirmed it, whatever the headers say."),
                          &View::isSamePatient),
              frameField(), targetField(), subtractionField(), traceField(),
              storedIfSet("typedMmPerPx",
-                         about(numberSchema(1e-6, 1000), "What a pixel measures in the patient, as typed."),
+                         about(numberSchema(1e-6, 1000), "Pixel size in the patient, entered by the user."),
                          &View::typedMmPerPx)}),
         storedPart("geometry", Json::object(), &View::geometry, geometryFields()),
         storedGroup<View>("pose", Json::object(), {initialPoseField(), currentPoseField(), landmarksField()}),

@@ -1,7 +1,7 @@
 #include "io/dicom/objects/encapsulated_pdf.h"
 
 #include "io/dicom/objects/coded_term.h"
-#include "io/messages/says_objects.h"
+#include "io/messages/messages.h"
 
 namespace angiopose::io {
 namespace {
@@ -15,7 +15,7 @@ core::Result<std::string> encapsulatedPdf(std::string_view pdf, const std::strin
                                           const SourceImage& source, const ObjectOrigin& origin)
 {
     if (!pdf.starts_with("%PDF-")) {
-        return core::Error(says::objectNoPdf());
+        return core::Error(messages::objectNoPdf());
     }
     DicomObject object;
     DicomItem root = object.root();

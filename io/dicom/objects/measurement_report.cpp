@@ -1,6 +1,6 @@
 #include "io/dicom/objects/measurement_report.h"
 
-#include "io/messages/says_objects.h"
+#include "io/messages/messages.h"
 #include "io/support/numbers.h"
 
 namespace angiopose::io {
@@ -179,7 +179,7 @@ core::Result<std::string> measurementReport(const MeasurementReport& report, con
                                             const ObjectOrigin& origin)
 {
     if (report.groups.empty()) {
-        return core::Error(says::objectNothingMeasured());
+        return core::Error(messages::objectNothingMeasured());
     }
     DicomObject object;
     DicomItem root = object.root();

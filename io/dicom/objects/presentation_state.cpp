@@ -1,6 +1,6 @@
 #include "io/dicom/objects/presentation_state.h"
 
-#include "io/messages/says_objects.h"
+#include "io/messages/messages.h"
 
 #include <algorithm>
 
@@ -123,10 +123,10 @@ core::Result<std::string> presentationState(const ShownState& shown, const Sourc
                                             const ObjectOrigin& origin)
 {
     if (!source.isDicom || !source.canBeReferredTo() || source.rows <= 0 || source.columns <= 0) {
-        return core::Error(says::objectNoReference());
+        return core::Error(messages::objectNoReference());
     }
     if (std::ranges::none_of(shown.layers, hasLine)) {
-        return core::Error(says::objectNoLines());
+        return core::Error(messages::objectNoLines());
     }
     DicomObject object;
     DicomItem root = object.root();

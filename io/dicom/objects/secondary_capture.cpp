@@ -1,6 +1,6 @@
 #include "io/dicom/objects/secondary_capture.h"
 
-#include "io/messages/says_objects.h"
+#include "io/messages/messages.h"
 
 #include <algorithm>
 #include <utility>
@@ -23,18 +23,18 @@ ObjectKind kindFor(ObjectKind kind, const SourceImage& source)
 std::optional<core::Message> findUncapturable(const std::vector<core::ColorImage>& pictures)
 {
     if (pictures.empty() || pictures.front().rgb.empty()) {
-        return says::pictureMissing();
+        return messages::pictureMissing();
     }
     const core::ColorImage& first = pictures.front();
     const bool isOneSize = std::ranges::all_of(pictures, [&first](const core::ColorImage& picture) {
         return picture.width == first.width && picture.height == first.height && picture.rgb.size() == first.rgb.size();
     });
     if (!isOneSize) {
-        return says::imageFramesDiffer();
+        return messages::imageFramesDiffer();
     }
     const bool isTooLarge =
         first.width > 65535 || first.height > 65535 || pictures.size() > maxPixelBytes / first.rgb.size();
-    return isTooLarge ? std::optional(says::objectTooLarge()) : std::nullopt;
+    return isTooLarge ? std::optional(messages::objectTooLarge()) : std::nullopt;
 }
 
 void addImage(DicomItem& root, const CapturedPictures& captured, const SourceImage& source, const ObjectOrigin& origin)

@@ -3,7 +3,7 @@
 #include "io/dicom/dicom_file.h"
 #include "io/dicom/new_uid.h"
 #include "io/dicom/objects/coded_term.h"
-#include "io/messages/says_objects.h"
+#include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/pose_matrix.h"
 
@@ -119,7 +119,7 @@ core::Result<std::string> spatialRegistration(const CArmRegistration& registrati
                                               const ObjectOrigin& origin)
 {
     if (!core::isRigid(registration.cameraFromPatient)) {
-        return core::Error(says::objectPoseNotRigid());
+        return core::Error(messages::objectPoseNotRigid());
     }
     DicomObject object;
     DicomItem root = object.root();
@@ -146,7 +146,7 @@ core::Result<core::RigidTransform> readSpatialRegistration(std::string_view cont
     const std::vector<DicomDataset> matrices = matricesToOwnFrame(data);
     const auto pose = matrices.size() == 1 ? poseIn(matrices.front(), matrixTag) : std::nullopt;
     if (!pose) {
-        return fileError(path, says::poseNoRegistration());
+        return fileError(path, messages::poseNoRegistration());
     }
     return *pose ? *pose : fileError(path, pose->error());
 }

@@ -4,7 +4,7 @@
 #include "io/dicom/new_uid.h"
 #include "io/dicom/objects/coded_term.h"
 #include "io/dicom/objects/lab_color.h"
-#include "io/messages/says_objects.h"
+#include "io/messages/messages.h"
 
 #include <algorithm>
 
@@ -166,7 +166,7 @@ core::Result<std::string> vesselSegmentation(const core::VoxelMask& vessels, con
                                              const ScanReference& scan, const ObjectOrigin& origin)
 {
     if (std::ranges::none_of(vessels.voxels, [](std::uint8_t voxel) { return voxel != 0; })) {
-        return core::Error(says::objectNoVoxels());
+        return core::Error(messages::objectNoVoxels());
     }
     const core::VolumeGeometry& grid = vessels.geometry;
     DicomObject object;

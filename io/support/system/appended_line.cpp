@@ -33,7 +33,7 @@ bool isLocked(int file)
 std::string append(int file, const std::string& text)
 {
     if (!isLocked(file)) {
-        return "another program holds it";
+        return "another program has locked it";
     }
     const off_t end = ::lseek(file, 0, SEEK_END);
     const ssize_t written = ::write(file, text.data(), text.size());
@@ -43,7 +43,7 @@ std::string append(int file, const std::string& text)
     }
 
     if (written > 0 && ::ftruncate(file, end) != 0) {
-        return "half of a line stands at its end";
+        return "it ends with an incomplete line";
     }
     return std::strerror(written < 0 ? failure : ENOSPC);
 }
@@ -58,7 +58,7 @@ std::string appendLine(const std::string& path, std::string_view line)
     }
     struct stat status {};
     const bool isRegular = ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);
-    const std::string problem = isRegular ? append(file, std::string(line) + '\n') : "it is no file";
+    const std::string problem = isRegular ? append(file, std::string(line) + '\n') : "it is not a regular file";
     ::close(file);   // also releases the lock
     return problem;
 }

@@ -2,7 +2,7 @@
 
 #if __cplusplus < 202002L
 #error \
-    "AngioPose needs C++20: compile with -std=c++20, or link the CMake target AngioPose::AngioPose, which asks for it."
+    "AngioPose needs C++20: compile with -std=c++20, or link the CMake target AngioPose::AngioPose, which requires it."
 #endif
 
 /// Marks the exported symbols of the library; all others are hidden.

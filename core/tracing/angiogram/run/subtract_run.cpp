@@ -1,6 +1,6 @@
 #include "core/tracing/angiogram/run/subtract_run.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/support/parallel_for.h"
 #include "core/tracing/angiogram/run/suggest_frame.h"
 #include "core/tracing/angiogram/trace_angiogram.h"
@@ -19,17 +19,17 @@ constexpr double minRise = 1.5;   // ratio of the peak frame to the first; below
 std::optional<Message> problemWith(const std::vector<ImageF>& frames, const SubtractionPlan& plan)
 {
     if (frames.size() < 2) {
-        return says::subtractionOneFrame();
+        return messages::subtractionOneFrame();
     }
     const auto differs = [&](const ImageF& frame) {
         return frame.width != frames.front().width || frame.height != frames.front().height;
     };
     if (std::any_of(frames.begin(), frames.end(), differs)) {
-        return says::subtractionSizesDiffer();
+        return messages::subtractionSizesDiffer();
     }
     for (const int index : plan.maskFrames) {
         if (index < 0 || index >= static_cast<int>(frames.size())) {
-            return says::subtractionMaskMissing(index + 1, frames.size());
+            return messages::subtractionMaskMissing(index + 1, frames.size());
         }
     }
     return {};
@@ -65,7 +65,7 @@ Result<SubtractionPlan> settledPlan(const std::vector<ImageF>& frames, Polarity 
         plan.maskFrames = suggestMaskFrames(frames, polarity);
     }
     if (plan.maskFrames.empty()) {
-        return Error(says::subtractionNoMask());
+        return Error(messages::subtractionNoMask());
     }
     leaveOutBlank(frames, plan.maskFrames);
     return plan;
@@ -160,7 +160,7 @@ Result<SubtractedRun> subtractRun(const std::vector<ImageF>& frames, Polarity po
             run.maskShiftsPx[i] = result.maskShiftPx;
         },
         [&](double) { return !isStopRequested || !isStopRequested(); });
-    return isWhole ? Result<SubtractedRun>(std::move(run)) : Stopped{says::subtractionStopped()};
+    return isWhole ? Result<SubtractedRun>(std::move(run)) : Stopped{messages::subtractionStopped()};
 }
 
 Result<SubtractedFrame> subtractFrame(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,

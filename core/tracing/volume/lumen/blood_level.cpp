@@ -1,6 +1,6 @@
 #include "core/tracing/volume/lumen/blood_level.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include <algorithm>
 #include <array>
@@ -270,7 +270,7 @@ Quantity scanValue(double value, bool isHu)
 
 Error noVesselsFound(const BloodLevel& level)
 {
-    return says::brightestIsNoVessel(scanValue(level.blood, level.isHu), scanValue(level.tissue, level.isHu));
+    return messages::brightestIsNoVessel(scanValue(level.blood, level.isHu), scanValue(level.tissue, level.isHu));
 }
 
 bool isInHounsfield(const Volume& volume, const AxisOrder& order)
@@ -284,7 +284,7 @@ Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, 
     const Reader reader(volume, order);
     const Range range = rangeOf(reader);
     if (!(range.high > range.low)) {
-        return Error(says::volumeOfOneValue());
+        return Error(messages::volumeOfOneValue());
     }
     const bool isHu = range.isHu;
     BloodLevel level;
@@ -304,7 +304,7 @@ Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, 
                histogram.valueOf(peak.bin) <= search.maxBlood;
     });
     if (found == peaks.rend() && !threshold) {
-        return Error(says::noContrast(scanValue(level.tissue, isHu)));
+        return Error(messages::noContrast(scanValue(level.tissue, isHu)));
     }
     level.blood = found != peaks.rend() ? histogram.valueOf(found->bin) : typicalAbove(reader, *threshold);
     level.threshold = threshold ? *threshold : 0.5 * (level.tissue + level.blood);
@@ -322,7 +322,7 @@ Result<BloodLevel> brightestLevel(const Volume& volume, const AxisOrder& order)
     reader.visit(1, brightStep,
                  [&](int i, int j, int k) { values.push_back(static_cast<float>(reader.mean(i, j, k))); });
     if (values.empty()) {
-        return Error(says::volumeOfOneValue());
+        return Error(messages::volumeOfOneValue());
     }
     const double mlOfOne = reader.voxelMl() * brightStep * brightStep * brightStep;
     BloodLevel level;
@@ -331,7 +331,7 @@ Result<BloodLevel> brightestLevel(const Volume& volume, const AxisOrder& order)
     level.tissue = maxCommon(values, low + airOfBrightest * (level.blood - low), level.blood);
     level.threshold = 0.5 * (level.tissue + level.blood);
     if (level.blood - low < minOfTissue * (level.tissue - low)) {
-        return Error(says::noContrast(scanValue(level.tissue, false)));
+        return Error(messages::noContrast(scanValue(level.tissue, false)));
     }
     return level;
 }

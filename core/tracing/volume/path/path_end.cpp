@@ -1,6 +1,6 @@
 #include "core/tracing/volume/path/path_end.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/tracing/volume/voxels/chosen_pieces.h"
 
 #include <algorithm>
@@ -17,13 +17,13 @@ Result<PathEnd> pathEnd(const PathGround& ground, const Eigen::Vector3d& placeIn
     const VolumeGeometry& grid = ground.volume().geometry;
     const Eigen::Vector3i clicked = (grid.patientFromVoxel().inverse() * placeInPatient).array().round().cast<int>();
     if (!placeInPatient.allFinite() || !grid.contains(clicked)) {
-        return Error(says::pathEndOutsideScan(placeInMessage(placeInPatient)));
+        return Error(messages::pathEndOutsideScan(placeInMessage(placeInPatient)));
     }
     PathEnd end;
     end.voxel = ground.likeliestNear(clicked, std::max(snapReachMm, grid.spacingMm.minCoeff()));
     end.look = ground.lookAt(end.voxel);
     if (end.look.blood <= end.look.tissue) {
-        return Error(says::pathEndInNothing(placeInMessage(placeInPatient)));
+        return Error(messages::pathEndInNothing(placeInMessage(placeInPatient)));
     }
     return end;
 }

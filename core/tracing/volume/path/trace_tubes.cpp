@@ -1,7 +1,7 @@
 #include "core/tracing/volume/path/trace_tubes.h"
 
 #include "core/imaging/mark_ball.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/support/quantile.h"
 #include "core/tracing/tree/tree_of_paths.h"
 #include "core/tracing/volume/chosen/chosen_lumen.h"
@@ -63,7 +63,7 @@ VesselTree withoutWidening(const VesselTree& tree, const std::vector<BranchPath>
 Result<std::vector<Eigen::Vector3i>> seedVoxels(const PathGround& ground, const VesselTracingOptions& options)
 {
     if (options.seedsInPatient.empty()) {
-        return Error(says::tubesNeedSeed());
+        return Error(messages::tubesNeedSeed());
     }
     std::vector<Eigen::Vector3i> voxels;
     for (const Eigen::Vector3d& seed : options.seedsInPatient) {
@@ -94,7 +94,7 @@ Result<TracedVessels> traceTubes(const Volume& volume, const VesselTracingOption
         return stoppedTracing();
     }
     if (grown.paths.empty()) {
-        return Error(says::noTubeAtSeed());
+        return Error(messages::noTubeAtSeed());
     }
     const VolumeGeometry& grid = volume.geometry;
     const FillOfPath fillOf = [&ground](const BranchPath& path) {
@@ -110,7 +110,7 @@ Result<TracedVessels> traceTubes(const Volume& volume, const VesselTracingOption
     traced.lumen = lumenOf(traced.tree, grid);
     traced.threshold = 0.5 * (grown.look.blood + grown.look.tissue);
     if (grown.isCutShort) {
-        traced.warnings.push_back(says::tubesCutShort());
+        traced.warnings.push_back(messages::tubesCutShort());
     }
     return traced;
 }

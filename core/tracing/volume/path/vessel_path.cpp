@@ -1,6 +1,6 @@
 #include "core/tracing/volume/path/vessel_path.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/tracing/tree/tree_of_paths.h"
 #include "core/tracing/volume/chosen/chosen_lumen.h"
 #include "core/tracing/volume/path/look_along_path.h"
@@ -65,7 +65,7 @@ Result<VesselPath> vesselBetween(const Volume& volume, const Eigen::Vector3d& fr
         return to.error();
     }
     if (from.value().voxel == to.value().voxel) {
-        return Error(says::pathEndsTooNear());
+        return Error(messages::pathEndsTooNear());
     }
     progress.enter("path", 0.0, 1.0);
     const std::vector<Eigen::Vector3i> path = wayBetween(ground, from.value(), to.value(), progress);
@@ -73,7 +73,7 @@ Result<VesselPath> vesselBetween(const Volume& volume, const Eigen::Vector3d& fr
         return stoppedTracing();
     }
     if (path.empty()) {
-        return Error(says::pathNotFound());
+        return Error(messages::pathNotFound());
     }
     const std::vector<Eigen::Vector3d> placesMm = placesOf(path, volume.geometry);
     const LookAlongPath along(ground, placesMm);
@@ -84,7 +84,7 @@ Result<VesselPath> vesselBetween(const Volume& volume, const Eigen::Vector3d& fr
         return stoppedTracing();
     }
     if (found.outsideMm >= sayOutsideMm) {
-        found.warnings.push_back(says::pathOutside(Quantity{found.outsideMm, 0, "mm"}));
+        found.warnings.push_back(messages::pathOutside(Quantity{found.outsideMm, 0, "mm"}));
     }
     return found;
 }

@@ -1,6 +1,6 @@
 #include "core/tracing/volume/voxels/chosen_pieces.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ std::optional<std::uint32_t> nearestVoxel(const VoxelMask& mask, const Eigen::Ve
 
 Error noVesselAt(const Eigen::Vector3d& seed)
 {
-    return says::seedInNoVessel(placeInMessage(seed));
+    return messages::seedInNoVessel(placeInMessage(seed));
 }
 
 Result<std::set<std::size_t>> piecesWithSeeds(const VoxelMask& mask, const std::vector<VoxelPiece>& pieces,
@@ -109,7 +109,7 @@ Result<std::set<std::size_t>> chosenOf(const VoxelMask& mask, const std::vector<
 Message placeInMessage(const Eigen::Vector3d& point)
 {
     const auto tenth = [](double value) { return Quantity{std::round(10.0 * value) / 10.0 + 0.0, 1}; };   // no -0.0
-    return says::place(tenth(point.x()), tenth(point.y()), tenth(point.z()));
+    return messages::place(tenth(point.x()), tenth(point.y()), tenth(point.z()));
 }
 
 std::optional<std::uint32_t> voxelNear(const VoxelMask& mask, const Eigen::Vector3d& seedInPatient)
@@ -131,7 +131,7 @@ Result<SeedsInLumen> seedsInLumen(const VoxelMask& mask, const std::vector<Eigen
         }
         seeds.inPatient.emplace_back(mask.geometry.patientFromVoxel() * mask.geometry.voxelAt(*voxel).cast<double>());
         seeds.warnings.push_back(
-            says::seedMoved(placeInMessage(seed), inMm((seeds.inPatient.back() - seed).norm(), 1)));
+            messages::seedMoved(placeInMessage(seed), inMm((seeds.inPatient.back() - seed).norm(), 1)));
     }
     return seeds;
 }
@@ -144,7 +144,7 @@ Result<std::vector<TracedPiece>> keepChosenPieces(VoxelMask& mask, const std::ve
         return stoppedTracing();
     }
     if (pieces.empty()) {
-        return Error(says::noVesselInVolume());
+        return Error(messages::noVesselInVolume());
     }
     auto chosen = chosenOf(mask, pieces, seedsInPatient, withoutSeeds);
     if (!chosen) {
@@ -184,7 +184,7 @@ TracedPiece pieceOf(const VoxelPiece& voxels, const VolumeGeometry& grid)
 
 Stopped stoppedTracing()
 {
-    return {says::tracingStopped()};
+    return {messages::tracingStopped()};
 }
 
 }   // namespace angiopose::core

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/support/message.h"
+
+/// Messages of the command line and of the window's background work, by name; see core/messages/messages.h.
+namespace angiopose::app::messages {
+
+#define MESSAGE(name, id, english) inline constexpr core::MessageKind<core::placesIn(english)> name{{id, english}};
+#include "app/messages/messages.def"
+#undef MESSAGE
+
+}   // namespace angiopose::app::messages

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/support/message.h"
+
+/// Messages about reading and writing, by name; see core/messages/messages.h.
+namespace angiopose::io::messages {
+
+#define MESSAGE(name, id, english) inline constexpr core::MessageKind<core::placesIn(english)> name{{id, english}};
+#include "io/messages/messages.def"
+#undef MESSAGE
+
+}   // namespace angiopose::io::messages
