@@ -1,4 +1,4 @@
-#include "app/cli/archive_commands.h"
+#include "app/cli/add_commands.h"
 
 #include "app/cli/archive_arguments.h"
 #include "app/cli/audit_hook.h"

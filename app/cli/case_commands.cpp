@@ -1,4 +1,4 @@
-#include "app/cli/case_commands.h"
+#include "app/cli/add_commands.h"
 
 #include "app/cli/case_or_result.h"
 #include "app/cli/commands.h"

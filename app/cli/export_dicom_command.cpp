@@ -1,4 +1,4 @@
-#include "app/cli/export_dicom_command.h"
+#include "app/cli/add_commands.h"
 
 #include "app/cli/case_input.h"
 #include "app/cli/case_or_result.h"

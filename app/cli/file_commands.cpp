@@ -1,4 +1,4 @@
-#include "app/cli/file_commands.h"
+#include "app/cli/add_commands.h"
 
 #include "app/cli/commands.h"
 #include "app/cli/frame_option.h"

@@ -1,4 +1,4 @@
-#include "app/cli/pack_command.h"
+#include "app/cli/add_commands.h"
 
 #include "app/cli/console.h"
 #include "app/cli/deidentify_options.h"

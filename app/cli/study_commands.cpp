@@ -1,4 +1,4 @@
-#include "app/cli/study_commands.h"
+#include "app/cli/add_commands.h"
 
 #include "app/cli/commands.h"
 #include "app/cli/evaluate_own.h"

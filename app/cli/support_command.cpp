@@ -1,4 +1,4 @@
-#include "app/cli/support_command.h"
+#include "app/cli/add_commands.h"
 
 #include "app/cli/console.h"
 #include "io/opening/read_case_inputs.h"

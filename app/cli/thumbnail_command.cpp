@@ -1,4 +1,4 @@
-#include "app/cli/thumbnail_command.h"
+#include "app/cli/add_commands.h"
 
 #include "app/cli/console.h"
 #include "app/texts/overlay_picture.h"

@@ -1,4 +1,4 @@
-#include "app/cli/vessel_commands.h"
+#include "app/cli/add_commands.h"
 
 #include "app/cli/commands.h"
 #include "app/cli/convert_exchange.h"

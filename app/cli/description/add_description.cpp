@@ -1,4 +1,4 @@
-#include "app/cli/description/add_description.h"
+#include "app/cli/add_commands.h"
 
 #include "app/cli/description/command_words.h"
 

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace angiopose::app {
+
+// Each function adds one command, with its subcommands; the command sets `exitCode` when it runs.
+
+void addAngles(CLI::App& app, int& exitCode);
+void addArchive(CLI::App& app, int& exitCode);
+void addBatch(CLI::App& app, int& exitCode);
+void addConvert(CLI::App& app, int& exitCode);
+void addEvaluate(CLI::App& app, int& exitCode);
+void addExportDicom(CLI::App& app, int& exitCode);
+void addInfo(CLI::App& app, int& exitCode);
+void addMeasure(CLI::App& app, int& exitCode);
+void addMovie(CLI::App& app, int& exitCode);
+void addPack(CLI::App& app, int& exitCode);
+void addProject(CLI::App& app, int& exitCode);
+void addRegister(CLI::App& app, int& exitCode);
+void addSchema(CLI::App& app, int& exitCode);
+void addSimulate(CLI::App& app, int& exitCode);
+void addStudies(CLI::App& app, int& exitCode);
+void addSupportBundle(CLI::App& app, int& exitCode);
+void addTraceAngiogram(CLI::App& app, int& exitCode);
+void addTraceVessel(CLI::App& app, int& exitCode);
+void addTrack(CLI::App& app, int& exitCode);
+void addValidate(CLI::App& app, int& exitCode);
+
+/// `report` starts the window's program to write the report.
+void addReport(CLI::App& app, int& exitCode);
+
+/// `thumbnail` is called by file managers.
+void addThumbnail(CLI::App& app, int& exitCode);
+
+/// Internal command with which `batch` starts its workers.
+void addBatchWorker(CLI::App& app, int& exitCode);
+
+/// `description man|bash|zsh|fish` prints the man page or a shell completion generated from the commands `app` has when
+/// it runs. It serves package builds and is not listed in the help.
+void addDescription(CLI::App& app, int& exitCode);
+
+}   // namespace angiopose::app

@@ -1,9 +1,0 @@
-#pragma once
-
-#include <CLI/CLI.hpp>
-
-namespace angiopose::app {
-
-void addSupportBundle(CLI::App& app, int& exitCode);
-
-}   // namespace angiopose::app
