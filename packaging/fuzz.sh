@@ -20,7 +20,7 @@ memory=/dev/shm
 [ -w "$memory" ] || memory=${TMPDIR:-/tmp}
 ANGIOPOSE_FUZZ_FOLDER=$(mktemp -d "$memory/angiopose-fuzz-XXXXXX")
 export ANGIOPOSE_FUZZ_FOLDER
-# Leaks are told by the tests under the address sanitizer; ITK's NRRD reader leaks on bad comments. Absurd sizes fail as
+# Leaks are found by the tests under the address sanitizer; ITK's NRRD reader leaks on bad comments. Absurd sizes fail as
 # they do in the program, which then refuses the file.
 export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1
 trap 'rm -rf "$ANGIOPOSE_FUZZ_FOLDER"' EXIT

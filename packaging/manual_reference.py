@@ -83,7 +83,7 @@ def python_page(stub):
     tree = ast.parse(Path(stub).read_text())
     out = ["# Python reference", "",
            "`import angiopose`. Names are those of [C++](cpp.md), letter for letter, and mean the same; what C++ asks with"
-           " `name()` and sets with `setName(value)` is an attribute. `help(angiopose)` tells the same in Python.", "",
+           " `name()` and sets with `setName(value)` is an attribute. `help(angiopose)` shows the same in Python.", "",
            "## Functions", ""]
     functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
     out += ["```python", *[signature(node) for node in functions], "```", "", "## Classes", ""]

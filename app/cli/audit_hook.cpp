@@ -53,7 +53,7 @@ void record(const std::string& auditPath, AuditEvent event, std::vector<std::str
     }
 }
 
-/// Where a command's doings are told. The program that writes reports tells the environment's file by itself.
+/// File that receives the audit entries of a command. The program that writes reports writes its own entries.
 std::string auditPathFor(const CLI::App& app, const CLI::App& command)
 {
     return command.get_name() == "report" && app.count("--audit") == 0 ? std::string() : auditPathOf(app);

@@ -284,7 +284,7 @@ void bindDeformation(py::module_& module)
         .def_readonly("logEvidenceGain", &Deformed::logEvidenceGain,
                       "log evidence of the deformation over the rigid pose")
         .def_readonly("meanMotionMm", &Deformed::meanMotionMm, "in the image plane for one view, else in 3-D")
-        .def_readonly("largestMotionMm", &Deformed::largestMotionMm, "likewise")
+        .def_readonly("largestMotionMm", &Deformed::largestMotionMm, "largest displacement, mm")
         .def_readonly("spreadMm", &Deformed::spreadMm, "rms difference between registrations, in the image plane")
         .def_readonly("placeStdMm", &Deformed::placeStdMm, "rms 1-sigma of a point's position in the image plane")
         .def_readonly("rigidOffMm", &Deformed::rigidOffMm, "mean error of the rigid pose")

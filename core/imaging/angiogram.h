@@ -38,7 +38,7 @@ struct Angiogram {
     Polarity polarity = Polarity::VesselsDark;
     double frameTimeMs = 0.0;   ///< 0 when unknown or a single frame
     std::vector<int> rWaveFrames;   ///< those at the R waves of the ECG, ascending; empty when the header has none
-    int suggestedFrame = 0;   ///< the fullest frame: most vessel-like pixels
+    int suggestedFrame = 0;   ///< peak-opacification frame: most vessel-like pixels
     CArm cArm;
     GantryHeader gantry;
     StudyIdentity identity;

@@ -560,7 +560,7 @@
     </message>
     <message>
         <source>Tracking the vessels through the run…</source>
-        <translation>Gefäße werden durch die Serie verfolgt …</translation>
+        <translation>Gefäße werden durch die Serie verfolgt…</translation>
     </message>
     <message>
         <source>Track vessels through the run</source>
@@ -991,7 +991,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Reading %1…</source>
-        <translation>%1 wird gelesen …</translation>
+        <translation>%1 wird gelesen…</translation>
     </message>
     <message>
         <source>A registration was started in the meantime. Open the file again after it has finished.</source>
@@ -1110,7 +1110,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Creating the sample case…</source>
-        <translation>Beispielfall wird erzeugt …</translation>
+        <translation>Beispielfall wird erzeugt…</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -1238,11 +1238,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Export as SVG…</source>
-        <translation>Als SVG exportieren …</translation>
+        <translation>Als SVG exportieren…</translation>
     </message>
     <message>
         <source>Export as PNG…</source>
-        <translation>Als PNG exportieren …</translation>
+        <translation>Als PNG exportieren…</translation>
     </message>
     <message>
         <source>Export plot</source>
@@ -1315,7 +1315,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Starting…</source>
-        <translation>Startet …</translation>
+        <translation>Startet…</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -1502,7 +1502,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Tracing the vessels of this frame…</source>
-        <translation>Gefäße dieses Bildes werden erkannt …</translation>
+        <translation>Gefäße dieses Bildes werden erkannt…</translation>
     </message>
     <message>
         <source>Could not start the registration</source>
@@ -1577,7 +1577,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Save vessels…</source>
-        <translation>Gefäße speichern …</translation>
+        <translation>Gefäße speichern…</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -1601,7 +1601,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Save as…</source>
-        <translation>Speichern unter …</translation>
+        <translation>Speichern unter…</translation>
     </message>
     <message>
         <source>Overwrite</source>
@@ -1679,7 +1679,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Saving…</source>
-        <translation>Wird gespeichert …</translation>
+        <translation>Wird gespeichert…</translation>
     </message>
     <message>
         <source>Saved</source>
@@ -1687,7 +1687,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Writing…</source>
-        <translation>Wird geschrieben …</translation>
+        <translation>Wird geschrieben…</translation>
     </message>
     <message>
         <source>Saved: %1</source>
@@ -1894,7 +1894,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>tracing…</source>
-        <translation>Erkennung …</translation>
+        <translation>Erkennung…</translation>
     </message>
     <message>
         <source>given centerline</source>
@@ -1946,7 +1946,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>running…</source>
-        <translation>läuft …</translation>
+        <translation>läuft…</translation>
     </message>
     <message>
         <source>moved manually</source>
@@ -2107,7 +2107,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Tracing the vessels of the scan…</source>
-        <translation>Gefäße des Scans werden erfasst …</translation>
+        <translation>Gefäße des Scans werden erfasst…</translation>
     </message>
     <message>
         <source>Trace vessels</source>
@@ -2244,7 +2244,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Name this view…</source>
-        <translation>Diese Ansicht benennen …</translation>
+        <translation>Diese Ansicht benennen…</translation>
     </message>
     <message>
         <source>Name this view</source>
@@ -8553,7 +8553,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Save as…</source>
-        <translation>Speichern unter …</translation>
+        <translation>Speichern unter…</translation>
     </message>
     <message>
         <source>Export overlay…</source>
@@ -10321,7 +10321,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Reading the labels…</source>
-        <translation>Labels werden gelesen …</translation>
+        <translation>Labels werden gelesen…</translation>
     </message>
     <message>
         <source>%1 of %2 selected, %3</source>
@@ -10466,7 +10466,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Locate…</source>
-        <translation>Suchen …</translation>
+        <translation>Suchen…</translation>
     </message>
     <message>
         <source>Locate %1</source>
@@ -10474,7 +10474,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Search a folder…</source>
-        <translation>Ordner durchsuchen …</translation>
+        <translation>Ordner durchsuchen…</translation>
     </message>
     <message>
         <source>Searches the folder and its subfolders by name and content.</source>
@@ -10833,7 +10833,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Export CSV…</source>
-        <translation>CSV exportieren …</translation>
+        <translation>CSV exportieren…</translation>
     </message>
     <message>
         <source>Writes the table with the poses as matrices.</source>
@@ -10998,7 +10998,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Registering…</source>
-        <translation>Registriert …</translation>
+        <translation>Registriert…</translation>
     </message>
     <message>
         <source>Register keeps the locked degree of freedom fixed.</source>
@@ -11337,7 +11337,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Compare…</source>
-        <translation>Vergleichen …</translation>
+        <translation>Vergleichen…</translation>
     </message>
     <message>
         <source>Snapshots</source>
@@ -11622,7 +11622,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Tracing…</source>
-        <translation>Erfassung …</translation>
+        <translation>Erfassung…</translation>
     </message>
     <message>
         <source>Click in a slice to place a point; Esc ends.</source>
@@ -11928,7 +11928,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Table…</source>
-        <translation>Tabelle …</translation>
+        <translation>Tabelle…</translation>
     </message>
     <message>
         <source>Measurement basis</source>
@@ -12041,11 +12041,11 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>All branches…</source>
-        <translation>Alle Äste …</translation>
+        <translation>Alle Äste…</translation>
     </message>
     <message>
         <source>Profile…</source>
-        <translation>Profil …</translation>
+        <translation>Profil…</translation>
     </message>
     <message>
         <source>Writes length, diameters, stenosis and curvature of all branches as a CSV table.</source>
@@ -12198,7 +12198,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Table…</source>
-        <translation>Tabelle …</translation>
+        <translation>Tabelle…</translation>
     </message>
     <message>
         <source>Removes the selected marks (Delete)</source>
@@ -12380,7 +12380,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Tracing the mask…</source>
-        <translation>Maske wird erfasst …</translation>
+        <translation>Maske wird erfasst…</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -12453,7 +12453,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Save mask…</source>
-        <translation>Maske speichern …</translation>
+        <translation>Maske speichern…</translation>
     </message>
     <message>
         <source>Lumen mask</source>
@@ -12509,7 +12509,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Tracing the mask…</source>
-        <translation>Maske wird erfasst …</translation>
+        <translation>Maske wird erfasst…</translation>
     </message>
     <message>
         <source>1 mask change is not in the vessels yet: trace the mask.</source>
@@ -12622,7 +12622,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Searching %1…</source>
-        <translation>%1 wird durchsucht …</translation>
+        <translation>%1 wird durchsucht…</translation>
     </message>
     <message>
         <source>Stopped after %1 of %2 files.</source>
@@ -12889,7 +12889,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Writing the movie…</source>
-        <translation>Der Film wird geschrieben …</translation>
+        <translation>Der Film wird geschrieben…</translation>
     </message>
     <message>
         <source>Frames %1 to %2, back and forth</source>
@@ -13050,7 +13050,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Save a copy…</source>
-        <translation>Kopie speichern …</translation>
+        <translation>Kopie speichern…</translation>
     </message>
     <message>
         <source>Saves the built-in template for editing</source>
@@ -13125,7 +13125,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Choose PACS…</source>
-        <translation>PACS wählen …</translation>
+        <translation>PACS wählen…</translation>
     </message>
     <message>
         <source>Send to PACS</source>
@@ -13175,7 +13175,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Packing…</source>
-        <translation>Packe …</translation>
+        <translation>Packe…</translation>
     </message>
     <message>
         <source>Packing: %1 %</source>
@@ -13214,7 +13214,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Pack…</source>
-        <translation>Packen …</translation>
+        <translation>Packen…</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -13261,7 +13261,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Emptying the cache…</source>
-        <translation>Zwischenspeicher wird geleert …</translation>
+        <translation>Zwischenspeicher wird geleert…</translation>
     </message>
 </context>
 <context>
@@ -13287,7 +13287,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Contacting %1…</source>
-        <translation>%1 wird kontaktiert …</translation>
+        <translation>%1 wird kontaktiert…</translation>
     </message>
     <message>
         <source>%1 responded and accepted the connection.</source>
@@ -13310,7 +13310,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Searching %1…</source>
-        <translation>%1 wird durchsucht …</translation>
+        <translation>%1 wird durchsucht…</translation>
     </message>
     <message>
         <source>%1 has no matching study. Broaden the search: a shorter name, more days, any modality.</source>
@@ -13360,11 +13360,11 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     <name>angiopose::app::ArchiveRetrieval</name>
     <message>
         <source>Contacting %1…</source>
-        <translation>%1 wird kontaktiert …</translation>
+        <translation>%1 wird kontaktiert…</translation>
     </message>
     <message>
         <source>Stopping…</source>
-        <translation>Wird angehalten …</translation>
+        <translation>Wird angehalten…</translation>
     </message>
     <message>
         <source>Stopped.</source>
@@ -13391,11 +13391,11 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     <name>angiopose::app::ArchiveSender</name>
     <message>
         <source>Stopping…</source>
-        <translation>Wird angehalten …</translation>
+        <translation>Wird angehalten…</translation>
     </message>
     <message>
         <source>Creating the objects…</source>
-        <translation>Objekte werden erzeugt …</translation>
+        <translation>Objekte werden erzeugt…</translation>
     </message>
     <message>
         <source>Sent: %1 of %2 objects, %3</source>
@@ -13476,7 +13476,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     <name>angiopose::ui::CacheLine</name>
     <message>
         <source>Empty…</source>
-        <translation>Leeren …</translation>
+        <translation>Leeren…</translation>
     </message>
     <message>
         <source>Maximum cache size</source>
@@ -13531,7 +13531,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Searching…</source>
-        <translation>Wird gesucht …</translation>
+        <translation>Wird gesucht…</translation>
     </message>
 </context>
 <context>
@@ -13542,15 +13542,15 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Add…</source>
-        <translation>Hinzufügen …</translation>
+        <translation>Hinzufügen…</translation>
     </message>
     <message>
         <source>Edit…</source>
-        <translation>Bearbeiten …</translation>
+        <translation>Bearbeiten…</translation>
     </message>
     <message>
         <source>Remove…</source>
-        <translation>Entfernen …</translation>
+        <translation>Entfernen…</translation>
     </message>
     <message>
         <source>PACS</source>
@@ -13783,7 +13783,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Security…</source>
-        <translation>Sicherheit …</translation>
+        <translation>Sicherheit…</translation>
     </message>
     <message>
         <source>Sets who may connect to this port, and encryption (TLS)</source>
@@ -13919,7 +13919,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>De-identifying…</source>
-        <translation>De-Identifizierung …</translation>
+        <translation>De-Identifizierung…</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -14022,7 +14022,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Save…</source>
-        <translation>Speichern …</translation>
+        <translation>Speichern…</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -14065,11 +14065,11 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Add files…</source>
-        <translation>Dateien hinzufügen …</translation>
+        <translation>Dateien hinzufügen…</translation>
     </message>
     <message>
         <source>Add folder…</source>
-        <translation>Ordner hinzufügen …</translation>
+        <translation>Ordner hinzufügen…</translation>
     </message>
     <message>
         <source>automatic</source>

@@ -22,7 +22,7 @@
 
 namespace angiopose::test {
 
-/// Ticks of the window's event loop: how long it stood still at most.
+/// Measures the longest time for which the window's event loop was blocked.
 class Heartbeat {
 public:
     Heartbeat()
@@ -40,7 +40,7 @@ private:
     QTimer beat_;
 };
 
-/// An audit file that is switched on while this lives.
+/// Writes an audit log for as long as this object lives.
 class AuditFile {
 public:
     explicit AuditFile(const TemporaryFolder& folder) : path_(QString::fromStdString(folder.file("audit.jsonl")))
@@ -61,7 +61,7 @@ private:
     QString path_;
 };
 
-/// Archives in the window, by mouse and keys; against a real one where it is installed.
+/// Fixture that uses archives through the window, by mouse and keyboard, against a real server where one is installed.
 class ArchiveWindow : public ::testing::Test {
 protected:
     static void SetUpTestSuite() { orthanc_ = std::make_unique<Orthanc>(); }
@@ -86,7 +86,7 @@ protected:
         ASSERT_TRUE(io::writeArchiveSettings(settings, io::defaultNodeFile()));
     }
 
-    /// The dialog, when it has read the list.
+    /// The archive dialog once it has read the list.
     ui::ArchiveDialog* opened()
     {
         w.window.actions()[ui::Command::OpenArchive]->trigger();
@@ -97,7 +97,7 @@ protected:
         return dialog;
     }
 
-    /// Waits until nothing is under way, and gives what is said then.
+    /// Waits until no transfer is running and returns the text that is shown then.
     static QString words(ui::TransferLine& line)
     {
         EXPECT_TRUE(QTest::qWaitFor([&line] { return !line.isBusy(); }, patienceMs)) << "still busy";
@@ -114,7 +114,7 @@ protected:
         words(dialog.line());
     }
 
-    /// Two runs of one study, of `frames` frames, are in the archive.
+    /// Stores two runs of one study, of `frames` frames each, in the archive.
     void store(int frames, int side = 64) const
     {
         std::vector<std::string> files;

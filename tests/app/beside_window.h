@@ -9,7 +9,7 @@
 
 namespace angiopose::test {
 
-/// A simulated tree in views of known geometry, named "first", "second", …
+/// A simulated tree in several views of known geometry, named "first", "second", …
 inline core::Case simulatedViews(std::size_t count = 2)
 {
     core::Case values = test::twoViewCase();
@@ -24,7 +24,7 @@ inline core::Case simulatedViews(std::size_t count = 2)
     return values;
 }
 
-/// The views of a case beside each other.
+/// A window that shows the views of a case side by side.
 struct BesideWindow : OpenWindow {
     explicit BesideWindow(const core::Case& shown = simulatedViews())
     {
@@ -44,7 +44,8 @@ struct BesideWindow : OpenWindow {
             QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
         }
     }
-    /// Presses in the middle of the shown image, drags there by `by` px and does not let go. Where the pointer is then.
+    /// Presses in the middle of the shown image, drags by `by` px and keeps the button down. Returns the position of
+    /// the pointer.
     QPoint drag(const QPoint& by)
     {
         const QPoint from = image().rect().center() + QPoint(3, 4);

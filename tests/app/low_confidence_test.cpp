@@ -18,7 +18,7 @@
 namespace angiopose::app {
 namespace {
 
-/// A registration whose pose is not to be trusted.
+/// A registration whose pose must be reported as unreliable.
 struct BadFit {
     const char* name;
     core::RegisteredCase found;
@@ -35,7 +35,7 @@ core::Case withTarget(core::Case values, core::Centerline2d target)
     return values;
 }
 
-/// The vessels of another patient where these are.
+/// Replaces the tree by that of another patient, at the same place.
 core::Case ofForeignTree()
 {
     core::Case values = sampleCase(2);
@@ -50,7 +50,7 @@ core::Case ofForeignTree()
     return values;
 }
 
-/// The tree flattened into a plane through the source, and slid along the line that it makes in the image.
+/// The tree flattened into a plane through the source and shifted along the line that this plane forms in the image.
 core::Case seenEdgeOn()
 {
     const core::SimulatedCase simulated = core::simulateCase(3);

@@ -22,7 +22,7 @@ std::vector<const core::MessageEntry*> allEntries()
     return all;
 }
 
-/// "%1", "%2", … of a sentence, in order.
+/// Placeholders "%1", "%2", … of a sentence, in order.
 QStringList placesOf(const QString& sentence)
 {
     QStringList places;
@@ -48,7 +48,7 @@ TEST(MessageCatalog, NamesEveryMessageOnceInOneStyle)
 
 TEST(MessageCatalog, IsWhollyTranslatedWithEveryArgument)
 {
-    ui::applyLanguage(QStringLiteral("en"));   // the translations are there from now on
+    ui::applyLanguage(QStringLiteral("en"));   // loads the translations
     for (const QString& code : {QStringLiteral("de"), QStringLiteral("zh_CN")}) {
         QTranslator translator;
         ASSERT_TRUE(translator.load(QStringLiteral(":/translations/angiopose_%1.qm").arg(code)));

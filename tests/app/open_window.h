@@ -25,7 +25,7 @@
 
 namespace angiopose::test {
 
-/// A shown window with everything behind it, driven by real events.
+/// A visible window with the complete application behind it, driven by real events.
 class OpenWindow {
 public:
     OpenWindow()
@@ -42,7 +42,7 @@ public:
         EXPECT_TRUE(QTest::qWaitFor([this] { return !controller.registration().isRunning(); }, patienceMs));
     }
 
-    /// Opens files as the user does by dropping them, and waits until they are in the case or refused.
+    /// Opens files by drag and drop and waits until they are loaded or rejected.
     void drop(const QStringList& paths)
     {
         QMimeData data;
@@ -60,7 +60,7 @@ public:
         EXPECT_TRUE(QTest::qWaitFor([this] { return !controller.isLoading(); }, patienceMs));
     }
 
-    /// Opens the simulated sample and waits until its start pose has been judged.
+    /// Opens the simulated sample and waits until its initial pose has been assessed.
     void openSample()
     {
         static const auto sample = app::writeSampleCase();
@@ -87,7 +87,7 @@ public:
     const core::Case& current() { return controller.document().current(); }
     QUndoStack& history() { return controller.document().undoStack(); }
 
-    /// Visible dialogs of a kind.
+    /// Visible dialogs of one kind.
     QList<QDialog*> dialogs(const char* objectName)
     {
         QList<QDialog*> open;
@@ -99,7 +99,7 @@ public:
         return open;
     }
 
-    /// Puts a path into the file dialog that is there or comes, saves, and waits for the file.
+    /// Enters a path in the file dialog that is open or opens next, saves, and waits for the file.
     void saveAs(const QString& path)
     {
         QFileDialog* files = nullptr;
@@ -121,12 +121,12 @@ public:
         FAIL() << "no button " << text.toStdString();
     }
 
-    /// What an earlier test did to the brightness of the sample is not to be seen again.
+    /// Clears the brightness settings that an earlier test stored for the sample.
     struct FreshBrightness {
         FreshBrightness() { app::settings::brightness.write({}); }
     } fresh;
     std::optional<ui::WithoutStyleSheet> undressed{
-        std::in_place};   ///< while the window is put together, as in the program
+        std::in_place};   ///< during construction of the window, as in the program
     ui::MainWindow window;
     app::CaseController controller{window};
 };

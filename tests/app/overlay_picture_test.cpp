@@ -1,4 +1,4 @@
-#include "app/messages/says.h"
+#include "app/messages/messages.h"
 #include "app/texts/case_texts.h"
 #include "app/texts/deformed_vessels.h"
 #include "tests/app/sample_picture.h"
@@ -21,7 +21,7 @@ protected:
     }
 };
 
-/// Pixels that differ in the columns `from` … `to`, below the texts on top and above those at the bottom.
+/// Number of pixels that differ in the columns `from` … `to`, below the texts at the top and above those at the bottom.
 int differing(const core::ColorImage& a, const core::ColorImage& b, int from, int to)
 {
     int count = 0;
@@ -35,7 +35,7 @@ int differing(const core::ColorImage& a, const core::ColorImage& b, int from, in
     return count;
 }
 
-/// So many columns of a picture, from one on.
+/// `width` columns of an image, starting at column `from`.
 core::ColorImage columns(const core::ColorImage& whole, int from, int width)
 {
     core::ColorImage part{width, whole.height, {}};
@@ -105,7 +105,7 @@ TEST_F(OverlayPicture, SaysOfWhichFrameTheDeformationIs)
         const core::View& view = sample.shown();
         return shapeLines(drawnVessels(view, sample.vessels, view.cameraFromPatient, VesselShape::Deformed));
     };
-    const core::Message other = says::deformedOnFrame(6);   // counted from 1
+    const core::Message other = messages::deformedOnFrame(6);   // counted from 1
     sample.shown().result->provenance.frame = sample.shown().frame;
     EXPECT_FALSE(std::ranges::count(words(), other));
     sample.shown().result->provenance.frame = 5;
@@ -145,7 +145,7 @@ TEST_F(OverlayPicture, PutsTheStartPoseBesideThePose)
     EXPECT_GT(differing(before, after, 0, after.width), 100);
 }
 
-/// A bright block whose place says the pose, at half the image's resolution.
+/// A bright block whose position encodes the pose, at half the image's resolution.
 core::ImageF blockAt(const core::Case& shown, const core::RigidTransform& pose)
 {
     core::ImageF picture(shown.shown().angiogram->width() / 2, shown.shown().angiogram->height() / 2);

@@ -12,7 +12,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Drawn shapes, whichever element they became.
+/// Number of drawn shapes, of any SVG element type.
 qsizetype shapesIn(const QByteArray& svg)
 {
     return svg.count("<rect") + svg.count("<path") + svg.count("<poly");
@@ -29,7 +29,7 @@ TEST(PlotExport, WritesLinesNotPixelsAsSvg)
     QSvgRenderer renderer(svg);
     EXPECT_TRUE(renderer.isValid());
     EXPECT_EQ(renderer.viewBox(), QRect(0, 0, 220, 92));
-    EXPECT_FALSE(svg.contains("<image"));   // a raster in disguise
+    EXPECT_FALSE(svg.contains("<image"));   // would be a raster image instead of vectors
     EXPECT_TRUE(svg.contains("above 2.0"));
     EXPECT_GT(shapesIn(svg), shapesIn(empty) + 3);
 }
@@ -53,7 +53,7 @@ TEST(PlotExport, ShowsDistanceAndStepOfARunWithTheirUnits)
     for (std::size_t i = 0; i < history.size(); ++i) {
         history[i].iteration = static_cast<int>(i) + 1;
         history[i].medianDistancePx = 30.0 / static_cast<double>(i + 1);
-        history[i].stepMm = i % 3 == 2 ? 0.0 : 8.0 * std::pow(0.4, i);   // some steps move nothing
+        history[i].stepMm = i % 3 == 2 ? 0.0 : 8.0 * std::pow(0.4, i);   // some steps do not move the pose
     }
     plot.showHistory(history);
     const QByteArray svg = plotAsSvg(plot);
@@ -64,7 +64,7 @@ TEST(PlotExport, ShowsDistanceAndStepOfARunWithTheirUnits)
     }
     EXPECT_FALSE(empty.contains("px"));
     EXPECT_EQ(svg.count("stroke-dasharray"), 2)
-        << "the step's line and its sample are dashed: told apart without colour";
+        << "the step's line and its sample are dashed: distinguishable without color";
 }
 
 TEST(LogLane, SpansWhatCanBeSeenAndNoMore)

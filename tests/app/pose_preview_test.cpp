@@ -52,7 +52,7 @@ TEST(PosePreview, TellsWhomAnotherTakesThePlaceOf)
     QObject::connect(&preview, &PosePreview::gaveWay, [&](PreviewOf whose) {
         EXPECT_NE(preview.shown(), whose);
         gone.push_back(whose);
-        preview.end(whose);   // as those do that show themselves ended
+        preview.end(whose);   // as owners do when their preview is replaced
     });
     preview.show(PreviewOf::Solution, atDepth(700.0), ResidualColors::Hidden);
     preview.show(PreviewOf::Solution, atDepth(710.0), ResidualColors::Hidden);
@@ -62,7 +62,7 @@ TEST(PosePreview, TellsWhomAnotherTakesThePlaceOf)
     EXPECT_EQ(preview.shown(), PreviewOf::Run);
 }
 
-/// Two views, the second turned by 90° and 20 mm nearer.
+/// Two views, the second rotated by 90° and 20 mm closer.
 core::Case twoPoses()
 {
     core::Case values;

@@ -9,7 +9,7 @@
 namespace angiopose::app {
 namespace {
 
-// Forty of them, and other cases: tests/benchmark/random_walks.
+// Forty walks on other cases: tests/benchmark/random_walks.
 TEST(RandomWalk, ReopensAsItWasLeftAndIsUndoneToTheStart)
 {
     const QTemporaryDir folder;

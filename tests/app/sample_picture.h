@@ -8,7 +8,7 @@
 
 namespace angiopose::test {
 
-/// The sample case as a file of it reads, and options for pictures of it.
+/// Fixture with the sample case as read from its file, and export options for its images.
 class SamplePicture : public ::testing::Test {
 protected:
     explicit SamplePicture(int widthPx)

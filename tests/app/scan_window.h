@@ -12,7 +12,7 @@ namespace angiopose::test {
 
 using core::BodyPlane;
 
-/// A window with the scan of a forked vessel, traced.
+/// Fixture: a window with the traced scan of a bifurcating vessel.
 class ScanWindow : public ::testing::Test {
 protected:
     void SetUp() override

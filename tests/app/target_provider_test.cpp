@@ -40,13 +40,13 @@ TEST(TargetProvider, RemembersTracesButKeepsNoRunAlive)
     ASSERT_TRUE(isReady(provider));
 
     provider.want(first);
-    EXPECT_EQ(provider.trace(), traced);   // at once
+    EXPECT_EQ(provider.trace(), traced);   // immediately
     provider.want(second);
-    first.shown().angiogram.reset();   // closed
+    first.shown().angiogram.reset();   // the case is closed
     EXPECT_TRUE(firstRun.expired());
 }
 
-/// The case with curves of its own.
+/// The case with its own given curves.
 core::Case given(core::Case session)
 {
     session.shown().target.centerline = std::make_shared<const core::Centerline2d>(
@@ -80,7 +80,7 @@ TEST(TargetProvider, TellsWhenATraceEndsThatNobodyWantsAnyMore)
     core::Case other = session;
     other.shown().frame = session.shown().frame == 0 ? 1 : 0;
     provider.want(other);
-    provider.want(session);   // known: at once
+    provider.want(session);   // already traced, hence immediate
     ASSERT_TRUE(isReady(provider));
     EXPECT_TRUE(isKnown);
 }

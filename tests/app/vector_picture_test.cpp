@@ -18,7 +18,7 @@ using test::OpenWindow;
 
 constexpr int pictureWidth = 1024;
 
-/// How coloured each pixel is: lines are, the image is grey.
+/// Saturation of each pixel: lines are colored, the image is gray.
 core::Image2d<float> colorOf(const QImage& picture)
 {
     core::Image2d<float> color(picture.width(), picture.height());
@@ -32,7 +32,7 @@ core::Image2d<float> colorOf(const QImage& picture)
     return color;
 }
 
-/// By how much `b` is shifted against `a` in a tile, px (Lucas and Kanade); along lines nothing is said.
+/// Shift of `b` against `a` in a tile, px (Lucas and Kanade); undetermined along lines.
 Eigen::Vector2d shiftIn(const core::Image2d<float>& a, const core::Image2d<float>& b, int left, int top, int size)
 {
     Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
@@ -132,7 +132,7 @@ TEST_F(VectorPictures, NothingIsDrawnInTheSwipe)
     EXPECT_GT(leftOf, 200);
 }
 
-/// Without the embedded image, whose Base64 may hold any four letters by chance.
+/// Text without the embedded image, whose Base64 may contain any four letters by chance.
 std::string withoutPixels(std::string text)
 {
     const std::size_t begin = text.find(";base64,");

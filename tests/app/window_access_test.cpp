@@ -29,7 +29,7 @@ bool isControl(const QWidget& widget)
            qobject_cast<const QPlainTextEdit*>(&widget);
 }
 
-/// Parts that Qt builds into its own controls.
+/// True for parts that Qt creates inside its own controls.
 bool isInner(const QWidget& widget)
 {
     for (const QWidget* outer = widget.parentWidget(); outer; outer = outer->parentWidget()) {
@@ -84,7 +84,7 @@ TEST(WindowAccess, TabReachesEveryControl)
         QWidget* focused = QApplication::focusWidget();
         ASSERT_TRUE(focused) << i;
         if (!reached.insert(focused).second && focused == &w.window.angiogramView()) {
-            break;   // all the way round
+            break;   // the focus has gone full circle
         }
         QTest::keyClick(focused, Qt::Key_Tab);
     }
@@ -98,12 +98,12 @@ TEST(WindowAccess, TabReachesEveryControl)
     EXPECT_GT(reached.size(), 25U);
 }
 
-/// A control that has the keys must look other than one that has not.
+/// A control with keyboard focus must look different from one without.
 TEST(WindowAccess, FocusIsSeenOnEveryKindOfControl)
 {
     OpenWindow w;
     w.openSample();
-    w.waitForJudgement();   // which makes rows anew
+    w.waitForJudgement();   // it creates new rows
     std::set<std::string> kinds;
     const QList<QWidget*> all = w.window.findChildren<QWidget*>();
     for (const QPointer<QWidget>& widget : std::vector<QPointer<QWidget>>(all.begin(), all.end())) {

@@ -9,7 +9,7 @@ namespace {
 using test::Heartbeat;
 using test::OpenWindow;
 
-/// Archives in the window: their list, search, retrieval, the cache.
+/// Archives in the window: their list, search, retrieval and the cache.
 class WindowArchive : public test::ArchiveWindow {};
 
 TEST_F(WindowArchive, FirstOneIsAddedByKeysEditedAndRemoved)
@@ -103,7 +103,7 @@ TEST_F(WindowArchive, WhatIsFoundIsRetrievedAndOffered)
     ASSERT_TRUE(dialog);
     search(*dialog, QStringLiteral("Nobody"));
     EXPECT_EQ(dialog->list().topLevelItemCount(), 0);
-    search(*dialog, QStringLiteral("M"));   // keys have no umlauts
+    search(*dialog, QStringLiteral("M"));   // QTest keys have no umlauts
     ASSERT_EQ(dialog->list().topLevelItemCount(), 1);
     QTreeWidgetItem* study = dialog->list().topLevelItem(0);
     EXPECT_EQ(study->text(0), QStringLiteral("Müller Änne"));
@@ -155,14 +155,14 @@ TEST_F(WindowArchive, StoppedRetrievalKeepsWhatCameAndOffersIt)
 {
     NEEDS_ORTHANC();
     store(1, 512);
-    // The first object of half a MB comes whole; in the second one the line goes dead.
+    // The first object, of half a MB, arrives complete; the connection hangs during the second.
     const test::CuttingProxy line(orthanc_->dicomPort(), 800'000, test::CuttingProxy::AtEnd::Hang);
     io::ArchiveNode node = nodeAt(line.port());
     node.answerSeconds = 60;
     know({node});
     ui::ArchiveDialog* dialog = opened();
     ASSERT_TRUE(dialog);
-    search(*dialog, QStringLiteral("M"));   // keys have no umlauts
+    search(*dialog, QStringLiteral("M"));   // QTest keys have no umlauts
     ASSERT_EQ(dialog->list().topLevelItemCount(), 1);
     OpenWindow::clickButton(dialog, QStringLiteral("Retrieve"));
     const auto progress = [&] { return dialog->line().words().startsWith(QStringLiteral("1 of 2 objects")); };

@@ -9,7 +9,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// Draws a rectangle with the mouse, in shares of the view's size.
+/// Draws a rectangle with the mouse, in fractions of the view's size.
 void drawLasso(OpenWindow& w, const QRectF& shares, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
 {
     QWidget& view = w.window.angiogramView();
@@ -39,10 +39,10 @@ TEST(WindowAuxiliary, TakesTheBranchesInsideALasso)
     EXPECT_GT(all, w.current().vessels.tree->branches.size() / 2);
     EXPECT_EQ(w.history().count(), 1);
 
-    drawLasso(w, {0.01, 0.01, 0.5, 0.98}, Qt::ControlModifier);   // takes some away
+    drawLasso(w, {0.01, 0.01, 0.5, 0.98}, Qt::ControlModifier);   // removes some
     const std::size_t fewer = w.current().vessels.auxiliaryBranchIds.size();
     EXPECT_LT(fewer, all);
-    drawLasso(w, {0.01, 0.01, 0.5, 0.98}, Qt::ShiftModifier);   // and puts them back
+    drawLasso(w, {0.01, 0.01, 0.5, 0.98}, Qt::ShiftModifier);   // adds them again
     EXPECT_EQ(w.current().vessels.auxiliaryBranchIds.size(), all);
     w.press(Qt::Key_Escape);
     EXPECT_FALSE(lasso->isChecked());
@@ -107,7 +107,7 @@ TEST(WindowAuxiliary, ChoosesByGenerationAndRadius)
     const auto& branches = w.current().vessels.tree->branches;
     auxiliary.chooseWide(0.0);
     const std::size_t wide = w.current().vessels.auxiliaryBranchIds.size();
-    auxiliary.chooseWide(1e6);   // none: says so and keeps the choice
+    auxiliary.chooseWide(1e6);   // no branch is so wide: reports this and keeps the subset
     EXPECT_EQ(w.current().vessels.auxiliaryBranchIds.size(), wide);
     const auto firstGenerations =
         std::ranges::count_if(branches, [](const auto& branch) { return branch.generation == 0; });

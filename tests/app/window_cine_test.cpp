@@ -18,7 +18,7 @@ using test::OpenWindow;
 constexpr int cineFrames = 10;
 constexpr double cineFrameMs = 40.0;
 
-/// Frames that tell their number: the grey of their first row.
+/// Frames that encode their number in the gray value of their first row.
 core::Angiogram numberedRun(int count)
 {
     core::Angiogram run;
@@ -64,7 +64,7 @@ protected:
     }
     int chosen() { return w->current().shown().frame; }
 
-    /// The frames that come on the screen one after the other.
+    /// The sequence of frames shown on the screen.
     std::vector<int> seenFor(int ms)
     {
         std::vector<int> frames{onScreen()};
@@ -132,12 +132,12 @@ TEST_F(WindowCine, PauseKeepsTheFrameInOneStep)
 TEST_F(WindowCine, FramesAreLeftOutRatherThanLate)
 {
     w->press(Qt::Key_Comma, Qt::ControlModifier);
-    w->press(Qt::Key_Comma, Qt::ControlModifier);   // a quarter: 160 ms a frame
+    w->press(Qt::Key_Comma, Qt::ControlModifier);   // quarter speed: 160 ms per frame
     const int from = onScreen();
     QElapsedTimer time;
     time.start();
     w->press(Qt::Key_C);
-    QThread::msleep(900);   // something else holds the window up
+    QThread::msleep(900);   // something else blocks the window
     const auto isDue = [&] {
         const int due = static_cast<int>(static_cast<double>(time.elapsed()) / (4.0 * cineFrameMs));
         return onScreen() == (from + due) % cineFrames;
@@ -191,7 +191,7 @@ TEST_F(WindowCine, GoesBackAndForthAndRemembersHow)
     EXPECT_EQ(settings::playSpeed.read(), 2.0);
     w->press(Qt::Key_End);
     w->press(Qt::Key_C);
-    bool goesDown = false;   // step by step, not at once to the first; a busy machine leaves frames out
+    bool goesDown = false;   // frame by frame, not directly to the first; a busy machine skips frames
     for (int look = 0; look < 20 && !goesDown; ++look) {
         const std::vector<int> seen = seenFor(200);
         const auto isStepDown = [](int before, int after) { return before > after && before - after <= 3; };

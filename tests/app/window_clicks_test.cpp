@@ -20,7 +20,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// A hand on the mouse that counts. Names of files are typed: that is no click.
+/// Counts mouse clicks. File names are typed, which does not count as a click.
 class Hand {
 public:
     explicit Hand(OpenWindow& window) : w(window) {}
@@ -43,7 +43,7 @@ public:
         FAIL() << "no button " << text.toStdString();
     }
 
-    /// Two clicks: the menu, and the line in it.
+    /// Two clicks: the menu and the item in it.
     void chooseInMenu(ui::Command command)
     {
         QAction* wanted = w.window.actions()[command];
@@ -115,7 +115,7 @@ TEST(WindowClicks, FromTheSampleToAnExportedOverlayInSix)
     EXPECT_GT(QImage(QString::fromStdString(folder.file("overlay.png"))).width(), 500);
 }
 
-/// Mean distance in px between the tree where it is and where it was found.
+/// Mean distance in px between the tree at its true pose and at the pose found.
 double offPx(const core::VesselTree& tree, const core::SimulatedCase& truth, const core::RigidTransform& found)
 {
     double sum = 0.0;
@@ -133,7 +133,7 @@ double offPx(const core::VesselTree& tree, const core::SimulatedCase& truth, con
     return count > 0 ? sum / count : 1e9;
 }
 
-/// A disc with a CT angiogram of 120 slices, a run of the same vessels, and a DICOMDIR that lists both.
+/// Writes a disc with a CT angiogram of 120 slices, a run of the same vessels, and a DICOMDIR that lists both.
 core::SimulatedCase writeSimulatedDisc(const test::TemporaryFolder& folder)
 {
     const core::TreeOptions tree{.branchCount = 8, .extentMm = 84.0, .rootRadiusMm = 4.0};

@@ -7,7 +7,7 @@ namespace {
 
 using test::BesideWindow;
 
-/// A place on the tree, well inside the shown image, and the widget px nearest to where it is seen.
+/// A point on the tree, well inside the shown image, and the widget px nearest to its projection.
 struct SeenPlace {
     Eigen::Vector3d inPatient;
     QPoint at;
@@ -46,7 +46,7 @@ TEST(WindowCrosshair, ThePointerIsALineInTheOtherViewThroughWhatItPointsAt)
     const auto seenIn = [](const ui::AngiogramView& image, const Eigen::Vector3d& point) {
         return *core::project(image.camera(), image.cameraFromPatient() * point);
     };
-    // the pointer stands on whole px of the widget: what it exactly points at lies on its own ray, as deep as the place
+    // The pointer has integer widget px; the exact point under it lies on its own ray, at the depth of the place.
     const Eigen::Vector3d inCamera = w.image().cameraFromPatient() * place.inPatient;
     const Eigen::Vector3d ray = core::rayThroughPixel(w.image().camera(), w.image().imageFromWidget(place.at));
     const Eigen::Vector3d pointed =
@@ -55,7 +55,7 @@ TEST(WindowCrosshair, ThePointerIsALineInTheOtherViewThroughWhatItPointsAt)
     EXPECT_LT(distancePx(*w.other().crosshair().linePx, seenIn(w.other(), pointed)), 1e-6);
     EXPECT_LT(distancePx(*w.other().crosshair().linePx, seenIn(w.other(), place.inPatient)), 1.0 / w.image().zoom());
 
-    for (ui::AngiogramView* image : w.images().images()) {   // the vessel under the pointer is a point in all
+    for (ui::AngiogramView* image : w.images().images()) {   // the vessel under the pointer is a point in all images
         ASSERT_TRUE(image->crosshair().pointInPatient);
         EXPECT_LT((seenIn(w.image(), *image->crosshair().pointInPatient) - seenIn(w.image(), place.inPatient)).norm(),
                   2.0 / w.image().zoom());
@@ -89,7 +89,7 @@ TEST(WindowCrosshair, TheLineFollowsPosesAndGoesWithThePointerOrByKey)
     w.press(Qt::Key_Z);
     EXPECT_TRUE(w.other().crosshair().linePx);
 
-    w.pointAt(w.other(), w.other().rect().center());   // the other way round
+    w.pointAt(w.other(), w.other().rect().center());   // vice versa
     EXPECT_TRUE(w.image().crosshair().linePx);
     EXPECT_FALSE(w.other().crosshair().linePx);
     QEvent leave(QEvent::Leave);

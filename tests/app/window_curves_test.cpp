@@ -19,7 +19,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// The sample with its frame traced and the editing mode on.
+/// Fixture: the sample with its frame traced and curve editing active.
 class WindowCurves : public ::testing::Test {
 protected:
     void SetUp() override
@@ -51,7 +51,7 @@ protected:
         QTest::mouseMove(view, onScreen(to));
         QTest::mouseRelease(view, Qt::LeftButton, modifiers, onScreen(to));
     }
-    /// A curve that no other passes near its middle.
+    /// A curve without other curves near its middle.
     const core::Curve2d& loneCurve() const
     {
         return *std::ranges::max_element(traced.curves, {}, &core::Curve2d::lengthPx);
@@ -79,7 +79,7 @@ TEST_F(WindowCurves, AClickLeavesACurveOutAsOneStep)
     EXPECT_EQ(target()->pointCount(), traced.pointCount());
 }
 
-/// The pose is where the run left it; what it was fitted to is not what it was.
+/// The pose is still that of the registration, but the trace to which it was fitted has changed.
 TEST_F(WindowCurves, APoseOfARunIsNotCalledMovedByHandWhenTheTraceChanges)
 {
     w.press(Qt::Key_Escape);
@@ -126,7 +126,7 @@ TEST_F(WindowCurves, DrawsBackWhatWasErased)
     w.press(Qt::Key_D);
     const auto count = curve.pointsPx.size();
     clickAt(curve.pointsPx[count / 4]);
-    clickAt({5.0, 5.0});   // a slip
+    clickAt({5.0, 5.0});   // a wrong click
     w.press(Qt::Key_Backspace);
     clickAt(curve.pointsPx[3 * count / 4]);
     w.press(Qt::Key_Return);

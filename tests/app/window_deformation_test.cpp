@@ -14,13 +14,13 @@ using test::OpenWindow;
 
 constexpr double maxMm = 4.0;
 
-/// The sample beside its start pose, with bent vessels.
+/// The sample with deformed vessels, at a pose away from the initial pose.
 struct DeformedWindow : OpenWindow {
     DeformedWindow()
     {
         openSample();
         core::Case moved = current();
-        moved.shown().cameraFromPatient.translation.x() += 2.0;   // from the start pose
+        moved.shown().cameraFromPatient.translation.x() += 2.0;   // away from the initial pose
         controller.document().replace(test::withDeformedVessels(std::move(moved), maxMm), {});
         waitForJudgement();
     }
@@ -28,7 +28,7 @@ struct DeformedWindow : OpenWindow {
     const ui::OverlayContent& content() { return window.angiogramView().scene().content(); }
     const core::DeformableResult& deformed() { return *current().shown().result->deformed; }
 
-    /// How far the drawn tree lies from another one, mm.
+    /// Largest distance between the drawn tree and another tree, mm.
     double farthestFrom(const core::VesselTree& tree)
     {
         double mm = 0.0;
@@ -121,7 +121,7 @@ TEST(WindowDeformed, DrawsThemAtNoOtherPose)
     w.controller.document().redo();
     EXPECT_TRUE(w.isRigidDrawn());
     w.controller.document().undo();
-    w.press(Qt::Key_F);   // the start pose for a moment
+    w.press(Qt::Key_F);   // shows the initial pose temporarily
     EXPECT_TRUE(w.isRigidDrawn());
     w.press(Qt::Key_F);
     EXPECT_TRUE(w.isDeformedDrawn());
@@ -133,12 +133,12 @@ TEST(WindowDeformed, ColorsByHowFarTheyMoved)
     const auto residuals = w.content().residualPx;
     w.press(Qt::Key_M, Qt::ShiftModifier);
     ASSERT_FALSE(w.content().residualPx.empty());
-    EXPECT_EQ(w.content().scaleMaximumPx, 5.0);   // mm: the round number above 4
+    EXPECT_EQ(w.content().scaleMaximumPx, 5.0);   // mm: the next round number above 4
     const auto& branch = w.current().vessels.tree->branches.front();
     const std::vector<double>& moved = w.content().residualPx.at(branch.id);
     ASSERT_EQ(moved.size(), branch.pointsInPatient.size());
     EXPECT_NEAR(moved.front(), 0.0, 1e-3);
-    EXPECT_NEAR(moved.back(), maxMm, 0.2);   // across the ray, which is not quite z
+    EXPECT_NEAR(moved.back(), maxMm, 0.2);   // perpendicular to the ray, which is not exactly z
     w.press(Qt::Key_M, Qt::ShiftModifier);
     EXPECT_EQ(w.content().residualPx, residuals);
 }

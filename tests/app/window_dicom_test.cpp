@@ -11,7 +11,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// DICOM objects asked for in the menu, the dialog and the folder dialog.
+/// Fixture: exports DICOM objects through the menu, the dialog and the folder dialog.
 class WindowDicom : public ::testing::Test {
 protected:
     QDialog* asked()
@@ -49,10 +49,10 @@ TEST_F(WindowDicom, WritesWhatIsChosen)
     ASSERT_EQ(boxes.size(), 8);
     EXPECT_FALSE(boxes[5]->isEnabled()) << "the sample has no scan";
     EXPECT_FALSE(boxes[7]->isChecked()) << "identity is off, every time";
-    boxes[1]->setChecked(false);   // pictures of a whole run take their time
+    boxes[1]->setChecked(false);   // overlay images of a whole run take long
     OpenWindow::clickButton(dialog, QStringLiteral("Export…"));
     chooseFolder();
-    EXPECT_TRUE(waitFor("camera.json"));   // the last one
+    EXPECT_TRUE(waitFor("camera.json"));   // the last file to be written
     for (const char* name : {"overlay.dcm", "report.dcm", "presentation-state.dcm", "registration.dcm"}) {
         EXPECT_TRUE(QFile::exists(QString::fromStdString(folder.file(name)))) << name;
     }

@@ -12,7 +12,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// An image that the case does not have any more would be taken for its own.
+/// An image that is no longer in the case but still visible would be mistaken for the image of the case.
 TEST(WindowEdit, UndoTakesAnImageFromTheScreenToo)
 {
     const auto sample = writeSampleCase();
@@ -164,7 +164,7 @@ TEST_F(WindowDrag, MovesTheVesselsWithTheMouse)
 TEST_F(WindowDrag, IsTakenBackByEscape)
 {
     dragTo(from + QPoint(40, -30));
-    EXPECT_GT(w.controller.pose().currentOffset()->rightMm, 1.0);   // the panel follows the drag
+    EXPECT_GT(w.controller.pose().currentOffset()->rightMm, 1.0);   // the pose panel follows the drag
 
     w.press(Qt::Key_Escape);
     QTest::mouseRelease(&w.window.angiogramView(), Qt::LeftButton, Qt::NoModifier, from + QPoint(40, -30));

@@ -71,7 +71,7 @@ TEST(WindowFiles, SaveAndReopenGiveTheSameCase)
         EXPECT_TRUE(w.window.windowTitle().contains(QLatin1Char('*')));
         bool isSaved = false;
         w.controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
-        EXPECT_FALSE(isSaved);   // a worker does it
+        EXPECT_FALSE(isSaved);   // a worker saves
         ASSERT_TRUE(QTest::qWaitFor([&isSaved] { return isSaved; }, test::patienceMs));
         EXPECT_FALSE(w.controller.document().isModified());
         EXPECT_FALSE(w.window.windowTitle().contains(QLatin1Char('*')));
@@ -144,8 +144,8 @@ TEST(WindowFiles, CloseTheCaseAndKeepTheWindow)
     EXPECT_TRUE(w.window.welcome().isVisible());
     EXPECT_TRUE(w.controller.document().path().isEmpty());
     EXPECT_FALSE(w.controller.document().isModified());
-    EXPECT_NE(w.window.angiogramView().grab().toImage(), image);   // nothing of it stays behind the welcome page
-    w.openSample();   // and what comes next is a case of its own
+    EXPECT_NE(w.window.angiogramView().grab().toImage(), image);   // no remnant of the image behind the welcome page
+    w.openSample();   // opens a separate case
     EXPECT_FALSE(w.controller.document().isModified());
 }
 
@@ -169,7 +169,7 @@ TEST(WindowFiles, WriteAnOverlayWithItsProvenance)
 
     QSignalSpy exported(&w.controller.exporting(), &ExportController::exported);
     w.controller.exporting().exportOverlay({600, ui::Choice::On, ui::Choice::Off}, path);
-    EXPECT_TRUE(exported.isEmpty());   // a worker does it
+    EXPECT_TRUE(exported.isEmpty());   // a worker exports
     ASSERT_TRUE(exported.wait(test::patienceMs));
 
     const QImage picture(path);
@@ -178,7 +178,7 @@ TEST(WindowFiles, WriteAnOverlayWithItsProvenance)
     EXPECT_TRUE(picture.text(QStringLiteral("Disclaimer")).contains(QStringLiteral("clinical")));
 }
 
-/// The sample has vessels and an angiogram: another one could stand beside them.
+/// Answers the questions with "replace": the sample has vessels and an angiogram, so another angiogram could be added.
 void takeInsteadOfWhatIsOpen(OpenWindow& w)
 {
     for (QDialog* asked : w.dialogs("unitQuestion")) {
@@ -216,7 +216,7 @@ TEST(WindowFiles, SpeakTheLanguageOfTheWindowInAnOverlay)
     EXPECT_EQ(pictureIn("de", englishTexts), english);
 }
 
-/// Names of the dialogs that are open.
+/// Names of the open dialogs.
 std::string openDialogs(OpenWindow& w)
 {
     std::string names;
@@ -226,7 +226,8 @@ std::string openDialogs(OpenWindow& w)
     return names;
 }
 
-/// Whatever is dropped on the window loads or is refused by one message, and the open case survives a refusal.
+/// Every file dropped on the window is either loaded or rejected with one message, and the open case survives a
+/// rejection.
 class WindowBadFiles : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(WindowBadFiles, LoadOrAreRefusedByOneMessage)
@@ -250,7 +251,7 @@ TEST_P(WindowBadFiles, LoadOrAreRefusedByOneMessage)
                    !w.current().shown().target.centerline;
         };
         const auto isSettled = [&] {
-            takeInsteadOfWhatIsOpen(w);   // a question may come late on a loaded machine
+            takeInsteadOfWhatIsOpen(w);   // a question may appear late on a busy machine
             return !w.controller.isBusy() && (!isUntouched() || !w.dialogs("messageDialog").empty());
         };
         EXPECT_TRUE(QTest::qWaitFor(isSettled, test::patienceMs)) << path.toStdString() << openDialogs(w);

@@ -16,7 +16,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// The phantom's run of ten frames, registered.
+/// Opens the phantom's run of ten frames, registered.
 void openRegisteredRun(OpenWindow& w)
 {
     w.drop({QString::fromStdString(test::dataFile("coronary-phantom-xa/cases/IM4.angiopose").string())});
@@ -65,7 +65,7 @@ TEST(WindowFollow, ShowsEachFrameWithItsOwnPose)
     EXPECT_TRUE(QTest::qWaitFor([&] { return says(w, QStringLiteral("· followed")); }, test::patienceMs));
     w.press(Qt::Key_Up);
     EXPECT_EQ(w.current().shown().cameraFromPatient.matrix(), found);
-    EXPECT_EQ(w.controller.following().frames().size(), 10U);   // they still hold
+    EXPECT_EQ(w.controller.following().frames().size(), 10U);   // they remain valid
 }
 
 TEST(WindowFollow, AClickInThePlotShowsThatFrame)
@@ -98,10 +98,10 @@ TEST(WindowFollow, PosesAreForgottenWhenTheVesselsAreMoved)
     const Eigen::Matrix4d nudged = w.current().shown().cameraFromPatient.matrix();
     w.press(Qt::Key_N);
     w.press(Qt::Key_Down);
-    EXPECT_EQ(w.current().shown().cameraFromPatient.matrix(), nudged);   // frames share the pose again
+    EXPECT_EQ(w.current().shown().cameraFromPatient.matrix(), nudged);   // all frames share one pose again
 }
 
-/// The sample of this program, registered and followed.
+/// Opens the sample case, registers and tracks it.
 void followSample(OpenWindow& w)
 {
     w.openSample();
@@ -172,7 +172,7 @@ TEST(WindowFollow, ReopensAsItWasLeft)
         OpenWindow w;
         followSample(w);
         kept = w.controller.following().frames();
-        w.controller.document().replace(w.current(), {});   // or it would be saved over the sample
+        w.controller.document().replace(w.current(), {});   // otherwise saving would overwrite the sample
         w.press(Qt::Key_S, Qt::ControlModifier);
         w.saveAs(path);
         EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.controller.document().isModified(); }, test::patienceMs));
@@ -206,7 +206,7 @@ TEST(WindowFollow, AForgottenPoseDoesNotStayOnScreen)
     follow(w);
     w.window.actions()[ui::Command::Cine]->setChecked(true);
     ASSERT_TRUE(QTest::qWaitFor([&] { return w.controller.preview().shown() == PreviewOf::Frame; }, test::patienceMs));
-    w.controller.branches().toggleExcluded({w.current().vessels.tree->branches.back().id});   // they hold no longer
+    w.controller.branches().toggleExcluded({w.current().vessels.tree->branches.back().id});   // invalidates the frames
     EXPECT_TRUE(w.controller.following().frames().empty());
     EXPECT_FALSE(w.controller.preview().shown());
 }
@@ -231,7 +231,7 @@ TEST(WindowFollow, LetsGoOfACaseThatItCouldNotFollow)
     w.openSample();
     core::Case given = w.current();
     given.shown().target.centerline = std::make_shared<const core::Centerline2d>(
-        core::Centerline2d{{{0, {{10.0, 10.0}, {90.0, 90.0}}, {}}}});   // not traced: nothing leads from frame to frame
+        core::Centerline2d{{{0, {{10.0, 10.0}, {90.0, 90.0}}, {}}}});   // not traced, so tracking cannot start
     w.controller.document().replace(std::move(given), {});
     const std::weak_ptr<const core::Angiogram> run = w.current().shown().angiogram;
     w.press(Qt::Key_F, Qt::ShiftModifier);
@@ -240,7 +240,7 @@ TEST(WindowFollow, LetsGoOfACaseThatItCouldNotFollow)
     EXPECT_TRUE(w.controller.following().frames().empty());
     for (QWidget* top : QApplication::topLevelWidgets()) {
         if (auto* dialog = qobject_cast<QDialog*>(top); dialog && dialog->isVisible()) {
-            dialog->reject();   // what was wrong
+            dialog->reject();   // closes the error message
         }
     }
     w.controller.document().replace({}, {});

@@ -12,7 +12,7 @@ namespace {
 using test::OpenWindow;
 using test::patienceMs;
 
-/// The sample with the angles of one branch asked for.
+/// The sample with the gantry angles dialog open for one branch.
 struct AnglesWindow : OpenWindow {
     AnglesWindow()
     {
@@ -91,7 +91,7 @@ TEST(WindowGantryAngles, KeepsToWhatTheGantryReachesAndRemembersIt)
             QTest::keyClick(field, Qt::Key_Return);
         }
         EXPECT_DOUBLE_EQ(w.dialog().reach().primary.toDeg, 10.0);
-        const auto isWithin = [&w] {   // the map of the new question has come
+        const auto isWithin = [&w] {   // the map of the new request has arrived
             QTest::mouseClick(&w.plot(), Qt::LeftButton, {}, {w.plot().width() - 3, 3});
             return w.words().contains(QStringLiteral("LAO 10° · CRA 10°"));
         };

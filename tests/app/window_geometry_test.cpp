@@ -22,7 +22,7 @@ ui::NumberField* fieldNamed(OpenWindow& w, const QString& help)
     return nullptr;
 }
 
-/// The place of a tree point in the 3-D view.
+/// Position of a tree point in the 3-D view.
 QPoint inTreeView(OpenWindow& w, const Eigen::Vector3d& point)
 {
     ui::TreeView& view = w.window.treeView();
@@ -35,7 +35,7 @@ QPoint inImage(OpenWindow& w, const Eigen::Vector2d& pixel)
     return w.window.angiogramView().widgetFromImage(pixel).toPoint();
 }
 
-/// Bifurcations and ends that can be clicked in both views.
+/// Bifurcations and endpoints that can be clicked in both views.
 std::vector<Eigen::Vector3d> visibleNodes(OpenWindow& w)
 {
     std::vector<Eigen::Vector3d> nodes;
@@ -66,7 +66,7 @@ TEST(WindowGeometry, AsksForThePixelSpacingThatTheHeaderLacks)
     ui::NumberField* spacing =
         fieldNamed(w, QStringLiteral("Pixel spacing on the detector. Enter confirms a derived value."));
     ASSERT_TRUE(spacing);
-    EXPECT_TRUE(spacing->property("asking").toBool());   // only derived, from the field of view
+    EXPECT_TRUE(spacing->property("asking").toBool());   // merely derived from the field of view
     EXPECT_EQ(w.current().shown().geometry.cArm.columnSpacingMm.origin, core::Origin::Derived);
 
     w.window.geometryPanel().setFolded(false);
@@ -145,7 +145,7 @@ TEST(WindowLandmarks, PairsClickedInBothViewsGiveTheStartPoseAsOneStep)
     const auto errors =
         core::landmarkErrorsPx(w.current().shown().landmarks, camera, w.current().shown().cameraFromPatient);
     for (const double error : errors) {
-        EXPECT_LT(error, 3.0);   // clicks fall on whole widget pixels, and nodes hide each other in 3-D
+        EXPECT_LT(error, 3.0);   // clicks have integer widget pixels, and nodes occlude each other in 3-D
     }
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, start), 1e-12);
@@ -189,7 +189,7 @@ TEST(WindowStartPose, ComesFromHandOrAnglesInOneStepEach)
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right, Qt::ShiftModifier);
     w.press(Qt::Key_Backspace, Qt::ShiftModifier);
-    EXPECT_NEAR(w.controller.pose().currentOffset()->rightMm, 0.0, 1e-9);   // here is the start now
+    EXPECT_NEAR(w.controller.pose().currentOffset()->rightMm, 0.0, 1e-9);   // this is the initial pose now
     EXPECT_GT(test::distance(*w.current().shown().initialCameraFromPatient, start), 1.0);
 
     w.press(Qt::Key_Backspace, Qt::ControlModifier);
@@ -236,7 +236,7 @@ TEST(WindowSides, TheMirroredViewMovesWithTheHand)
 
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right);
-    EXPECT_NEAR(w.controller.pose().currentOffset()->rightMm, -1.0, 1e-9);   // right on screen is left in the image
+    EXPECT_NEAR(w.controller.pose().currentOffset()->rightMm, -1.0, 1e-9);   // right on the screen is left in the image
     EXPECT_NEAR(w.current().shown().cameraFromPatient.rotation.determinant(), 1.0, 1e-12);
 }
 

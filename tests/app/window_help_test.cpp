@@ -22,7 +22,7 @@ TEST(WindowHelp, WhatWasToldCanBeReadAgain)
 {
     OpenWindow w;
     w.openSample();
-    w.press(Qt::Key_K);   // keeps the pose and says so
+    w.press(Qt::Key_K);   // stores a snapshot and reports it
     w.drop({QStringLiteral("/nowhere/run.dcm")});
     for (QDialog* message : w.dialogs("messageDialog")) {
         message->close();
@@ -92,7 +92,7 @@ TEST(WindowHelp, TheTourPointsAtVisiblePartsAndBlocksNothing)
         texts.insert(tour->findChildren<QLabel*>().at(1)->text());
     }
     EXPECT_EQ(static_cast<int>(texts.size()), tour->stopCount());
-    w.openSample();   // works under the bubble
+    w.openSample();   // the window works while the bubble is shown
     EXPECT_TRUE(w.current().vessels.tree);
     QTest::keyClick(tour, Qt::Key_Escape);
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
@@ -114,12 +114,12 @@ TEST(WindowHelp, TheTourOfAnEmptyWindowOpensTheSampleByEnter)
     tour->close();
 }
 
-/// Amber or orange pixels: lines that miss.
+/// Number of amber or orange pixels, which are lines with large residuals.
 int missingPixels(const QImage& picture)
 {
     int count = 0;
     for (int y = 0; y < picture.height(); ++y) {
-        for (int x = 0; x < picture.width() - 80; ++x) {   // without the scale
+        for (int x = 0; x < picture.width() - 80; ++x) {   // without the color scale
             const QColor pixel = picture.pixelColor(x, y);
             count += pixel.red() > 170 && pixel.blue() < 110 && pixel.red() > pixel.green() + 30;
         }

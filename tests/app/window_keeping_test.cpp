@@ -41,7 +41,7 @@ QDialog* questionOf(OpenWindow& w)
     return isAsked ? w.dialogs("changedElsewhere").front() : nullptr;
 }
 
-/// A case that is open in two windows, and was saved in the first one since.
+/// A case that is open in two windows and was then saved in the first one.
 class TwoWindows {
 public:
     TwoWindows()
@@ -65,7 +65,7 @@ public:
         const core::RigidTransform before = w.current().shown().cameraFromPatient;
         const auto hasMoved = [&] { return test::distance(w.current().shown().cameraFromPatient, before) > 0.0; };
         w.press(key);
-        if (!hasMoved()) {   // not by keys yet
+        if (!hasMoved()) {   // keys do not nudge yet
             w.press(Qt::Key_N);
             w.press(key);
         }
@@ -89,14 +89,14 @@ TEST(WindowKeeping, NeverWritesOverWhatAnotherWindowSavedUnasked)
     EXPECT_TRUE(w.isAsSavedFirst());
     EXPECT_TRUE(w.second.controller.document().isModified());
 
-    w.second.controller.saving().save();   // still not the content that this window knows
+    w.second.controller.saving().save();   // the file still differs from what this window read
     question = questionOf(w.second);
     ASSERT_TRUE(question);
     OpenWindow::clickButton(question, QStringLiteral("Overwrite"));
     ASSERT_TRUE(QTest::qWaitFor([&w] { return !w.second.controller.document().isModified(); }, test::patienceMs));
     EXPECT_FALSE(w.isAsSavedFirst());
 
-    TwoWindows::move(w.second, Qt::Key_Up);   // from now on it is this window's file
+    TwoWindows::move(w.second, Qt::Key_Up);   // the file is now the one this window wrote
     save(w.second, w.path);
     EXPECT_TRUE(w.second.dialogs("changedElsewhere").isEmpty());
 }
@@ -114,9 +114,9 @@ TEST(WindowKeeping, ReloadsWhatAnotherWindowSaved)
         },
         test::patienceMs));
     EXPECT_TRUE(w.isAsSavedFirst());
-    EXPECT_TRUE(w.second.dialogs("questionDialog").isEmpty());   // it was asked already
+    EXPECT_TRUE(w.second.dialogs("questionDialog").isEmpty());   // no second question
     TwoWindows::move(w.second, Qt::Key_Up);
-    save(w.second, w.path);   // it knows what it replaces
+    save(w.second, w.path);   // the content of the file is known
 }
 
 TEST(WindowKeeping, FreesTheCaseWhenItIsClosed)
@@ -133,7 +133,7 @@ TEST(WindowKeeping, FreesTheCaseWhenItIsClosed)
     EXPECT_FALSE(std::filesystem::exists(io::lockPathOf(path)));
 }
 
-/// While it lives, files cannot grow: as on a full drive.
+/// Prevents files from growing during its lifetime, as on a full drive.
 class FullDrive {
 public:
     FullDrive()
@@ -161,7 +161,7 @@ TEST(WindowKeeping, SaysThatTheAutomaticCopyFailsAndTriesAgain)
         EXPECT_TRUE(isKnown(w, QStringLiteral("automatic copy cannot be written")));
         EXPECT_EQ(state(), QStringLiteral("Not autosaved"));
     }
-    w.controller.saving().autosaveSoon();   // as the clock does, without another edit
+    w.controller.saving().autosaveSoon();   // as the autosave timer does, without another edit
     EXPECT_TRUE(QTest::qWaitFor([&state] { return state().startsWith(QStringLiteral("Autosaved")); }, test::patienceMs))
         << state().toStdString();
 }
@@ -206,7 +206,7 @@ TEST(WindowKeeping, AsksWhereTheCaseOfARecoveredCopyWasSavedSince)
         w.openSample();
         save(w, copy);
         test::writeText((copy + QStringLiteral(".origin")).toStdString(), path.toStdString() + "\nSample");
-        QTest::qWait(1100);   // file systems that count seconds
+        QTest::qWait(1100);   // file systems with time stamps in whole seconds
         save(w, path);
     }
     const std::string later = test::readText(path.toStdString());

@@ -18,7 +18,8 @@ constexpr int artery = 2;
 constexpr int organ = 7;
 constexpr int sideBranch = 9;
 
-/// The fork as an artery whose upper part carries a label of its own, beside an organ; with names as Slicer gives them.
+/// Fixture: the bifurcating vessel as an artery whose upper part has its own label, next to an organ, with names as
+/// Slicer writes them.
 class WindowLabels : public ::testing::Test {
 protected:
     void SetUp() override

@@ -19,7 +19,7 @@
 namespace angiopose::app {
 namespace {
 
-/// A window with the sample case, and English again when the test is over.
+/// A window with the sample case; restores English after the test.
 class WindowLanguage : public ::testing::Test {
 protected:
     void SetUp() override
@@ -77,7 +77,7 @@ TEST_F(WindowLanguage, ChangesAtOnceAndLosesNothing)
     EXPECT_TRUE(document.isModified());
     EXPECT_TRUE(host->window().windowTitle().contains(QLatin1Char('*')));
     EXPECT_EQ(controller().branches().marks().selected, (std::set<int>{1, 2}));
-    // The same part is shown; German words may leave it a little less room beside the column.
+    // The same region is shown; longer German texts in the column may leave it a little less space.
     EXPECT_NEAR(host->window().angiogramView().zoom(), zoom, 0.1 * zoom);
     EXPECT_DOUBLE_EQ(host->window().angiogramView().shownRange().window(), 77.0);
     waitForJudgement();
@@ -184,7 +184,7 @@ TEST_F(WindowLanguage, WritesNumbersAsTheLanguageDoes)
     }
 }
 
-/// The names of edits are said anew, their arguments too; those on both sides of the history.
+/// Names of edits are translated again, with their arguments, on both sides of the history.
 TEST_F(WindowLanguage, TranslatesWhatCanBeUndone)
 {
     QAction* undo = host->window().actions()[ui::Command::Undo];

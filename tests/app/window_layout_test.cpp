@@ -50,7 +50,7 @@ TEST(WindowLayout, RemembersWhatIsFolded)
     again.window.restoreLayout(layout);
     EXPECT_TRUE(sectionNamed(again.window, QStringLiteral("residuals"))->isFolded());
     EXPECT_FALSE(sectionNamed(again.window, QStringLiteral("convergence"))->isFolded());
-    again.window.restoreLayout(QByteArray("nonsense"));   // leaves all as it is
+    again.window.restoreLayout(QByteArray("nonsense"));   // changes nothing
     EXPECT_TRUE(sectionNamed(again.window, QStringLiteral("residuals"))->isFolded());
 }
 
@@ -80,7 +80,7 @@ TEST(WindowLayout, RemembersTheBrightnessOfASeries)
     w.press(Qt::Key_8);
     ASSERT_NEAR(w.window.angiogramView().shownRange().window(), 0.5 * automatic, 1e-6 * automatic);
 
-    w.controller.document().replace({}, {});   // another day
+    w.controller.document().replace({}, {});   // as if reopened later
     w.openSample();
     QApplication::processEvents();
 
@@ -93,7 +93,7 @@ TEST(WindowLayout, StartsWithTheSameBrightnessWhicheverFrameACaseWasLeftAt)
     w.openSample();
     QApplication::processEvents();
     const core::DisplayRange automatic = w.window.angiogramView().shownRange();
-    w.press(Qt::Key_Home);   // to a frame without contrast
+    w.press(Qt::Key_Home);   // to a frame without contrast agent
     ASSERT_EQ(w.current().shown().frame, 0);
     const test::TemporaryFolder folder;
     const std::string path = folder.file("case.angiopose");
@@ -119,7 +119,7 @@ void goTo(ui::MainWindow& window, Step step)
     QApplication::processEvents();
 }
 
-/// No test finds what another one made of the layout.
+/// Keeps each test from seeing the layout that another test stored.
 struct FreshLayout {
     FreshLayout() { forget(); }
     ~FreshLayout() { forget(); }
@@ -151,7 +151,7 @@ TEST(WindowLayout, FoldsAColumnToARailByKeyAndHandleAndBringsItBack)
     EXPECT_EQ(w.window.angiogramView().width(), imageBefore);
     EXPECT_FALSE(w.window.actions()[ui::Command::FoldLeft]->isChecked());
 
-    ui::FoldButton* handle = nullptr;   // of the right column: from there on by the keyboard alone
+    ui::FoldButton* handle = nullptr;   // of the right column; the rest of the test uses only the keyboard
     for (ui::FoldButton* button : w.window.findChildren<ui::FoldButton*>()) {
         handle = button->mapTo(&w.window, QPoint()).x() > w.window.width() / 2 ? button : handle;
     }
@@ -192,7 +192,7 @@ TEST(WindowLayout, RemembersFoldedColumnsAndOpensLayoutsThatKnewNone)
         w.openSample();
         width = w.window.branches().width();
         older = w.window.layoutState();
-        older.chop(2 * 1 + 2 * 4);   // folded and width of two columns, which came last
+        older.chop(2 * 1 + 2 * 4);   // removes the last fields: collapsed state and width of two columns
         w.press(Qt::Key_F5);
         folded = w.window.layoutState();
     }
@@ -237,7 +237,7 @@ TEST_F(WindowStepLayout, ShowsSlicesAndTheTreeLargeWhileAScanIsTraced)
 TEST_F(WindowStepLayout, RemembersWhatWasChangedByHandInEachStep)
 {
     goTo(w.window, Step::Review);
-    w.press(Qt::Key_F5);   // the branches are wanted, too
+    w.press(Qt::Key_F5);   // shows the left column with the branches, too
     ASSERT_FALSE(w.window.column(ColumnSide::Left).isFolded());
     goTo(w.window, Step::Register);
     w.press(Qt::Key_F6);
@@ -246,7 +246,7 @@ TEST_F(WindowStepLayout, RemembersWhatWasChangedByHandInEachStep)
     EXPECT_FALSE(w.window.column(ColumnSide::Right).isFolded());
 
     test::OpenWindow later;
-    EXPECT_TRUE(later.window.column(ColumnSide::Right).isFolded());   // as while registering
+    EXPECT_TRUE(later.window.column(ColumnSide::Right).isFolded());   // as left in the Register step
     goTo(later.window, Step::Review);
     EXPECT_FALSE(later.window.column(ColumnSide::Left).isFolded());
     later.press(Qt::Key_F5, Qt::ShiftModifier);

@@ -28,7 +28,7 @@ TEST(WindowLook, ShowsARadiographOfTheVesselsThatFollowsThePose)
 {
     OpenWindow w;
     w.openSample();
-    for (int press = 0; press < 3; ++press) {   // outline, tube, radiograph
+    for (int press = 0; press < 3; ++press) {   // outline, tube, DRR
         w.press(Qt::Key_O);
     }
     QTest::keyPress(&w.window.angiogramView(), Qt::Key_H);
@@ -44,7 +44,7 @@ TEST(WindowLook, ShowsARadiographOfTheVesselsThatFollowsThePose)
     w.press(Qt::Key_N);
     EXPECT_TRUE(QTest::qWaitFor([&] { return differentPixels(grabbed(w), atStart) > 1000; }, test::patienceMs));
 
-    w.press(Qt::Key_O);   // centrelines again
+    w.press(Qt::Key_O);   // back to centerlines
     EXPECT_TRUE(QTest::qWaitFor(
         [&] { return w.window.angiogramView().scene().treePasses(w.window.angiogramView().scene().viewRect()); },
         test::patienceMs));
@@ -82,7 +82,7 @@ TEST(WindowLook, TakesWindowAndLevelAsNumbers)
     QTest::keyClick(fields[0], Qt::Key_Return);
     EXPECT_NEAR(view.shownRange().window(), 640.0, 1e-9);
     EXPECT_NEAR(view.shownRange().level(), levelBefore, 1e-6);
-    w.press(Qt::Key_8);   // and the numbers follow the keys
+    w.press(Qt::Key_8);   // the displayed values follow the keys
     EXPECT_NEAR(*fields[0]->value(), 320.0, 1e-9);
 }
 

@@ -18,7 +18,7 @@ namespace {
 using core::VesselMarkKind;
 using test::OpenWindow;
 
-/// The window with the sample case, and a hand that marks its vessels and its image.
+/// Fixture: the window with the sample case, and helpers that mark its vessels and its image.
 class WindowMarks : public ::testing::Test {
 protected:
     void SetUp() override { w.openSample(); }
@@ -38,7 +38,7 @@ protected:
         QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, to);
     }
     const core::VesselTree& tree() { return *w.current().vessels.tree; }
-    /// The middle of the longest branch.
+    /// Midpoint of the longest branch.
     Eigen::Vector3d middle()
     {
         const auto& longest = *std::ranges::max_element(tree().branches, {}, &core::VesselBranch::lengthMm);

@@ -19,7 +19,7 @@ namespace {
 using core::BodyPlane;
 using ui::Command;
 
-/// How far up the arm on the patient's left reaches, in mm of z.
+/// Largest z of the arm on the patient's left, mm.
 double reachOfTheCutArm(const core::VesselTree& tree)
 {
     double highest = 0.0;
@@ -31,7 +31,7 @@ double reachOfTheCutArm(const core::VesselTree& tree)
     return highest;
 }
 
-/// The window with a traced scan, and a hand that edits its mask.
+/// Fixture: the window with a traced scan, and helpers that edit its mask.
 class WindowMask : public test::ScanWindow {
 protected:
     void SetUp() override
@@ -152,13 +152,13 @@ TEST_F(WindowMask, TheBrushGrowsAndPaintsBallsAboveTheThreshold)
     EXPECT_TRUE(isSetAt({12, 0, z - 4}));
 }
 
-TEST_F(WindowMask, ScissorsCutAndTheVesselsAreTracedAnew)
+TEST_F(WindowMask, ScissorsCutAndTheVesselsAreTracedAgain)
 {
     const auto treeBefore = w.current().vessels.tree;
     ASSERT_GT(reachOfTheCutArm(*treeBefore), 75.0);
     begin(Qt::Key_X);
     QComboBox& depth = *panel().findChild<QComboBox*>();
-    depth.setCurrentIndex(2);   // the whole depth
+    depth.setCurrentIndex(2);   // all slices
     emit depth.activated(2);
     model().setCrosshair({0, 0, 60});
     QApplication::processEvents();
@@ -215,7 +215,7 @@ TEST_F(WindowMask, TheScanCanBeTracedAgainAfterwards)
     EXPECT_EQ(model().mask(), w.current().vessels.lumen.get()) << "the new lumen is shown";
 }
 
-/// Undo comes while the button is down: of the stroke itself.
+/// Undo while the mouse button is down concerns the current stroke only.
 TEST_F(WindowMask, UndoInTheMiddleOfAStrokeTakesItBackAndNothingElse)
 {
     model().setCrosshair({0, 0, 20});
@@ -244,7 +244,7 @@ TEST_F(WindowMask, UndoInTheMiddleOfAStrokeTakesItBackAndNothingElse)
     EXPECT_EQ(model().mask()->voxels, after);
 }
 
-/// The first stroke after a trace, which undo takes away under it.
+/// Undo removes the trace during the first stroke on its lumen.
 TEST_F(WindowMask, TheLumenMayGoWhileItIsPainted)
 {
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_T, Qt::ControlModifier);
@@ -273,7 +273,7 @@ TEST_F(WindowMask, AnotherStrokeInItsPlaceIsAChange)
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_Z, Qt::ControlModifier);
     dragAlong(BodyPlane::Axial, {{10, 8, z}, {14, 8, z}});
     ASSERT_TRUE(waitForMask());
-    if (w.current().vessels.isLumenEdited) {   // a quick worker had its copy before the undo
+    if (w.current().vessels.isLumenEdited) {   // a fast worker took its copy before the undo
         EXPECT_TRUE(w.window.actions()[Command::TraceMask]->isEnabled()) << "the vessels know the other stroke";
     }
 }

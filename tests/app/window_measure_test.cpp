@@ -16,7 +16,7 @@ using core::MeasurementKind;
 using core::MeasurementPlane;
 using test::OpenWindow;
 
-/// The window with the sample case, and a hand that measures in its image.
+/// Fixture: the window with the sample case, and helpers that measure in its image.
 class WindowMeasure : public ::testing::Test {
 protected:
     void SetUp() override { w.openSample(); }
@@ -37,7 +37,7 @@ protected:
         QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, to);
     }
     void drawLength(double u0, double v0, double u1, double v1) { dragFrom(at(u0, v0), at(u1, v1)); }
-    void waitALittle() { QTest::qWait(QApplication::doubleClickInterval() + 20); }   // no click is the second of two
+    void waitALittle() { QTest::qWait(QApplication::doubleClickInterval() + 20); }   // avoids double clicks
 
     const std::vector<core::ImageMeasurement>& measurements() { return w.current().shown().measurements; }
     QTreeWidget& list() { return *w.window.measure().findChild<QTreeWidget*>(); }
@@ -114,7 +114,7 @@ TEST_F(WindowMeasure, AnglesAndAreasByClicks)
     QTest::mouseDClick(&view(), Qt::LeftButton, Qt::NoModifier, at(330, 350));
     EXPECT_EQ(measurements().size(), 2U) << "a double click's own first click sets a point, two are no area";
     click(330, 350);
-    click(300, 300);   // its first point
+    click(300, 300);   // closes the polygon at its first point
     ASSERT_EQ(measurements().size(), 3U);
     EXPECT_EQ(measurements()[2].pixels.size(), 3U);
 }
@@ -180,7 +180,7 @@ TEST_F(WindowMeasure, ThePlaneIsChosenAndValuesFollowThePose)
     auto* plane = w.window.measure().findChild<QComboBox*>();
     plane->setFocus();
     QTest::keyClick(plane, Qt::Key_End);
-    QTest::keyClick(plane, Qt::Key_Up);   // before the typed scale
+    QTest::keyClick(plane, Qt::Key_Up);   // the entry before the typed scale
     EXPECT_EQ(measurements()[0].plane, MeasurementPlane::Pixels);
     EXPECT_NEAR(measured(0).value.value, 100.0, 1.0);
     EXPECT_NE(view().marks()[0].label.find("px"), std::string::npos);

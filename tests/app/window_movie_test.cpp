@@ -13,7 +13,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// Movies asked for by keys, in the dialog and the file dialog.
+/// Fixture: exports movies through the keyboard, the dialog and the file dialog.
 class WindowMovie : public ::testing::Test {
 protected:
     WindowMovie()

@@ -14,7 +14,7 @@ namespace {
 using core::BodyPlane;
 using WindowNarrow = test::ScanWindow;
 
-/// Buttons and boxes whose words do not fit into them, or that lie outside what `page` shows across.
+/// Buttons and combo boxes whose text does not fit, or that extend beyond the visible width of `page`.
 QStringList cutOff(ui::SlicesPage& page)
 {
     QStringList cut;
@@ -39,7 +39,7 @@ TEST_F(WindowNarrow, NothingOfTheSlicesPageIsCutOffInAnyLanguage)
         for (const QString& language : ui::languages()) {
             ui::applyLanguage(language);
             ui::speakAgain();
-            const bool fits = QTest::qWaitFor([&page] { return cutOff(page).isEmpty(); });   // laid out in turns
+            const bool fits = QTest::qWaitFor([&page] { return cutOff(page).isEmpty(); });   // the layout takes time
             EXPECT_TRUE(fits) << size.width() << ' ' << language.toStdString() << ": "
                               << cutOff(page).join(QStringLiteral(", ")).toStdString();
         }

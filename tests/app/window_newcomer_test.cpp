@@ -15,7 +15,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// Someone who starts the program for the first time and only clicks; every click and every drop is counted.
+/// Fixture: a first-time user who only clicks; counts every click and every drop.
 class Newcomer : public ::testing::Test {
 protected:
     void SetUp() override
@@ -31,7 +31,8 @@ protected:
         settings::saveFolder.write({});
     }
 
-    /// Where the widget is seen: what lies over it, or a dialog in front, would get the click instead.
+    /// Clicks the middle of the widget after checking that nothing covers it and no modal dialog would receive the
+    /// click instead.
     void click(QWidget* widget)
     {
         ASSERT_TRUE(widget && widget->isVisible() && widget->isEnabled());
@@ -72,7 +73,7 @@ protected:
         ++clicks;
     }
 
-    /// Register, then export what the program suggests.
+    /// Registers, then exports under the suggested name.
     void registerAndExport()
     {
         w.waitForJudgement();
@@ -116,7 +117,7 @@ TEST_F(Newcomer, ReachesAnOverlayOfADicomFolderAndARunInTwelve)
     drop(QString::fromStdString(study.file("")));
     ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().vessels.tree != nullptr; }, test::patienceMs));
     drop(QFileInfo(sample.value()).dir().filePath(QStringLiteral("run.dcm")));
-    openAllTheSame();   // the scan is another patient's than the sample's run
+    openAllTheSame();   // the scan and the sample's run are of different patients
     ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().shown().angiogram != nullptr; }, test::patienceMs));
     registerAndExport();
     EXPECT_LE(clicks, 12);

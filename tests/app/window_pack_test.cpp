@@ -11,7 +11,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// A case packed from the menu: dialog, file dialog, archive.
+/// Fixture: shares a case as a zip archive through the menu, the dialog and the file dialog.
 class WindowPack : public ::testing::Test {
 protected:
     QDialog* asked()

@@ -12,7 +12,7 @@ namespace {
 
 using core::BodyPlane;
 
-/// A scan with a fork; its side branch is taken out of the tree, as if tracing had missed it.
+/// Fixture: a scan of a bifurcating vessel whose side branch was removed from the tree, as if tracing had missed it.
 class WindowPath : public test::ScanWindow {
 protected:
     void SetUp() override
@@ -28,7 +28,7 @@ protected:
     }
     void clickAt(const Eigen::Vector3d& point)
     {
-        model().setCrosshair(point);   // the slice that shows it
+        model().setCrosshair(point);   // shows the slice that contains the point
         QApplication::processEvents();
         click(BodyPlane::Axial, point);
     }
@@ -89,7 +89,7 @@ TEST_F(WindowPath, AddedVesselIsKeptWithTheCase)
     clickAt(missed.pointsInPatient.front());
     clickAt(missed.pointsInPatient.back());
     ASSERT_TRUE(waitForBranch());
-    const QString imagePath = folder.filePath(QStringLiteral("frame.png"));   // a case is kept with one
+    const QString imagePath = folder.filePath(QStringLiteral("frame.png"));   // a case can be saved only with an image
     QImage image(128, 128, QImage::Format_Grayscale8);
     for (int x = 0; x < image.width(); ++x) {
         for (int y = 0; y < image.height(); ++y) {

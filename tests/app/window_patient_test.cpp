@@ -19,10 +19,10 @@ namespace {
 
 using test::OpenWindow;
 
-/// What of a patient another one differs in.
+/// Attribute in which another patient differs.
 enum class Trait { Number, Name, BirthDate, Sex, Side };
 
-/// How files come into the window.
+/// The ways of opening files in the window.
 enum class WayIn { AddedView, ReplacedRun, ScanAsVessels, ScanBeside, ScanAndRunTogether, CaseFile };
 
 core::StudyIdentity patient()

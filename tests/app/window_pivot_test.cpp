@@ -11,7 +11,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// A place on the vessels far from their centroid, and where the angiogram shows it.
+/// A point on the vessels far from their centroid, and its position in the angiogram.
 struct Place {
     Eigen::Vector3d pointInPatient;
     QPoint at;

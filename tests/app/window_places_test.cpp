@@ -85,7 +85,7 @@ TEST(WindowPlaces, TheThreeDViewLeavesForAWindowAndComesBackWhenItIsClosed)
     EXPECT_TRUE(w.window.actions()[ui::Command::CornerWindow]->isChecked());
     EXPECT_TRUE(w.window.branches().isVisible());
 
-    // The keys act there too, those of the window and those of the mode.
+    // Keys also work in the separate window, both those of the main window and those of the mode.
     const core::RigidTransform pose = w.current().shown().cameraFromPatient;
     QTest::keyClick(&tree, Qt::Key_N);
     QTest::keyClick(&tree, Qt::Key_Right);
@@ -112,7 +112,7 @@ TEST(WindowPlaces, TheAngiogramLeavesAPlaceFromWhichItIsBroughtBack)
     const QList<QPushButton*> buttons = w.window.frameOf(MovableView::Image).findChildren<QPushButton*>();
     for (QPushButton* button : buttons) {
         if (button->isVisible()) {
-            QTest::mouseClick(button, Qt::LeftButton);   // the only one: bring it back
+            QTest::mouseClick(button, Qt::LeftButton);   // the only button: bring the view back
         }
     }
     QApplication::processEvents();
@@ -145,7 +145,7 @@ TEST(WindowPlaces, ALayoutRemembersWhatHasAWindowOfItsOwnAndWhere)
     QApplication::processEvents();
     EXPECT_TRUE(QTest::qWaitForWindowActive(&again.window));
     const QSize beside = again.window.treeView().size();
-    again.press(Qt::Key_F8);   // and where it was, when it leaves again
+    again.press(Qt::Key_F8);   // remembers its place when it is detached again
     waitForWindow(again.window.treeView());
     EXPECT_EQ(windowOf(again.window.treeView())->geometry().size(), place.size());
     EXPECT_GT(beside.height(), 100);

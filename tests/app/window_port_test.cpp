@@ -12,7 +12,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// The receiving port of the window: who may push to it, and how; real peers call it.
+/// Fixture: the storage SCP of the window. Real peers send to it, to test who may send and how.
 class WindowPort : public test::ArchiveWindow {
 protected:
     void SetUp() override
@@ -52,7 +52,7 @@ protected:
         QTest::keyClicks(line, QString::fromStdString(text));
     }
 
-    /// Clicks the switch, and waits until it is as clicked.
+    /// Clicks the switch and waits until the receiver has started or stopped.
     void switchPort() const
     {
         auto* onOff = dialog->findChild<QCheckBox*>(QStringLiteral("receiveSwitch"));
@@ -60,7 +60,7 @@ protected:
         QTest::mouseClick(onOff, Qt::LeftButton, {}, {8, onOff->height() / 2});
         const auto* field = dialog->findChild<QLineEdit*>(QStringLiteral("receivePort"));
         EXPECT_TRUE(QTest::qWaitFor([&] { return field->isEnabled() == wasOn; }, test::patienceMs));
-        QTest::qWait(300);   // until it listens
+        QTest::qWait(300);   // until the receiver listens
     }
 
     io::ArchiveNode us(const std::string& caller) const
@@ -72,7 +72,7 @@ protected:
         return node;
     }
 
-    /// Sends two objects from another thread, while the window lives.
+    /// Sends two objects from another thread while the window keeps running.
     io::TransferReport sendTo(const io::ArchiveNode& node, const std::string& series) const
     {
         io::TransferReport report;
@@ -100,7 +100,7 @@ protected:
     int port = test::freePort();
 };
 
-TEST_F(WindowPort, OnlyListedCallersAreTakenAndStrangersAreTold)
+TEST_F(WindowPort, OnlyListedCallersAreTakenAndStrangersAreReported)
 {
     ui::PortDialog* asked = security();
     ASSERT_TRUE(asked);

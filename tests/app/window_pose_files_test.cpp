@@ -16,7 +16,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// The sample with files of poses beside it.
+/// Fixture: the sample with pose files next to it.
 class WindowPoseFiles : public ::testing::Test {
 protected:
     void SetUp() override
@@ -33,7 +33,7 @@ protected:
     {
         EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, moved), 1e-9);
         EXPECT_TRUE(w.dialogs("messageDialog").isEmpty());
-        w.window.actions()[ui::Command::Undo]->trigger();   // no key: a dialog that closes has the focus for a while
+        w.window.actions()[ui::Command::Undo]->trigger();   // not by key: a closing dialog keeps the focus for a while
         EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, before), 0.0);
     }
     bool isKnown(const QString& words)
@@ -46,7 +46,7 @@ protected:
             },
             test::patienceMs);
     }
-    /// What the one dialog says; it is closed.
+    /// Text of the only dialog, which is then closed.
     QString refusal()
     {
         QString words;
@@ -87,7 +87,7 @@ TEST_F(WindowPoseFiles, AskWhoseCameraCountsWhereTheyBringAnother)
     ASSERT_TRUE(io::writeSight({other, moved}, file("other.yml")));
     w.drop({path("other.yml")});
     ASSERT_EQ(w.dialogs("cameraQuestion").size(), 1);
-    EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, before), 0.0);   // nothing unasked
+    EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, before), 0.0);   // nothing without confirmation
     OpenWindow::clickButton(w.dialogs("cameraQuestion").front(), QStringLiteral("Cancel"));
     EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, before), 0.0);
 

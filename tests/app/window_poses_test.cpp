@@ -20,7 +20,7 @@ TEST(WindowPoses, KeepsThePoseWithItsNumbersAndUndoesThat)
     w.press(Qt::Key_R);
     w.waitForRun();
     ASSERT_TRUE(w.current().shown().result);
-    ASSERT_EQ(w.current().shown().snapshots.size(), 1u);   // the run left one
+    ASSERT_EQ(w.current().shown().snapshots.size(), 1u);   // stored by the registration
     EXPECT_EQ(w.current().shown().snapshots[0].kind, core::SnapshotKind::Run);
 
     w.press(Qt::Key_K);
@@ -35,7 +35,7 @@ TEST(WindowPoses, KeepsThePoseWithItsNumbersAndUndoesThat)
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(w.current().shown().snapshots.size(), 1u);
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_TRUE(w.current().shown().snapshots.empty());   // the run and what it left are one step
+    EXPECT_TRUE(w.current().shown().snapshots.empty());   // the registration and its snapshot are one undo step
     EXPECT_EQ(w.history().index(), 0);
 }
 
@@ -43,7 +43,7 @@ TEST(WindowPoses, GoesBetweenTwoPosesWithOneKeyAndChangesNothing)
 {
     OpenWindow w;
     w.openSample();
-    w.press(Qt::Key_Y);   // nothing to go to
+    w.press(Qt::Key_Y);   // no snapshot to switch to
     EXPECT_FALSE(w.controller.poses().snapshots().marks().shown);
     w.press(Qt::Key_K);
     w.press(Qt::Key_R);
@@ -80,7 +80,7 @@ TEST(WindowPoses, ComparesARunWithTheLastKeptPoseAndNotWithItself)
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right, Qt::ShiftModifier);
     w.press(Qt::Key_N);
-    w.press(Qt::Key_K);   // the newest is compared from now on
+    w.press(Qt::Key_K);   // the newest snapshot becomes the one to compare with
     const int newest = w.current().shown().snapshots.back().id;
     w.press(Qt::Key_R);
     w.waitForRun();
@@ -163,10 +163,10 @@ TEST(WindowPoses, RunsSeveralMethodsIntoTheTable)
     ASSERT_EQ(w.current().shown().snapshots.size(), 2u);
     EXPECT_EQ(w.current().shown().snapshots[0].method, "angiopose");
     EXPECT_EQ(w.current().shown().snapshots[1].method, "dt-icp");
-    EXPECT_EQ(table->table()->topLevelItemCount(), 3);   // and the pose as it is
+    EXPECT_EQ(table->table()->topLevelItemCount(), 3);   // plus the current pose
     EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, before), 0.0);
     w.history().undo();
-    EXPECT_TRUE(w.current().shown().snapshots.empty());   // one step
+    EXPECT_TRUE(w.current().shown().snapshots.empty());   // both are one undo step
 }
 
 TEST(WindowPoses, SurviveSavingAndReopening)

@@ -14,7 +14,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// The key sheet with the line of a command chosen.
+/// The list of keyboard shortcuts with the row of a command selected.
 struct OpenSheet {
     explicit OpenSheet(OpenWindow& window)
     {

@@ -24,7 +24,7 @@ QString ofTest(const std::string& path)
     return QString::fromStdString(path);
 }
 
-/// A saved sample whose title, folder and name are planted.
+/// Fixture: a saved sample with planted words in its title, folder and name.
 class WindowPrivacy : public ::testing::Test {
 protected:
     WindowPrivacy()
@@ -48,7 +48,7 @@ protected:
         EXPECT_TRUE(QTest::qWaitFor([&] { return isSaved; }, test::patienceMs));
     }
 
-    /// Files in settings, cache, data and state of this user in which the word stands, or that have it in their names.
+    /// Files in this user's settings, cache, data and state folders that contain the word in their content or name.
     static QStringList traces(const QByteArray& word)
     {
         QSettings().sync();
@@ -65,7 +65,7 @@ protected:
         return found;
     }
 
-    /// A session as people have them: opened, edited, copied by itself, exported, saved, closed.
+    /// A typical session: opens, edits, autosaves, exports, saves and closes a case.
     void session() const
     {
         OpenWindow w;
@@ -77,7 +77,7 @@ protected:
         w.window.actions()[ui::Command::ExportPose]->trigger();
         w.saveAs(ofTest(folder.file("PLANTED folder/exported.tfm")));
         save(w);
-        QTest::qWait(500);   // a picture would be made now
+        QTest::qWait(500);   // time for a thumbnail to be written
         shownTitle = w.window.windowTitle();
         w.controller.saving().discardAutosave();
     }

@@ -82,7 +82,7 @@ TEST(WindowRecent, ClearingTheListRemovesThePicturesAndKeepsTheCase)
     QMenu* menu = w.window.actions().recentMenu();
     ASSERT_FALSE(menu->actions().isEmpty());
     menu->actions().back()->trigger();
-    QTest::qWait(0);   // rows go when nobody is in them any more
+    QTest::qWait(0);   // rows are deleted once no event of theirs is in progress
 
     EXPECT_TRUE(recentCases().isEmpty());
     EXPECT_EQ(picturesStored(), 0);
@@ -215,11 +215,11 @@ TEST(WindowRecent, PicturesAreSwitchedOff)
     EXPECT_EQ(picturesStored(), 0);
 }
 
-/// A drive that does not answer: the look-up of its case waits until the test lets it go.
+/// Simulates a drive that does not respond: the lookup of its case blocks until the test releases it.
 TEST(WindowRecent, ADriveThatDoesNotAnswerKeepsNobodyWaiting)
 {
     forgetRecentCases();
-    OpenWindow w;   // looks before there are cases, by itself
+    OpenWindow w;   // its own lookup finds no cases yet
     rememberCase(QStringLiteral("/near/there.angiopose"));
     rememberCase(QStringLiteral("/hanging/drive.angiopose"));
     std::promise<void> answer;
@@ -248,7 +248,7 @@ TEST(WindowRecent, ADriveThatDoesNotAnswerKeepsNobodyWaiting)
     forgetRecentCases();
 }
 
-/// Grey values along a row of the picture's top, where names stand.
+/// Compares gray values along a row near the top of the thumbnail, where burned-in names are.
 TEST(WindowRecent, LettersInTheImageAreNotInThePicture)
 {
     OpenWindow w;

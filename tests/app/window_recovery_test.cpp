@@ -16,7 +16,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// Copies as two crashed sessions would have left them: of a case that was saved, and of one that never was.
+/// Copies as left by two crashed sessions: one of a saved case and one of a case that was never saved.
 class CrashedSessions {
 public:
     CrashedSessions()
@@ -31,7 +31,7 @@ public:
         save(w, copyOf(1));
         w.press(Qt::Key_Left);
         save(w, copyOf(2));
-        writeOrigin(1, saved_.toUtf8());   // as older versions did
+        writeOrigin(1, saved_.toUtf8());   // format of older versions
         writeOrigin(2, "\nHead phantom");
     }
     ~CrashedSessions()
@@ -94,10 +94,10 @@ TEST(WindowRecovery, OpensTheChosenCopyUnderTheNameOfItsCase)
     ASSERT_TRUE(QTest::qWaitFor([&] { return !w.controller.isLoading() && !w.controller.document().isEmpty(); },
                                 test::patienceMs));
     EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, crashed.pose()), 1e-9);
-    EXPECT_EQ(w.controller.document().path(), crashed.saved());   // Save goes where the case lives
+    EXPECT_EQ(w.controller.document().path(), crashed.saved());   // Save writes to the original file
     EXPECT_TRUE(w.controller.document().isModified());
     ASSERT_TRUE(QTest::qWaitFor([] { return !QFile::exists(CrashedSessions::copyOf(1)); }, test::patienceMs));
-    EXPECT_TRUE(QFile::exists(CrashedSessions::copyOf(2)));   // nobody decided about the other
+    EXPECT_TRUE(QFile::exists(CrashedSessions::copyOf(2)));   // no decision was made about the other copy
 }
 
 TEST(WindowRecovery, DeletesOnlyWhatWasChosen)
@@ -143,7 +143,7 @@ TEST(WindowRecovery, OpensACaseWhoseInputsHaveMoved)
 
     ASSERT_TRUE(again.current().vessels.tree);
     EXPECT_TRUE(again.dialogs("messageDialog").isEmpty());
-    EXPECT_TRUE(again.controller.document().isModified());   // the file does not know the new places yet
+    EXPECT_TRUE(again.controller.document().isModified());   // the new paths are not in the file yet
     EXPECT_EQ(again.current().vessels.tree->pointCount(), inputs.vessels.tree->pointCount());
 }
 
@@ -156,7 +156,7 @@ TEST(WindowRecovery, AsksWhereInputsAreThatNobodyFinds)
     std::string text = test::readText(crashed.saved().toStdString());
     const std::size_t hash = text.find("\"sha256\": \"");
     ASSERT_NE(hash, std::string::npos);
-    text.replace(hash + 11, 64, std::string(64, '0'));   // nothing has this content
+    text.replace(hash + 11, 64, std::string(64, '0'));   // a hash that no file has
     const std::size_t name = text.find("\"path\": \"");
     text.insert(name + 9, "gone/");
     test::writeText(path, text);

@@ -18,7 +18,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// Reports written through the menu and the file dialog.
+/// Fixture: writes reports through the menu and the file dialog.
 class WindowReport : public ::testing::Test {
 protected:
     ui::ReportDialog* asked()
@@ -63,7 +63,7 @@ TEST_F(WindowReport, HoldsPictureResultGeometryAndInputs)
           QByteArray::fromStdString(w.current().shown().imageFile.sha256.substr(0, 16)), QByteArray("Signature")}) {
         EXPECT_TRUE(text.contains(wanted)) << wanted.toStdString();
     }
-    const qsizetype from = text.lastIndexOf("base64,") + 7;   // behind the mark
+    const qsizetype from = text.lastIndexOf("base64,") + 7;   // after the marker
     const QImage picture = QImage::fromData(QByteArray::fromBase64(text.mid(from, text.indexOf('"', from) - from)));
     EXPECT_GT(
         picture.width(),
@@ -71,7 +71,7 @@ TEST_F(WindowReport, HoldsPictureResultGeometryAndInputs)
         << "before and after";
 }
 
-/// What a run says of its frame is not said of another one.
+/// Figures of a registration apply to its frame only, not to another one.
 TEST_F(WindowReport, TellsTheFiguresOfTheFrameItShows)
 {
     w.openSample();
@@ -154,7 +154,7 @@ TEST_F(WindowReport, NamesThePatientOnlyWhereThatIsWanted)
     EXPECT_TRUE(written("named.html", ui::Choice::On).contains("fantom as"));
 }
 
-/// Reports by a template of one's own, which lies beside its logo.
+/// Fixture: reports from a user's own template, with a logo next to it.
 class WindowReportTemplate : public WindowReport {
 protected:
     void SetUp() override
@@ -167,7 +167,7 @@ protected:
     }
     void TearDown() override { settings::reportTemplate.write({}); }
 
-    /// Chosen in the dialog, which the next report begins with.
+    /// Chooses a template in the dialog; the next report dialog starts with it.
     void choose(const QByteArray& html)
     {
         const QString path = folder.filePath(QStringLiteral("letter.html"));

@@ -34,7 +34,7 @@ TEST(WindowReview, ReplaysARunWithoutTouchingTheCase)
 {
     OpenWindow w;
     w.openSample();
-    w.press(Qt::Key_P);   // no run yet
+    w.press(Qt::Key_P);   // no registration yet
     EXPECT_FALSE(w.window.actions()[ui::Command::Replay]->isChecked());
     w.press(Qt::Key_R);
     w.waitForRun();
@@ -76,14 +76,14 @@ TEST(WindowReview, AReplayThatEndsASwingGoesOn)
     ASSERT_TRUE(QTest::qWaitFor(
         [&] {
             w.press(Qt::Key_U);
-            return swing->isChecked();   // once the uncertainty is known
+            return swing->isChecked();   // works once the uncertainty is known
         },
         test::patienceMs));
     w.press(Qt::Key_P);
     EXPECT_FALSE(swing->isChecked());
     EXPECT_TRUE(replay->isChecked());
     EXPECT_EQ(w.controller.preview().shown(), PreviewOf::Replay);
-    EXPECT_TRUE(QTest::qWaitFor([replay] { return !replay->isChecked(); }, test::patienceMs));   // it came to its end
+    EXPECT_TRUE(QTest::qWaitFor([replay] { return !replay->isChecked(); }, test::patienceMs));   // the replay ended
     EXPECT_FALSE(w.controller.preview().shown());
 }
 

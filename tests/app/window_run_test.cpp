@@ -7,7 +7,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// Makes the next run so long that only a stop ends it.
+/// Makes the next registration so long that only a stop request ends it.
 void makeRunLong(OpenWindow& w)
 {
     core::RegistrationOptions options = w.current().options;

@@ -15,7 +15,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// The same vessels from a file, and then their scan.
+/// Fixture: vessels from a file, and then the scan of the same vessels.
 class WindowScanBeside : public ::testing::Test {
 protected:
     void SetUp() override
@@ -40,7 +40,7 @@ protected:
     {
         OpenWindow::clickButton(w.dialogs("scanQuestion").front(), verb);
         EXPECT_TRUE(QTest::qWaitFor([this] { return !w.controller.isLoading(); }, test::patienceMs));
-        w.window.activateWindow();   // no window manager does it here
+        w.window.activateWindow();   // there is no window manager to do it
         EXPECT_TRUE(QTest::qWaitForWindowActive(&w.window));
     }
 
@@ -70,7 +70,7 @@ TEST_F(WindowScanBeside, OrItsVesselsAreTraced)
     EXPECT_TRUE(w.current().vessels.file.path.ends_with("scan.nrrd"));
 }
 
-/// The fork in blood hardly brighter than tissue: no level can be told from the values.
+/// The bifurcating vessel with a lumen hardly brighter than tissue: no threshold can be derived from the values.
 core::Volume faintScan()
 {
     core::Volume scan = test::forkScan();
@@ -114,7 +114,7 @@ TEST(WindowScanWithoutVessels, IsShownAndTracedByHand)
     EXPECT_TRUE(w.current().vessels.scanFile.path.ends_with("faint.nrrd"));
 }
 
-/// The case file has no place for a scan without vessels: that is said before a name is asked for.
+/// The case file cannot hold a scan without vessels; the message appears before the file dialog.
 TEST(WindowScanWithoutVessels, CannotBeSavedAndSaysWhy)
 {
     const QTemporaryDir folder;

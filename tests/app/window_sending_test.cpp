@@ -11,7 +11,7 @@ namespace {
 using test::Heartbeat;
 using test::OpenWindow;
 
-/// The sample as DICOM objects on their way to an archive.
+/// Fixture: sends the sample as DICOM objects to an archive.
 class WindowSending : public test::ArchiveWindow {
 protected:
     ui::SendDialog* asked()
@@ -20,7 +20,7 @@ protected:
         w.window.actions()[ui::Command::SendToArchive]->trigger();
         const auto dialogs = w.dialogs("dicomDialog");
         EXPECT_EQ(dialogs.size(), 1);
-        dialogs.front()->findChildren<QCheckBox*>()[1]->setChecked(false);   // pictures of a run take their time
+        dialogs.front()->findChildren<QCheckBox*>()[1]->setChecked(false);   // overlay images of a run take long
         OpenWindow::clickButton(dialogs.front(), QStringLiteral("Choose PACS…"));
         ui::SendDialog* dialog = nullptr;
         const auto isThere = [&] {
@@ -47,7 +47,7 @@ TEST_F(WindowSending, WhatIsPushedIsCountedAndOffered)
     QTest::mouseClick(onOff, Qt::LeftButton, {}, {8, onOff->height() / 2});
     EXPECT_TRUE(onOff->isChecked());
     EXPECT_TRUE(QTest::qWaitFor([&] { return !field->isEnabled(); }, test::patienceMs));
-    QTest::qWait(200);   // until it listens
+    QTest::qWait(200);   // until the receiver listens
     io::ArchiveNode us = nodeAt(port);
     us.title = "ANGIOPOSE";
     io::TransferReport report;

@@ -10,7 +10,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// A CT angiogram of a forked vessel, and the three slices of another series.
+/// Writes a CT angiogram of a bifurcating vessel, and the three slices of another series.
 void writeStudy(const test::TemporaryFolder& folder)
 {
     test::writeShuffled(folder, test::allSlices(test::forkScan()));
@@ -25,7 +25,7 @@ void writeStudy(const test::TemporaryFolder& folder)
     }
 }
 
-/// A folder beside another file is not browsed: one of its series joins that file.
+/// A folder dropped together with another file is not browsed: one of its series is opened with that file.
 TEST(WindowSeries, AFolderWithSeveralBesideAFileAsksAndTheChosenOneIsTraced)
 {
     const test::TemporaryFolder folder;

@@ -90,7 +90,7 @@ TEST(WindowSideBySide, ADoubleClickOrAClickOnTheNameMakesItTheShownView)
 
     QTest::mouseClick(&w.images().pane(0).title(), Qt::LeftButton);
     EXPECT_EQ(w.current().shownView, 0U);
-    QTest::mouseClick(&w.images().title(), Qt::LeftButton);   // of the shown one: nothing to choose
+    QTest::mouseClick(&w.images().title(), Qt::LeftButton);   // the view that is already shown: no change
     EXPECT_EQ(w.current().shownView, 0U);
     w.press(Qt::Key_Z, Qt::ControlModifier);
     w.press(Qt::Key_Z, Qt::ControlModifier);
@@ -140,7 +140,7 @@ TEST(WindowSideBySide, PosesThatAreIndependentStayAndSaySo)
 {
     BesideWindow w;
     const ui::PaneTitle& title = w.images().pane(0).title();
-    EXPECT_EQ(title.note(), QStringLiteral("moves along"));
+    EXPECT_EQ(title.note(), QStringLiteral("linked"));
     w.setTogether(false);
     EXPECT_EQ(title.note(), QStringLiteral("independent pose"));
     const core::RigidTransform before = w.poseOf(1);
@@ -150,7 +150,7 @@ TEST(WindowSideBySide, PosesThatAreIndependentStayAndSaySo)
     QTest::mouseRelease(&w.image(), Qt::LeftButton, {}, to);
     EXPECT_EQ(w.other().cameraFromPatient().matrix(), before.matrix());
     w.setTogether(true);
-    EXPECT_EQ(title.note(), QStringLiteral("moves along"));
+    EXPECT_EQ(title.note(), QStringLiteral("linked"));
 }
 
 TEST(WindowSideBySide, ColorsTellHowEachPoseAgreesWithItsOwnImage)
@@ -191,9 +191,9 @@ TEST(WindowSideBySide, EachHasItsOwnFrame)
     EXPECT_EQ(bar->value(), 1);
     QTest::keyClick(bar, Qt::Key_End);
     EXPECT_EQ(w.current().views[1].frame, 2);
-    QTest::keyClick(&w.other(), Qt::Key_Down);   // none behind the last
+    QTest::keyClick(&w.other(), Qt::Key_Down);   // there is none after the last
     EXPECT_EQ(w.current().views[1].frame, 2);
-    w.press(Qt::Key_Z, Qt::ControlModifier);   // so quick that they are one step
+    w.press(Qt::Key_Z, Qt::ControlModifier);   // changes in quick succession are one undo step
     EXPECT_NE(w.current().views[1].frame, 2);
     EXPECT_EQ(bar->value(), w.current().views[1].frame);
     EXPECT_FALSE(w.history().canUndo());
@@ -207,7 +207,7 @@ TEST(WindowSideBySide, EachHasItsOwnBrightnessAndZoom)
     w.other().setWindowLevel(0.5, 0.25);
     QTest::mouseClick(&w.other(), Qt::LeftButton, {}, {5, 5});
     ASSERT_TRUE(w.other().hasFocus());
-    QTest::keyClick(&w.other(), Qt::Key_7);   // keys are about the image that has them
+    QTest::keyClick(&w.other(), Qt::Key_7);   // keys act on the image with the focus
     EXPECT_DOUBLE_EQ(w.other().shownRange().window(), 1.0);
     EXPECT_DOUBLE_EQ(w.image().shownRange().level(), level);
     w.other().zoomTo({100.0, 140.0, 100.0, 140.0});
@@ -215,7 +215,7 @@ TEST(WindowSideBySide, EachHasItsOwnBrightnessAndZoom)
     QTest::keyClick(&w.other(), Qt::Key_1);
     EXPECT_TRUE(w.other().isFitted());
     w.image().setFocus();
-    w.press(Qt::Key_I);   // how overlay and image are shown is common
+    w.press(Qt::Key_I);   // display modes of overlay and image apply to all views
     w.press(Qt::Key_T);
     EXPECT_TRUE(w.other().scene().content().frame.isInverted());
     EXPECT_TRUE(w.other().scene().content().isTracedShown);
@@ -235,7 +235,7 @@ TEST(WindowSideBySide, ViewsComeAndGoWithTheCase)
     }
     auto& strip = *w.window.views().findChild<QListWidget*>();
     strip.setFocus();
-    QTest::keyClick(&strip, Qt::Key_Delete);   // the shown one
+    QTest::keyClick(&strip, Qt::Key_Delete);   // removes the shown view
     ASSERT_EQ(w.current().views.size(), 3U);
     ASSERT_EQ(w.images().paneCount(), 2U);
     EXPECT_EQ(w.images().title().title(), QStringLiteral("1 · second"));

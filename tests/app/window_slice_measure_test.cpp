@@ -13,7 +13,7 @@ namespace {
 
 using core::BodyPlane;
 
-/// The window with a scan, and a hand that measures in its slices.
+/// Fixture: the window with a scan, and helpers that measure in its slices.
 class WindowSliceMeasure : public test::ScanWindow {
 protected:
     const std::vector<core::SliceMeasurement>& measurements() { return w.current().vessels.measurements; }
@@ -134,7 +134,7 @@ TEST_F(WindowSliceMeasure, OtherModesEndItAndSeedsAreSetAgain)
 {
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_D, Qt::ShiftModifier);
     ASSERT_TRUE(model().tool());
-    QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_X, Qt::ShiftModifier);   // check points
+    QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_X, Qt::ShiftModifier);   // target points
     EXPECT_FALSE(model().tool());
     EXPECT_FALSE(w.window.actions()[ui::Command::MeasureLength]->isChecked());
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_G, Qt::ShiftModifier);

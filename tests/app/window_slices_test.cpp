@@ -20,7 +20,7 @@ namespace {
 using core::BodyPlane;
 using WindowSlices = test::ScanWindow;
 
-/// The 3-D view of a traced scan.
+/// Fixture: the 3-D view of a traced scan.
 class WindowScanIn3d : public test::ScanWindow {
 protected:
     WindowScanIn3d() { forget(); }
@@ -34,7 +34,7 @@ protected:
 
     ui::TreeView& tree() { return w.window.treeView(); }
     ui::ScanBar& bar() { return w.window.corner().scanBar(); }
-    /// Until nothing is drawn any more.
+    /// Waits until drawing has finished and returns the image.
     QImage settled()
     {
         for (int seen = -1; seen != tree().renderCount();) {
@@ -79,7 +79,7 @@ TEST_F(WindowSlices, MakeRoomForAnAngiogramThatIsOpened)
     EXPECT_TRUE(
         QTest::qWaitFor([this] { return w.current().shown().angiogram || w.dialogs("patientQuestion").size() == 1; },
                         test::patienceMs));
-    for (QDialog* question : w.dialogs("patientQuestion")) {   // the scan is another patient's
+    for (QDialog* question : w.dialogs("patientQuestion")) {   // the scan is of another patient
         test::OpenWindow::clickButton(question, QStringLiteral("Open anyway"));
     }
     ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().shown().angiogram != nullptr; }, test::patienceMs));
@@ -100,7 +100,7 @@ TEST_F(WindowSlices, FollowWheelAndKeys)
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_Right, Qt::ControlModifier);
     EXPECT_NEAR(model().crosshair().x(), start.x() + 1.0, 1e-9);
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_Home);
-    EXPECT_NEAR(model().crosshair().z(), 89.0, 1e-9);   // the topmost slice
+    EXPECT_NEAR(model().crosshair().z(), 89.0, 1e-9);   // the top slice
     wheel(BodyPlane::Axial, 5);
     EXPECT_NEAR(model().crosshair().z(), 89.0, 1e-9);
 }
@@ -121,7 +121,7 @@ TEST_F(WindowSlices, LinkTheCrosshairAndTellWhatWasPicked)
 TEST_F(WindowSlices, SelectTheBranchThatIsClickedOrHovered)
 {
     const core::VesselBranch& trunk = w.current().vessels.tree->branches.front();
-    const Eigen::Vector3d point = trunk.pointsInPatient[trunk.pointsInPatient.size() / 4];   // far from the fork
+    const Eigen::Vector3d point = trunk.pointsInPatient[trunk.pointsInPatient.size() / 4];   // far from the bifurcation
     model().setCrosshair(point);
     QApplication::processEvents();
 
@@ -132,7 +132,7 @@ TEST_F(WindowSlices, SelectTheBranchThatIsClickedOrHovered)
     EXPECT_EQ(w.controller.branches().marks().selected, std::set{trunk.id});
 
     const core::VesselBranch& other = w.current().vessels.tree->branches.back();
-    w.controller.branches().select({other.id});   // as the list does
+    w.controller.branches().select({other.id});   // as the branch list does
     double nearest = 1e9;
     for (const Eigen::Vector3d& at : other.pointsInPatient) {
         nearest = std::min(nearest, (at - model().crosshair()).norm());
@@ -153,7 +153,7 @@ TEST_F(WindowSlices, ChangeWindowZoomAndPlaceByMouse)
     const Eigen::Vector3d moved = view(BodyPlane::Axial).patientFromWidget(corner);
     EXPECT_LT(moved.x(), shown.x());
     wheel(BodyPlane::Axial, 3, Qt::ControlModifier);
-    EXPECT_GT(view(BodyPlane::Axial).patientFromWidget(corner).x(), moved.x());   // nearer to the middle
+    EXPECT_GT(view(BodyPlane::Axial).patientFromWidget(corner).x(), moved.x());   // closer to the middle
 }
 
 TEST_F(WindowSlices, ShowOnePlaneBelowTheBranches)
@@ -207,8 +207,8 @@ TEST_F(WindowScanIn3d, ShowsTheScanBehindTheVesselsAndLetsGoOfIt)
 {
     w.window.corner().showPlane(std::nullopt);
     w.press(Qt::Key_A, Qt::ControlModifier);
-    w.press(Qt::Key_H, Qt::ShiftModifier);   // the branches lie before the vessels that they were traced from
-    for (const bool on : {true, false}) {   // the bar takes its height
+    w.press(Qt::Key_H, Qt::ShiftModifier);   // hides the branches, which cover the vessels of the scan
+    for (const bool on : {true, false}) {   // gives the bar its height
         w.window.actions()[ui::Command::ScanIn3d]->setChecked(on);
         settled();
     }
@@ -222,7 +222,7 @@ TEST_F(WindowScanIn3d, ShowsTheScanBehindTheVesselsAndLetsGoOfIt)
     EXPECT_GT(differentPixels(without, vessels), 100);
     EXPECT_TRUE(bar().findChild<QSlider*>()->isVisible());
 
-    w.press(Qt::Key_4, Qt::ControlModifier);   // with all else that is as bright
+    w.press(Qt::Key_4, Qt::ControlModifier);   // also shows everything else of the same brightness
     settled();
     bar().findChild<QSlider*>()->setValue(100);
     const QImage strong = settled();
@@ -233,7 +233,7 @@ TEST_F(WindowScanIn3d, ShowsTheScanBehindTheVesselsAndLetsGoOfIt)
     EXPECT_LT(differentPixels(without, settled()), 20);
     w.press(Qt::Key_3, Qt::ControlModifier);
     settled();
-    w.controller.document().replace({}, {});   // the case is closed
+    w.controller.document().replace({}, {});   // closes the case
     QTest::qWait(200);
     EXPECT_FALSE(w.window.actions()[ui::Command::ScanIn3d]->isEnabled());
     EXPECT_FALSE(bar().isVisible());

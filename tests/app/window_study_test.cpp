@@ -32,7 +32,7 @@ ui::StudyBrowser* browserOf(OpenWindow& w)
     return browser;
 }
 
-/// The shown item whose first column begins with `words`.
+/// The visible item whose first column begins with `words`.
 QTreeWidgetItem* itemOf(ui::StudyList& list, const QString& words)
 {
     for (QTreeWidgetItemIterator at(&list, QTreeWidgetItemIterator::NotHidden); *at; ++at) {

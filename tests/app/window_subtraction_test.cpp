@@ -21,7 +21,7 @@ protected:
         ASSERT_GT(w.current().shown().angiogram->frameCount(), 3);
         stored = w.current().shown().angiogram;
         w.window.angiogramPanel().setFolded(false);
-        // The strip takes clicks once the run is measured.
+        // The strip accepts clicks once the run has been measured.
         ASSERT_TRUE(
             QTest::qWaitFor([this] { return bars().cursor().shape() == Qt::PointingHandCursor; }, test::patienceMs));
     }

@@ -10,7 +10,7 @@ using namespace angiopose;
 
 namespace {
 
-/// What a test has chosen does not outlive it: neither settings nor the colours, which a program has only once.
+/// Resets the settings and the application-wide color scheme before each test.
 class FreshPreferences : public ::testing::EmptyTestEventListener {
     void OnTestStart(const ::testing::TestInfo&) override
     {
@@ -21,7 +21,7 @@ class FreshPreferences : public ::testing::EmptyTestEventListener {
 
 }   // namespace
 
-// Runs window tests in an application whose settings and data live in a folder of their own.
+// Runs window tests in an application that keeps its settings and data in a separate folder.
 int main(int argc, char** argv)
 {
     const QTemporaryDir home;

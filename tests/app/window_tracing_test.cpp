@@ -1,4 +1,4 @@
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/tracing/volume/tracing_warnings.h"
 #include "tests/app/scan_window.h"
 #include "tests/support/temporary_folder.h"
@@ -31,7 +31,7 @@ TEST_F(WindowTracing, TraceWithThresholdAndSeedsAsOneStep)
     QApplication::processEvents();
     click(BodyPlane::Axial, {0, 0, 20});
     EXPECT_EQ(w.window.tracing().findChild<QListWidget*>()->count(), 1);
-    EXPECT_TRUE(w.current().vessels.input.tracing == beforeOptions);   // a draft until it has been traced
+    EXPECT_TRUE(w.current().vessels.input.tracing == beforeOptions);   // the options are a draft until the trace
 
     press<QPushButton>(QStringLiteral("Trace"));
     ASSERT_TRUE(waitForTrace());
@@ -60,7 +60,7 @@ TEST_F(WindowTracing, ShowsTheFalseLumenOfADissectionOnACardThatPlacesItsSeeds)
     ASSERT_TRUE(button("Show") && button("Add seed"));
     EXPECT_FALSE(button("Show")->isVisibleTo(&w.window.tracing()));
     w.controller.tracing().knowWarnings(
-        {core::says::perhapsNoHounsfield(),
+        {core::messages::perhapsNoHounsfield(),
          core::besideWarning(core::OtherLumen{.besideMm = 120.0, .placeInPatient = {3.0, 4.0, 25.0}})});
     EXPECT_TRUE(button("Show")->isVisibleTo(&w.window.tracing()));
     QTest::mouseClick(button("Show"), Qt::LeftButton);
@@ -70,7 +70,7 @@ TEST_F(WindowTracing, ShowsTheFalseLumenOfADissectionOnACardThatPlacesItsSeeds)
     ASSERT_EQ(seeds.size(), 2u) << "one in each lumen";
     EXPECT_EQ(seeds.back(), Eigen::Vector3d(3.0, 4.0, 25.0));
     EXPECT_FALSE(button("Show")->isVisibleTo(&w.window.tracing()));
-    w.controller.tracing().knowWarnings({core::says::perhapsNoHounsfield()});
+    w.controller.tracing().knowWarnings({core::messages::perhapsNoHounsfield()});
     EXPECT_FALSE(button("Show")->isVisibleTo(&w.window.tracing()));
 }
 
@@ -89,7 +89,7 @@ TEST_F(WindowTracing, RemoveSeedsFromTheList)
     const auto tree = w.current().vessels.tree;
     QTest::keyClick(list, Qt::Key_Delete);
     EXPECT_EQ(list->count(), 1);
-    EXPECT_EQ(w.current().vessels.tree, tree);   // the key was the list's, not the branches'
+    EXPECT_EQ(w.current().vessels.tree, tree);   // the key acted on the list, not on the branches
     EXPECT_TRUE(model().points().at(ui::SliceMarkKind::Seed).empty());
 }
 

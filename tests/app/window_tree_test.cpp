@@ -17,7 +17,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// The sample case, with the list of its branches.
+/// Fixture: the sample case and its branch list.
 class WindowTree : public ::testing::Test {
 protected:
     void SetUp() override { w.openSample(); }
@@ -116,7 +116,7 @@ TEST_F(WindowTree, RenamesInTheListAndKeepsTheResult)
     auto* editor = list().findChild<QLineEdit*>();
     ASSERT_TRUE(editor);
     QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
-    QTest::keyClicks(editor, QStringLiteral("LAD x"));   // letters that are commands elsewhere
+    QTest::keyClicks(editor, QStringLiteral("LAD x"));   // letters that are shortcuts elsewhere
     QTest::keyClick(editor, Qt::Key_Return);
     EXPECT_TRUE(QTest::qWaitFor([&] { return tree().find(id)->name == "LAD x"; }, 5000));
     EXPECT_TRUE(w.current().shown().result);
@@ -178,7 +178,7 @@ TEST_F(WindowTree, RootsAtTheChosenEnd)
 TEST_F(WindowTree, AdvisesHowToMendABrokenTree)
 {
     const auto isBroken = [this] { return w.window.actions()[ui::Command::MendGap]->isEnabled(); };
-    // A piece taken out of a branch that no other leaves: what lies beyond is a piece of its own.
+    // Removes a segment from a branch without descendants; the rest beyond the segment becomes a separate piece.
     const auto twig = std::ranges::find_if(tree().branches, [this](const core::VesselBranch& branch) {
         const auto left = core::withoutSubtree(tree(), branch.id);
         return branch.lengthMm() > 30.0 && branch.pointsInPatient.size() > 30 && left &&

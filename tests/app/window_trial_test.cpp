@@ -21,7 +21,7 @@ QByteArrayList linesOf(const QString& path)
     return file.open(QIODevice::ReadOnly) ? file.readAll().trimmed().split('\n') : QByteArrayList{};
 }
 
-/// Registered once, so that there is something to hide.
+/// Opens the sample and registers it, to have a result that the trial must hide.
 void prepare(OpenWindow& w)
 {
     w.openSample();
@@ -38,7 +38,7 @@ TEST(WindowTrial, HidesWhateverTellsHowGoodThePoseIs)
     const test::TemporaryFolder folder;
 
     w.controller.poses().blindTrial().start(setupIn(folder));
-    QTest::qWait(400);   // a judgement under way would have arrived
+    QTest::qWait(400);   // an assessment in progress would have arrived by now
 
     EXPECT_GT(test::distance(w.current().shown().cameraFromPatient, before), 0.1);
     EXPECT_FALSE(w.controller.judgement());
@@ -47,7 +47,7 @@ TEST(WindowTrial, HidesWhateverTellsHowGoodThePoseIs)
     EXPECT_FALSE(w.window.result().isVisible());
     EXPECT_FALSE(w.window.snapshots().isVisible());
     EXPECT_TRUE(w.window.trialBar().isVisible());
-    w.press(Qt::Key_Left);   // the keys nudge from the start
+    w.press(Qt::Key_Left);   // keys nudge immediately
     QTest::qWait(300);
     EXPECT_FALSE(w.controller.judgement());
     for (const Qt::Key key : {Qt::Key_R, Qt::Key_W, Qt::Key_J, Qt::Key_P, Qt::Key_U, Qt::Key_K, Qt::Key_Y}) {
@@ -56,7 +56,7 @@ TEST(WindowTrial, HidesWhateverTellsHowGoodThePoseIs)
     EXPECT_FALSE(w.controller.registration().isRunning());
     EXPECT_FALSE(w.window.registration().registerButton()->isEnabled());
     EXPECT_TRUE(w.current().shown().snapshots.empty());
-    for (int i = 0; i < 5; ++i) {   // not back behind the start
+    for (int i = 0; i < 5; ++i) {   // undo stops at the start of the trial
         w.press(Qt::Key_Z, Qt::ControlModifier);
     }
     EXPECT_TRUE(w.controller.poses().blindTrial().isRunning());
@@ -74,7 +74,7 @@ TEST(WindowTrial, LogsTheTrialAndGivesTheCaseBack)
     const test::TemporaryFolder folder;
     const ui::BlindTrialSetup setup = setupIn(folder);
     w.controller.poses().blindTrial().start(setup);
-    w.press(Qt::Key_Left);   // the keys nudge from the start
+    w.press(Qt::Key_Left);   // keys nudge immediately
     w.press(Qt::Key_Up);
     const core::RigidTransform final = w.current().shown().cameraFromPatient;
 

@@ -11,7 +11,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// A closed tube along x as an OBJ file, which says no unit.
+/// Writes a closed tube along x as an OBJ file, which states no unit.
 QString writeTube(const QTemporaryDir& folder, double length, double radius)
 {
     constexpr int around = 24, along = 60;
@@ -83,7 +83,7 @@ TEST(WindowUnit, NothingOpensWhereNobodyKnowsIt)
     EXPECT_FALSE(w.controller.isLoading());
 }
 
-/// A centreline of 20 points along x as a bare table.
+/// Writes a centerline of 20 points along x as a plain table.
 QString writeLine(const QTemporaryDir& folder, double length)
 {
     QByteArray text;

@@ -1,5 +1,5 @@
 #include "app/document/edit_case.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "tests/app/open_window.h"
 #include "tests/support/temporary_folder.h"
 #include "ui/views/verdict_chip.h"
@@ -17,27 +17,27 @@ ui::VerdictChip& chipOf(OpenWindow& w)
     return *w.window.angiogramView().findChild<ui::VerdictChip*>();
 }
 
-/// The result as if other signs spoke against it.
+/// Marks the result as unreliable and adds two warnings.
 void distrust(OpenWindow& w)
 {
     std::vector<core::View> views = w.current().views;
     core::RegistrationResult& result = *views[w.current().shownView].result;
     result.trustworthy = false;
-    result.warnings = {core::says::trustDepthUnknown(), core::says::trustRival()};
+    result.warnings = {core::messages::trustDepthUnknown(), core::messages::trustRival()};
     w.controller.document().push(std::make_unique<ChangeViews>(
         w.controller.document(), ChangeViews::Values{std::move(views)}, [] { return QStringLiteral("distrust"); }));
     w.waitForJudgement();
     QApplication::processEvents();
 }
 
-/// Whether so much of a widget is in sight that its words can be read, by what the screen shows.
+/// True if the widget is completely visible on the screen.
 bool isInSight(OpenWindow& w, const QWidget& widget)
 {
     return widget.isVisible() && widget.visibleRegion().boundingRect().size() == widget.size() &&
            w.window.rect().contains(QRect(widget.mapTo(&w.window, QPoint(0, 0)), widget.size()));
 }
 
-/// Pixels of about that colour on the image.
+/// Number of pixels of about that color on the image.
 int countOf(OpenWindow& w, const ui::Color& color)
 {
     const QImage shot = w.window.angiogramView().grab().toImage();
@@ -55,7 +55,7 @@ int countOf(OpenWindow& w, const ui::Color& color)
     return count;
 }
 
-/// Share of the chip's pixels in a screenshot of the window that are of its tone.
+/// Share of the chip's pixels in a screenshot of the window that have the color of its tone.
 double shareOfTone(OpenWindow& w, const ui::Color& tone)
 {
     const QImage shot = w.window.grab().toImage();
@@ -92,7 +92,7 @@ TEST(WindowVerdict, IsOnTheImageAtEverySizeOfTheWindowAfterGoodDoubtfulAndFailed
             w.window.result().setFocus();
         }
     };
-    expectInSight(VerdictTone::Doubtful, tones.attention);   // start pose
+    expectInSight(VerdictTone::Doubtful, tones.attention);   // initial pose
     w.press(Qt::Key_R);
     w.waitForRun();
     w.waitForJudgement();
@@ -111,7 +111,7 @@ TEST(WindowVerdict, IsInSightInThePanelAfterARunWithoutScrolling)
     w.press(Qt::Key_R);
     w.waitForRun();
     w.waitForJudgement();
-    QTest::qWait(50);   // the column scrolls once it is laid out
+    QTest::qWait(50);   // the column scrolls after its layout
     const auto number = [&]() -> QLabel* {
         for (QLabel* label : w.window.result().findChildren<QLabel*>()) {
             if (label->property("role").toString().startsWith(QStringLiteral("bigNumber"))) {
@@ -141,14 +141,14 @@ TEST(WindowVerdict, OfAPoseThatIsLookedAtIsNotThatOfTheResult)
     w.waitForRun();
     w.waitForJudgement();
     QApplication::processEvents();
-    QTest::qWait(1000);   // residuals and words of the whole tree come later
+    QTest::qWait(1000);   // residuals and texts of the whole tree arrive later
     const QString found = chipOf(w).words();
     ASSERT_EQ(chipOf(w).tone(), VerdictTone::Good);
     const int onVessels = countOf(w, ui::residualColor(0.0));
     const int above = countOf(w, ui::residualColorAboveScale());
     ASSERT_GT(onVessels, 100);
 
-    w.press(Qt::Key_Y);   // the start pose: off by millimetres
+    w.press(Qt::Key_Y);   // the initial pose, off by millimeters
     QTest::qWait(1000);
     EXPECT_EQ(chipOf(w).tone(), VerdictTone::Doubtful);
     EXPECT_TRUE(chipOf(w).words().startsWith(QStringLiteral("Preview"))) << chipOf(w).words().toStdString();

@@ -14,7 +14,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// Vessels without an angiogram: three branches that meet, from a table.
+/// Fixture: vessels without an angiogram: three branches that meet, from a table.
 class WindowVesselsAlone : public ::testing::Test {
 protected:
     void SetUp() override
@@ -41,7 +41,7 @@ protected:
         QTest::keyClick(w.window.branches().list(), Qt::Key_Delete);
         ASSERT_EQ(w.current().vessels.tree->branches.size(), 2U);
     }
-    /// Answers the file dialog that comes; where the vessels lie then.
+    /// Answers the file dialog and returns the path of the saved vessels.
     QString nameThem()
     {
         const QString path = folder.filePath(QStringLiteral("kept.vtp"));
@@ -114,7 +114,7 @@ TEST_F(WindowVesselsAlone, AreRecoveredAfterACrash)
                       QStringLiteral("/autosave"));
     const QString own = copies.filePath(QStringLiteral("session-%1.vtp").arg(QCoreApplication::applicationPid()));
     ASSERT_TRUE(QTest::qWaitFor([&own] { return QFile::exists(own); }, test::patienceMs));
-    const QString left = copies.filePath(QStringLiteral("session-999993.vtp"));   // as a crash would leave it
+    const QString left = copies.filePath(QStringLiteral("session-999993.vtp"));   // as left by a crash
     ASSERT_TRUE(QFile::copy(own, left));
 
     OpenWindow again;

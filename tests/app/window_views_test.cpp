@@ -1,5 +1,5 @@
 #include "app/words/view_words.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "tests/app/open_window.h"
 #include "tests/support/test_data.h"
 
@@ -30,14 +30,14 @@ QListWidget& strip(OpenWindow& w)
     return *w.window.views().findChild<QListWidget*>();
 }
 
-/// Answers the question that dropping a second angiogram asks.
+/// Answers the question that appears when a second angiogram is dropped.
 void answer(OpenWindow& w, const QString& verb)
 {
     const auto questions = w.dialogs("viewQuestion");
     ASSERT_EQ(questions.size(), 1);
     OpenWindow::clickButton(questions.front(), verb);
     QApplication::processEvents();
-    w.window.activateWindow();   // no window manager does it here
+    w.window.activateWindow();   // there is no window manager to do it
     EXPECT_TRUE(QTest::qWaitForWindowActive(&w.window));
 }
 
@@ -68,7 +68,7 @@ TEST(WindowViews, ASecondAngiogramStandsBesideTheFirst)
     ASSERT_EQ(w.current().views.size(), 2U);
     EXPECT_TRUE(w.window.views().isVisible());
     EXPECT_EQ(w.window.views().count(), 2);
-    // how each agrees is judged by itself
+    // The agreement of each view is computed automatically.
     EXPECT_TRUE(QTest::qWaitFor(
         [&] { return wordsOfLine(w, 0).contains("mm ·") && wordsOfLine(w, 1).contains("mm ·"); }, test::patienceMs));
     w.press(Qt::Key_Z, Qt::ControlModifier);
@@ -121,7 +121,7 @@ TEST(WindowViews, AClickInTheStripShowsAnotherAndUndoTheFirst)
     QApplication::processEvents();
     EXPECT_NE(w.current().shown().angiogram, first);
     EXPECT_EQ(w.current().vessels.tree, tree);
-    EXPECT_EQ(strip(w).currentRow(), 1 - shown);   // lines keep their places
+    EXPECT_EQ(strip(w).currentRow(), 1 - shown);   // rows keep their positions
     EXPECT_NE(w.current().shown().imageFile.path.find("IM3"), std::string::npos);
 
     w.press(Qt::Key_Tab, Qt::ControlModifier);
@@ -145,7 +145,7 @@ TEST(WindowViews, RegisterFindsOnePoseForAllAndIsOneStep)
     ASSERT_TRUE(w.current().views[1].result);
     EXPECT_LT(w.current().views[1].result->metrics.medianPx, 3.0);
     EXPECT_TRUE(std::ranges::any_of(w.current().shown().result->warnings, [](const core::Message& said) {
-        return said.text().find(core::says::tableUnknown().text()) != std::string::npos;
+        return said.text().find(core::messages::tableUnknown().text()) != std::string::npos;
     })) << "these headers tell no table: the second view adds no depth";
     EXPECT_EQ(w.current().shown().snapshots.size(), 1U);
 
@@ -215,7 +215,7 @@ TEST(WindowViews, KeepTheirNumbersWhereverTheyAreShownAndWhenReopened)
         OpenWindow w;
         openBothViews(w);
         EXPECT_TRUE(wordsOfLine(w, 0).startsWith(QStringLiteral("1 · ")));
-        EXPECT_TRUE(wordsOfLine(w, 1).startsWith(QStringLiteral("2 · ")));   // what comes later stands behind
+        EXPECT_TRUE(wordsOfLine(w, 1).startsWith(QStringLiteral("2 · ")));   // an added view comes last
         names = {wordsOfLine(w, 0).section(u'\n', 0, 0), wordsOfLine(w, 1).section(u'\n', 0, 0)};
         QTest::mouseClick(strip(w).viewport(), Qt::LeftButton, {}, strip(w).visualItemRect(strip(w).item(1)).center());
         EXPECT_EQ(w.current().shownView, 1U);
@@ -232,7 +232,7 @@ TEST(WindowViews, KeepTheirNumbersWhereverTheyAreShownAndWhenReopened)
     }
 }
 
-/// What the window says of the shown pose.
+/// Texts of the result panel for the shown pose.
 QStringList wordsOfResult(OpenWindow& w)
 {
     QStringList words;
@@ -244,7 +244,7 @@ QStringList wordsOfResult(OpenWindow& w)
     return words;
 }
 
-/// Whether the judgement is that of the pose that is shown.
+/// A predicate: the current assessment belongs to the shown pose.
 auto isJudged(OpenWindow& w)
 {
     return [&w] {
@@ -351,7 +351,7 @@ TEST(WindowViews, AViewThatHasMovedIsLookedForAndTheCaseOpensWithout)
     ASSERT_EQ(dialogs.size(), 1);
     OpenWindow::clickButton(dialogs.front(), QStringLiteral("Open anyway"));
     EXPECT_TRUE(QTest::qWaitFor([&] { return again.current().shown().angiogram != nullptr; }, test::patienceMs));
-    ASSERT_EQ(again.current().views.size(), 2U);   // kept in the case, though not seen
+    ASSERT_EQ(again.current().views.size(), 2U);   // stays in the case without its image
     EXPECT_FALSE(again.current().views[1].angiogram);
     EXPECT_TRUE(wordsOfLine(again, 1 - strip(again).currentRow()).contains("not found"));
 }

@@ -10,7 +10,7 @@ namespace {
 
 using test::OpenWindow;
 
-/// The sample after a run that found two ways of a wire.
+/// The sample after a registration that found two paths of a guidewire.
 struct WireWindow : OpenWindow {
     WireWindow()
     {
@@ -86,7 +86,7 @@ TEST(WindowWire, JudgesTheFollowedBranchesByTheWireThatIsKeptApart)
     for (const Eigen::Vector3d& point : longest->pointsInPatient) {
         course.pointsPx.push_back(*core::project(camera, wire.shown().cameraFromPatient * point));
     }
-    const core::Curve2d vessel{2, {{2.0, 2.0}, {12.0, 2.0}, {22.0, 3.0}}, {}};   // in a corner, far from the wire
+    const core::Curve2d vessel{2, {{2.0, 2.0}, {12.0, 2.0}, {22.0, 3.0}}, {}};   // in a corner, far from the guidewire
     wire.shown().target.centerline = std::make_shared<const core::Centerline2d>(core::Centerline2d{{vessel}});
     wire.shown().target.devices = std::make_shared<const core::Centerline2d>(core::Centerline2d{{course}});
     wire.shown().target.editedFrame = wire.shown().frame;

@@ -11,7 +11,7 @@ thread_local std::uint64_t allocations = 0;
 void* counted(std::size_t size, std::size_t alignment)
 {
     ++allocations;
-    // aligned_alloc wants whole multiples of the alignment.
+    // aligned_alloc requires a size that is a multiple of the alignment.
     void* memory = alignment <= alignof(std::max_align_t)
                        ? std::malloc(size)
                        : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);

@@ -4,7 +4,7 @@
 
 namespace angiopose::benchmarks {
 
-/// Calls of `operator new` by this thread so far; the program that links this counts them.
+/// Number of calls of `operator new` by this thread so far. Linking this file into a program enables the counting.
 std::uint64_t allocationsOfThisThread();
 
 }   // namespace angiopose::benchmarks

@@ -1,6 +1,6 @@
-// Prints what tracing makes, without a seed, of scans as they come: heads by CT and MR, rotational angiography, MR
-// angiography with a coil that falls off, thick slices, crops. Right: the tree begins in a great artery and is little
-// else. Asked: nothing was traced, and the user is told to place a seed. Wrong: all else.
+// Prints the result of tracing without a seed on scans of many kinds: heads by CT and MR, rotational angiography, MR
+// angiography with coil sensitivity falloff, thick slices, crops. Right: the tree begins in a great artery and contains
+// little else. Asked: nothing was traced, and the user is asked to place a seed. Wrong: everything else.
 
 #include "core/evaluation/report/result_table.h"
 #include "core/support/format_number.h"
@@ -34,20 +34,20 @@ const char* const usage =
     "  --clicks         with a seed in a great artery, as a user answers the question\n"
     "  --save <folder>  writes the scans there, to be looked at\n";
 
-constexpr double maxFalse = 0.10;   // of the traced length
-constexpr double besideMm = 1.5;   // of the root, outside the artery
+constexpr double maxFalse = 0.10;   // share of the traced length
+constexpr double besideMm = 1.5;   // distance of the root outside the artery
 
 enum class Verdict { Right, Asked, Wrong };
 
-/// What became of one scan.
+/// Outcome of tracing one scan.
 struct Outcome {
     Verdict verdict = Verdict::Wrong;
     double falseShare = 0.0;
     double found = 0.0;
     double falseMm = 0.0;
-    int stubs = 0;   ///< branches below 15 mm that are mostly false
+    int stubs = 0;   ///< branches shorter than 15 mm that are mostly false
     std::string words;
-    std::string places;   ///< of what is false
+    std::string places;   ///< locations of the false parts
 };
 
 std::string placeText(const Eigen::Vector3d& place)

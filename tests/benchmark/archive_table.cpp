@@ -15,11 +15,11 @@
 #include <utility>
 #include <vector>
 
-// archive_table [--megabytes N] [--seed N]
-// Sends simulated CT slices (2000 MB of them) to an Orthanc that it starts, and retrieves them by C-GET, C-MOVE and
-// WADO-RS. Compares every data set that came with the one that was sent, byte by byte. Prints seconds of wall and of
-// our processor, and MB a second of wall; fails where an object is lacking or differs. Needs three times N on the disk
-// of temporary files. What the archive itself computes is in the wall alone.
+// archive_table [--megabytes N] [--seed N] Sends simulated CT slices (2000 MB of them) to an Orthanc that it starts,
+// and retrieves them by C-GET, C-MOVE and WADO-RS. Compares every received data set with the sent one, byte for byte.
+// Prints wall seconds, processor seconds of this program, and MB per wall second; fails if an object is missing or
+// differs. Needs three times N of disk space for temporary files. The archive's own computing counts in the wall time
+// only.
 
 using namespace angiopose;
 using namespace std::string_literals;
@@ -32,7 +32,7 @@ constexpr const char* studyUid = "2.25.2000";
 constexpr const char* seriesUid = "2.25.2000.1";
 constexpr double megabyte = 1e6;
 
-/// A body of 300 mm and the grain of a scanner, in Hounsfield units + 1024.
+/// Pixels of a body of 300 mm with scanner noise, in Hounsfield units + 1024.
 std::vector<std::uint16_t> slicePixels(int index, std::uint64_t& state)
 {
     std::vector<std::uint16_t> pixels;
@@ -90,7 +90,7 @@ std::string nameOf(int index)
     return std::string(seriesUid) + "." + std::to_string(index + 1) + ".dcm";
 }
 
-/// Slices as files, as many as the megabytes hold.
+/// Writes slices as files up to the given size and returns their number.
 int writeSlices(const test::TemporaryFolder& folder, double megabytes, std::uint64_t seed)
 {
     std::uint64_t state = seed * 2 + 1;
@@ -104,7 +104,8 @@ int writeSlices(const test::TemporaryFolder& folder, double megabytes, std::uint
     return count;
 }
 
-/// How many of the objects came with another data set, or did not come. Headers are of whoever stored the file.
+/// Number of objects that are missing or whose data set differs. File headers are not compared because each writer
+/// makes its own.
 int lackingOrOther(const test::TemporaryFolder& folder, const std::string& came, int count)
 {
     int faults = 0;

@@ -6,10 +6,10 @@
 
 namespace angiopose::benchmarks {
 
-/// Command line of a table: `--name value` pairs, `--name` alone for switches, anything else is positional.
+/// Command line of a table program: `--name value` pairs, `--name` alone for switches, everything else is positional.
 class Arguments {
 public:
-    /// `usage` is printed, and the program ended, for --help (0) or an option that it does not mention (2).
+    /// Prints `usage` and exits for --help (0) or for an option that it does not mention (2).
     Arguments(int argc, char** argv, const std::string& usage);
 
     double number(const std::string& name, double fallback) const;

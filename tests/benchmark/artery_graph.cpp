@@ -13,7 +13,7 @@ std::vector<ArteryGraph::Row> numbersIn(const std::filesystem::path& file)
     std::ifstream stream(file);
     std::vector<ArteryGraph::Row> rows;
     std::string line;
-    std::getline(stream, line);   // names of the columns
+    std::getline(stream, line);   // column names
     while (std::getline(stream, line)) {
         std::replace(line.begin(), line.end(), ',', ' ');
         std::istringstream cells(line);

@@ -5,11 +5,11 @@
 
 namespace angiopose::benchmarks {
 
-/// How many cerebral arteries of patients there are (PROVENANCE.txt beside them).
+/// Number of patients with cerebral artery graphs (PROVENANCE.txt next to the data).
 inline constexpr int arteryGraphCount = 5;
 
-/// Bifurcations and ends of the traced arteries of one patient, and the vessels between them. Lengths in voxels, whose
-/// size is not recorded.
+/// Bifurcations and endpoints of the traced arteries of one patient, and the vessels between them. Lengths in voxels;
+/// the voxel size is not recorded.
 struct ArteryGraph {
     using Row = std::vector<double>;
 
@@ -18,7 +18,7 @@ struct ArteryGraph {
     std::vector<Row> edges;   ///< id, id, length, mean radius
 };
 
-/// The graph of a patient (1…arteryGraphCount); without edges where the data are not there.
+/// Reads the graph of a patient (1…arteryGraphCount); without edges if the data are missing.
 ArteryGraph readArteryGraph(const std::string& folder, int patient);
 
 }   // namespace angiopose::benchmarks

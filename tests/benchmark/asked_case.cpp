@@ -5,7 +5,7 @@
 namespace angiopose::benchmarks {
 namespace {
 
-constexpr double maxMm = 1000.0;   // of points that a wrong pose puts behind the source
+constexpr double maxMm = 1000.0;   // error of points that a wrong pose puts behind the source
 
 double offMm(const AskedCase& asked, const Eigen::Vector3d& found, const Eigen::Vector3d& there)
 {

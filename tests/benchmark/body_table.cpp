@@ -1,6 +1,7 @@
-// Prints what tracing finds of thin arteries beside what is as bright: coronary arteries on filled hearts, hepatic
-// arteries beside the portal vein, the circle of Willis above the base of the skull; by defaults, from the seeds that a
-// user would place, and as thin vessels from these. Simulated bodies, and coronary trees of a patient.
+// Prints how well tracing finds thin arteries next to structures of the same brightness: coronary arteries on opacified
+// hearts, hepatic arteries next to the portal vein, the circle of Willis above the skull base; with the defaults, from
+// the seeds that a user would place, and as thin vessels from these seeds. Simulated bodies, and coronary trees of a
+// patient.
 
 #include "core/evaluation/report/result_table.h"
 #include "core/support/format_number.h"
@@ -35,9 +36,9 @@ const char* const usage =
     "  --save <folder>  writes the simulated scans there, to be looked at\n";
 
 constexpr double widestCoronaryMm = 3.5;
-constexpr std::size_t clickedAfterMm = 10;   // of a coronary artery, where one sees that it is one
+constexpr std::size_t clickedAfterMm = 10;   // distance along a coronary artery at which a user recognizes it
 
-/// One way of asking for the vessels.
+/// One configuration of the tracing.
 struct Asking {
     const char* option;
     const char* name;
@@ -112,7 +113,7 @@ void addBody(core::ResultTable& table, const std::string& name, const std::vecto
     }
 }
 
-/// The stretches of a tree that are no wider than coronary arteries: the file's lines begin in the aorta.
+/// The segments of a tree that are no wider than coronary arteries; the lines in the file begin in the aorta.
 core::VesselTree thinPart(const core::VesselTree& tree)
 {
     core::VesselTree thin;
@@ -124,7 +125,7 @@ core::VesselTree thinPart(const core::VesselTree& tree)
                 part.pointsInPatient.push_back(branch.pointsInPatient[n]);
                 part.radiusMm.push_back(branch.radiusMm[n]);
             } else {
-                part.pointsInPatient.clear();   // the aorta, up to here
+                part.pointsInPatient.clear();   // everything up to here is the aorta
                 part.radiusMm.clear();
             }
         }

@@ -5,10 +5,10 @@
 
 namespace angiopose::benchmarks {
 
-/// A run in which the tree of a trial breathes, 10 mm up and down and 3° of tilt, seen with jittered points.
+/// A run in which the tree of a trial breathes, 10 mm up and down with 3° of tilt, observed with jittered points.
 struct BreathingRun {
-    core::RegistrationProblem first;   ///< registered in the frame before
-    std::vector<core::Centerline2d> targets;   ///< of the frames that follow
+    core::RegistrationProblem first;   ///< registered in the previous frame
+    std::vector<core::Centerline2d> targets;   ///< of the following frames
     std::vector<core::RigidTransform> truth;
     std::shared_ptr<const core::VesselTree> tree;
 

@@ -1,7 +1,7 @@
-// Prints whether a single frame shows vessels filled with contrast medium: annotated angiograms as they are and with
-// their vessels painted over, with and without a catheter or wire; the phantom's frames; simulated frames.
+// Prints whether contrast agent is detected in a single frame: annotated angiograms, unchanged and with their vessels
+// painted over, with and without a catheter or guidewire; frames of the phantom; simulated frames.
 
-#include "core/messages/says_contrast.h"
+#include "core/messages/messages.h"
 #include "core/simulation/simulated_case.h"
 #include "core/tracing/angiogram/curves/contrast_seen.h"
 #include "core/tracing/angiogram/trace_angiogram.h"
@@ -34,14 +34,14 @@ core::ImageF picture(const std::string& name)
 
 struct Counts {
     int frames = 0;
-    int untraced = 0;   ///< nothing was found, and that is said
-    int reported = 0;   ///< traced, with the word that there is little contrast
+    int untraced = 0;   ///< nothing was found, and this is reported
+    int reported = 0;   ///< traced, with the warning that there is little contrast agent
 };
 
 bool isKnown(const core::AngiogramTrace& trace)
 {
     return std::ranges::any_of(trace.warnings, [](const core::Message& warning) {
-        return warning.id() == core::says::frameWithLittleContrast.id;
+        return warning.id() == core::messages::frameWithLittleContrast.id;
     });
 }
 
@@ -54,7 +54,7 @@ void add(Counts& counts, const std::string& name, const core::Result<core::Angio
         std::printf("%-26s %6.1f%s\n", name.c_str(),
                     core::contrastSeen(trace.value().centerline, trace.value().suspectCurves, trace.value().vesselness,
                                        trace.value().clutter),
-                    isKnown(trace.value()) ? "  told" : "");
+                    isKnown(trace.value()) ? "  flagged" : "");
     }
 }
 
@@ -113,7 +113,7 @@ void traceSimulated(Rows& rows, int count)
         const core::SimulatedCase made = core::simulateCase(static_cast<std::uint64_t>(9000 + k));
         const core::Angiogram& run = made.angiogram;
         rows.trace("simulated, first frame", std::to_string(k), run.frames.front(), run.polarity);
-        rows.trace("simulated, fullest frame", std::to_string(k),
+        rows.trace("simulated, peak-opacification frame", std::to_string(k),
                    run.frames[static_cast<std::size_t>(run.suggestedFrame)], run.polarity);
     }
 }
@@ -131,7 +131,7 @@ int main(int count, char** values)
     if (dsa) {
         rows.trace("cerebral DSA", "1", dsa.value().frames.front(), dsa.value().polarity);
     }
-    std::printf("%-34s %8s %14s %8s\n", "", "frames", "nothing traced", "told");
+    std::printf("%-34s %8s %14s %8s\n", "", "frames", "nothing traced", "flagged");
     for (const auto& [group, counts] : rows.rows) {
         std::printf("%-34s %8d %14d %8d\n", group.c_str(), counts.frames, counts.untraced, counts.reported);
     }

@@ -1,5 +1,6 @@
-// Whether the reported covariance is honest however densely the tree is given: simulated trees of 500 … 200 000 points,
-// taken as they are, degraded targets, starts 2°/5 mm off. NEES is eᵀΣ⁻¹e, 6 in the mean when errors and Σ agree.
+// Tests whether the reported covariance is correct at any sampling density of the tree: simulated trees of 500 … 200
+// 000 points, used without resampling, degraded targets, initial poses off by 2°/5 mm. NEES is eᵀΣ⁻¹e, with mean 6 when
+// errors and Σ agree.
 
 #include "core/evaluation/trial/projection_error.h"
 #include "core/registration/registration.h"
@@ -27,7 +28,7 @@ const char* const usage =
     "  --points <list>   points of the tree (500,2000,20000,200000)\n"
     "  --trials <n>      registrations for each (100)\n";
 
-/// What is told of one registration.
+/// Figures of one registration.
 struct Outcome {
     double errorMm = 0.0;   ///< mean reprojection distance over the tree
     double depthStdMm = 0.0;

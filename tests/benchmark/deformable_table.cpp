@@ -1,6 +1,7 @@
-// What bending adds to a rigid registration, on trees that were bent in a known way: mean distance in the image plane
-// over all points of the tree (mm at the object) of the best rigid pose that truth allows, of our rigid registration,
-// and of the bent tree; how honest the covariance of every point is; time. Several views: distance in space.
+// Measures the benefit of deformable over rigid registration on trees with a known deformation: mean distance in the
+// image plane over all points of the tree (mm at the object) for the best rigid pose that truth allows, our rigid
+// registration, and the deformed tree; the consistency of the covariance of every point; time. With several views:
+// distance in 3-D.
 
 #include "core/registration/deformable/deformed_tree.h"
 #include "core/registration/register_views.h"
@@ -45,10 +46,10 @@ const std::vector<TrueMotion> motions{
 /// Errors of one answer.
 struct Errors {
     double mean = 0.0;
-    double missing = 0.0;   ///< of branches that the images do not show
+    double missing = 0.0;   ///< of branches that are unopacified in the images
 };
 
-/// What is told of one case.
+/// Figures of one case.
 struct Outcome {
     Errors best, rigid, deformed;
     double coverage = 0.0;
@@ -58,7 +59,8 @@ struct Outcome {
     double deformedMs = 0.0;
 };
 
-/// Difference of a point from its true place: in the image plane of one view, mm at its depth; in space for several.
+/// Difference of a point from its true position: in the image plane for one view, mm at its depth; in 3-D for several
+/// views.
 Eigen::Vector3d difference(const DeformedCase& deformedCase, const core::RigidTransform& pose,
                            const Eigen::Vector3d& point, const Eigen::Vector3d& truePoint)
 {
@@ -95,7 +97,7 @@ Errors errorsOf(const DeformedCase& deformedCase, const core::RigidTransform& po
     return errors;
 }
 
-/// Covariance of what `difference` tells.
+/// Assesses the covariance of `difference`.
 void judgeCovariance(const DeformedCase& deformedCase, const core::VesselTree& deformed, Outcome& outcome)
 {
     const bool isFlat = deformedCase.views.size() == 1;

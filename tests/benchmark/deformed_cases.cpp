@@ -16,7 +16,7 @@ constexpr double jitterLengthPx = 4.0;
 constexpr double missingShare = 0.2;
 constexpr double foreignShare = 0.2;
 
-/// Patient LPS to a camera that looks from behind: x to the left of the patient, y to the feet.
+/// Transform from patient LPS to a camera that looks from behind: x to the left of the patient, y to the feet.
 core::RigidTransform viewOf(double primaryDeg, double secondaryDeg, core::CounterRandom& random)
 {
     Eigen::Matrix3d cameraFromPatient;
@@ -44,7 +44,7 @@ std::vector<Eigen::Vector2d> jittered(const std::vector<Eigen::Vector2d>& points
     return pixels;
 }
 
-/// Cuts a curve at places that have nothing to do with the tree, as crossings do.
+/// Cuts a curve at positions unrelated to the tree, as crossings do.
 void addPieces(const std::vector<Eigen::Vector2d>& pixels, core::CounterRandom& random,
                std::vector<std::vector<Eigen::Vector2d>>& pieces)
 {
@@ -117,7 +117,7 @@ core::Centerline2d targetOf(const core::VesselTree& deformed, const std::vector<
     return target;
 }
 
-/// Of the branches that end freely.
+/// Chooses unopacified branches among those with a free end.
 std::vector<bool> missingBranches(const core::VesselTree& tree, core::CounterRandom& random)
 {
     std::vector<bool> isMissing(tree.branches.size(), false);

@@ -1,6 +1,7 @@
-// Bent vessels in the frames of a run: how far they lie from the truth in the image plane (mm at the object, mean over
-// all points and frames) when rigid ones are followed, when every frame is bent from nothing, when each is bent from
-// the one before, and when these are smoothed in time; what it takes; and how well the period of the breath is found.
+// Compares methods for deformed vessels in the frames of a run: distance from the truth in the image plane (mm at the
+// object, mean over all points and frames) when the vessels are tracked rigidly, when every frame is deformed from
+// scratch, when each frame starts from the previous deformation, and when the deformations are smoothed in time; the
+// computing time; and the accuracy of the estimated breathing period.
 
 #include "core/registration/deformable/deformed_tree.h"
 #include "core/registration/deformable/smooth_deformations.h"
@@ -42,22 +43,22 @@ const std::vector<TrueMotion> motions{{Form::None, 0, 0},   {Form::Field, 40, 2}
                                       {Form::Field, 80, 3}, {Form::Waves, 40, 3}, {Form::Half, 0, 6},
                                       {Form::Wire, 0, 4}};
 
-/// What is told of one run.
+/// Figures of one run.
 struct Outcome {
     double rigidMm = 0.0;
     double coldMm = 0.0;
     double followedMm = 0.0;
     double smoothMm = 0.0;
-    double coverage = 0.0;   ///< of the 95 % ellipses, smoothed
+    double coverage = 0.0;   ///< coverage of the 95 % ellipses, smoothed
     double unrestMm = 0.0;   ///< rms change of the error from frame to frame, not smoothed
     double smoothUnrestMm = 0.0;
     double lost = 0.0;   ///< share of the frames
     std::vector<double> coldMs;
-    std::vector<double> followedMs;   ///< pose and bend
+    std::vector<double> followedMs;   ///< pose and deformation
     double periodOffS = -1.0;   ///< −1: none found
 };
 
-/// A tree in the camera, as it is found in a frame.
+/// A tree and its pose as found in a frame.
 struct Found {
     core::VesselTree tree;
     core::RigidTransform pose;
@@ -140,13 +141,13 @@ void judgePeriod(const std::vector<core::TimedPose>& poses, const core::VesselTr
     }
 }
 
-/// The vessels of a run as following finds them, frame by frame.
+/// The tracked vessels of a run, frame by frame.
 struct FollowedRun {
     std::vector<Found> frames;
     std::vector<core::DeformationInTime> deformations;   ///< of the frames that have one
 };
 
-/// Rigid pose and bend of the first frame.
+/// Registers the rigid pose and deformation of the first frame.
 core::DeformableView registeredFirst(const DeformedCase& first, const DeformedFrame& frame)
 {
     core::RegistrationInput input = inputOf(first.tree, frame, first.views.front().nominal);
@@ -187,7 +188,7 @@ FollowedRun followDeformed(const core::DeformableView& first, const std::vector<
     return followed;
 }
 
-/// Followed rigidly, and bent from nothing at the poses of that.
+/// Tracks rigidly, and deforms every frame from scratch at the tracked pose.
 void followRigidly(const core::DeformableView& first, const std::vector<DeformedFrame>& run, Outcome& outcome)
 {
     const core::VesselTree& tree = first.input.tree;
@@ -296,9 +297,9 @@ int main(int argc, char** argv)
     const auto frames = static_cast<std::size_t>(arguments.number("frames", 60));
     const std::string trees = arguments.text("trees", "real");
     core::ResultTable table;
-    table.columns = {"truth",   "rigid mm",   "each anew",       "followed", "smoothed",
+    table.columns = {"truth",   "rigid mm",   "each cold",       "followed", "smoothed",
                      "c95",     "unrest mm",  "smoothed unrest", "lost %",   "period found, worst s",
-                     "anew ms", "followed ms"};
+                     "cold ms", "followed ms"};
     for (std::size_t row = 0; row < motions.size(); ++row) {
         std::vector<Outcome> outcomes;
         for (std::uint64_t number = 1; number <= cases; ++number) {
@@ -309,7 +310,7 @@ int main(int argc, char** argv)
                                                                           framesPerBreath, frames, random.fork(2))));
             if (arguments.isSet("each")) {
                 const Outcome& o = outcomes.back();
-                std::printf("%s %d: rigid %.2f anew %.2f followed %.2f smoothed %.2f c95 %.2f\n",
+                std::printf("%s %d: rigid %.2f cold %.2f followed %.2f smoothed %.2f c95 %.2f\n",
                             motions[row].name().c_str(), static_cast<int>(number), o.rigidMm, o.coldMm, o.followedMm,
                             o.smoothMm, o.coverage);
                 std::fflush(stdout);

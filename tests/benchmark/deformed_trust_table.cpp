@@ -1,6 +1,6 @@
-// What the rigid result says about itself where the vessels are bent: whether errors are flagged, whether its
-// covariance holds them, and what that takes. Real cerebral arteries judge; the developing family is there to choose
-// thresholds by.
+// Tests what the rigid result reports where the vessels are deformed: whether errors are flagged, whether its
+// covariance covers them, and the time it takes. Real cerebral arteries are the test set; the development set serves to
+// choose thresholds.
 
 #include "core/evaluation/trial/projection_error.h"
 #include "core/registration/register_views.h"
@@ -28,7 +28,7 @@ using Form = TrueMotion::Form;
 
 constexpr double goodMm = 2.0;
 constexpr double grossMm = 5.0;
-constexpr double inside95 = 12.592;   // χ² of six degrees of freedom
+constexpr double inside95 = 12.592;   // 95 % quantile of χ² with six degrees of freedom
 
 const char* const usage =
     "deformed_trust_table\n"
@@ -40,7 +40,7 @@ const char* const usage =
     "  --set <never|auto>  option deformable (auto)\n"
     "  --each            one line for each registration, too\n";
 
-/// One row of the table: how the vessels moved; or, that the image shows another patient's.
+/// One row of the table: the motion of the vessels, or an image that shows another patient's vessels.
 struct Question {
     TrueMotion motion;
     bool isImpossible = false;
@@ -55,16 +55,16 @@ const std::vector<Question> questions{{{Form::None, 0, 0}},   {{Form::Field, 40,
                                       {{Form::Half, 0, 8}},   {{Form::None, 0, 0}, true}};
 
 struct Answer {
-    double errorMm = 0.0;   ///< mean over all points: in the image plane of one view, in space for several
+    double errorMm = 0.0;   ///< mean over all points: in the image plane for one view, in 3-D for several
     bool isTrusted = false;
-    bool isDeformed = false;   ///< the result says that the vessels are bent
-    double nees = 0.0;   ///< about the pose nearest to the bent tree in space
+    bool isDeformed = false;   ///< the result reports a deformation
+    double nees = 0.0;   ///< relative to the rigid pose nearest to the deformed tree in 3-D
     double inPlaneStdMm = 0.0;
     double timeMs = 0.0;
     core::Messages warnings;
 };
 
-/// Of points of the tree under the pose from their true places.
+/// Mean distance of the tree's points at the pose from their true positions.
 double meanErrorMm(const DeformedCase& deformedCase, const core::RigidTransform& pose)
 {
     const core::RigidTransform& truth = deformedCase.views.front().truth;
@@ -161,7 +161,7 @@ double quantileOf(const std::vector<Answer>& answers, double Answer::*value, dou
     return core::quantile(values, share);
 }
 
-/// "3 of 4": of those for which the first holds, the second does.
+/// "3 of 4": the second predicate holds for 3 of the 4 answers for which the first holds.
 template <class Whole, class Part>
 std::string shareText(const std::vector<Answer>& answers, const Whole& isMeant, const Part& holds)
 {

@@ -1,5 +1,6 @@
-// How wide the project's own tracing says that simulated vessels are, and whether widths find one wide vessel beside
-// fine ones. Trees grown step by step are there to choose constants by; cerebral arteries of patients judge.
+// Measures the diameters that the project's tracing finds for simulated vessels, and whether diameters help to find one
+// wide vessel among thin ones. Trees grown step by step serve to choose constants; cerebral arteries of patients are
+// the test set.
 
 #include "core/registration/matching/target_lines.h"
 #include "core/registration/registration.h"
@@ -36,13 +37,13 @@ const char* const usage =
     "  --trials <n>      for each tree (2)\n"
     "  --each            one line for each registration, too\n";
 
-/// One frame, traced.
+/// One traced frame.
 struct TracedCase {
     ForeignCase asked;
     bool isTraced = false;
 };
 
-/// Every branch that the image shows, as a path of contrast medium from its beginning on.
+/// Every branch that the image shows, as a path of contrast agent from its origin.
 std::vector<core::ContrastPath> pathsOf(const ForeignCase& asked)
 {
     std::vector<core::ContrastPath> paths;
@@ -57,7 +58,7 @@ std::vector<core::ContrastPath> pathsOf(const ForeignCase& asked)
     return paths;
 }
 
-/// Curves of no branch of the tree, at the depth of the tree.
+/// Adds curves that belong to no branch of the tree, at the depth of the tree.
 void addForeignPaths(const ForeignCase& asked, ForeignRandom random, std::vector<core::ContrastPath>& paths)
 {
     const core::ProjectionCamera& camera = asked.input.camera;
@@ -75,7 +76,7 @@ void addForeignPaths(const ForeignCase& asked, ForeignRandom random, std::vector
     }
 }
 
-/// The case as a frame of the simulator and the project's own tracing tell it.
+/// Renders the case as a frame with the simulator and traces it with the project's tracing.
 TracedCase tracedCase(ForeignCase asked, std::uint64_t seed)
 {
     std::vector<core::ContrastPath> paths = pathsOf(asked);
@@ -95,10 +96,10 @@ TracedCase tracedCase(ForeignCase asked, std::uint64_t seed)
     return result;
 }
 
-/// What a right pose says of the widths.
+/// Diameters at the true pose.
 struct WidthsAtTruth {
-    double scale = 0.0;   ///< median of log seen over expected
-    std::vector<double> off;   ///< of each point, from that
+    double scale = 0.0;   ///< median of the log of traced over expected diameter
+    std::vector<double> off;   ///< deviation of each point from `scale`
 };
 
 WidthsAtTruth widthsAtTruth(const ForeignCase& asked)

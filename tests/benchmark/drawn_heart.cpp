@@ -14,7 +14,7 @@
 namespace angiopose::benchmarks {
 namespace {
 
-/// Distance to the wall of the nearest vessel, negative inside; looked up near each point of the tree only.
+/// Signed distance to the wall of the nearest vessel, negative inside; computed only near the points of the tree.
 std::vector<float> wallDistances(const core::VolumeGeometry& grid, const core::VesselTree& tree)
 {
     constexpr double reachMm = 2.0;

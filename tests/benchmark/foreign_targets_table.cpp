@@ -1,5 +1,5 @@
-// Whether registration holds outside the project's own simulator: trees, projection, sampling and noise of another
-// hand. Real cerebral arteries judge; the developing family is there to choose thresholds by, and for nothing else.
+// Tests registration outside the project's own simulator, with independent trees, projection, sampling and noise. Real
+// cerebral arteries are the test set; the development set serves only to choose thresholds.
 
 #include "core/support/format_number.h"
 #include "core/support/quantile.h"

@@ -10,15 +10,15 @@
 namespace angiopose::benchmarks {
 namespace {
 
-constexpr double voxelMm = 0.45;   // not recorded with the graphs: arteries of a brain are about 130 mm wide
-constexpr double maxTortuous = 1.45;   // length over chord; what is more was traced zigzag
+constexpr double voxelMm = 0.45;   // not recorded with the graphs; the arteries of a brain span about 130 mm
+constexpr double maxTortuous = 1.45;   // length over chord; larger values come from zigzag tracing
 
 Eigen::Vector3d anyDirection(core::CounterRandom& random)
 {
     return Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized();
 }
 
-/// An arch over the chord with a wave in it.
+/// An arch over the chord with an added wave.
 std::vector<Eigen::Vector3d> arched(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double lengthMm,
                                     core::CounterRandom& random)
 {

@@ -9,15 +9,15 @@
 
 namespace angiopose::benchmarks {
 
-/// How many real cerebral trees there are: bifurcations and ends of traced arteries with the lengths between them.
+/// Number of real cerebral trees, given as bifurcations and endpoints of traced arteries with the lengths between them.
 inline constexpr int graphTreeCount = arteryGraphCount;
 
-/// The tree of a graph (0…4), about 130 mm across, patient axes about the origin: every edge a smooth curve of about
-/// its true length (bent anew for each seed), points 1 mm apart. Empty without the data.
+/// The tree of a graph (0…4), about 130 mm across, patient axes with the origin at its center: every edge is a smooth
+/// curve of about its true length (a different curve for each seed), points 1 mm apart. Empty if the data are missing.
 core::VesselTree graphTree(int number, core::CounterRandom random);
 
-/// Number `number` of the trees that are bent in tables. "grown": simulated ones, to choose options on; else real
-/// cerebral ones, to judge.
+/// Tree `number` for the tables of deformed vessels. "grown": simulated trees for choosing options; otherwise real
+/// cerebral ones as the test set.
 core::VesselTree treeToDeform(const std::string& which, std::uint64_t number);
 
 }   // namespace angiopose::benchmarks

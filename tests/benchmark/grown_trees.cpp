@@ -10,15 +10,15 @@ namespace {
 
 constexpr double stepMm = 1.2;
 
-/// What the branches of one tree have in common.
+/// Common properties of the branches of one tree.
 struct ToolPreference {
     int generations = 4;
-    double lengthMm = 25.0;   ///< of a first branch
-    double shrink = 0.85;   ///< from generation to generation
+    double lengthMm = 25.0;   ///< of a root branch
+    double shrink = 0.85;   ///< length ratio from generation to generation
     double wander = 0.1;   ///< rad per step
     double minAngle = 0.3, maxAngle = 0.9;
-    double threeShare = 0.1;   ///< of the places where three vessels leave instead of two
-    double endShare = 0.15;   ///< of branches that end early
+    double threeShare = 0.1;   ///< share of trifurcations among the branching points
+    double endShare = 0.15;   ///< share of branches that end early
 };
 
 ToolPreference drawnPreference(ForeignRandom& random)
@@ -123,7 +123,7 @@ core::VesselTree inWaves(const core::VesselTree& tree, double sizeMm, ForeignRan
     return moved;
 }
 
-/// One subtree, turned about its first point until its farthest point has gone `sizeMm`.
+/// Rotates one subtree about its first point until its farthest point has moved by `sizeMm`.
 core::VesselTree partTurned(const RootedTree& tree, double sizeMm, ForeignRandom& random)
 {
     const std::vector<std::size_t> part = tree.fedThrough(random.index(tree.parent.size()));

@@ -68,7 +68,7 @@ RootedTree partOf(const RootedTree& tree, std::size_t root, const std::string& n
     return part;
 }
 
-/// Branches of a file in any order: each is fed by the earlier one that it begins at.
+/// Determines the parents of a file's branches: each is fed by the earlier branch on which it begins.
 RootedTree rootedByTouch(const core::VesselTree& tree, const std::string& name)
 {
     RootedTree rooted{name, core::resampled(tree, 1.0), {}};
@@ -136,7 +136,7 @@ AskedCase fromDeformed(const DeformedCase& made)
 std::vector<RootedTree> judgingTrees(const std::string& dataFolder)
 {
     const std::vector<RootedTree> patients = cerebralTrees(dataFolder + "/cerebral-artery-graphs");
-    std::vector<RootedTree> trees = patients;   // next to each other no tree and its own part: the next is "another"
+    std::vector<RootedTree> trees = patients;   // no tree may follow its own part: the next tree serves as "another"
     for (const RootedTree& whole : patients) {
         int inflow = 0;
         for (std::size_t root = 0; root < whole.parent.size(); ++root) {

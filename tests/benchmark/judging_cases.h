@@ -7,15 +7,15 @@
 
 namespace angiopose::benchmarks {
 
-/// Trees of patients: cerebral arteries whole and by where blood flows in, coronaries of a CT, and those of a phantom;
-/// what has fewer than eight branches is left out. Empty where the data are not there.
+/// Trees of patients: whole cerebral arteries and their parts by inflow, coronary arteries from a CT, and those of a
+/// phantom. Omits trees with fewer than eight branches. Empty if the data are missing.
 std::vector<RootedTree> judgingTrees(const std::string& dataFolder);
 
-/// How many kinds of cases there are: filled in parts, bent, told wrongly, impossible.
+/// Number of kinds of cases: partly opacified, deformed, with wrong geometry, impossible.
 std::size_t judgingKindCount();
 
-/// The same on every call. By generators that no threshold was chosen with here (foreign/targets, bent_cases,
-/// wrong_geometry).
+/// Makes a case, the same on every call, with generators that were not used to choose thresholds here (foreign/targets,
+/// deformed_cases, wrong_geometry).
 AskedCase judgingCase(const std::vector<RootedTree>& trees, std::size_t tree, std::size_t kind, std::uint64_t trial);
 
 }   // namespace angiopose::benchmarks

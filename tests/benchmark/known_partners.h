@@ -7,8 +7,9 @@
 
 namespace angiopose::benchmarks {
 
-/// Tree points with their true pixels, and the start pose: what a solver needs that is told the correspondences, the
-/// floor for all that must find them. The image is not mirrored, because OpenCV wants positive focal lengths.
+/// Tree points with their true pixels, and the initial pose: the input of a solver with known correspondences, a lower
+/// bound for all methods that must find them. The image is not mirrored, because OpenCV requires positive focal
+/// lengths.
 struct KnownPartners {
     std::vector<cv::Point3d> points;   ///< patient LPS mm
     std::vector<cv::Point2d> pixels;
@@ -19,15 +20,15 @@ struct KnownPartners {
 
 KnownPartners knownPartners(const core::Trial& trial);
 
-/// OpenCV's solvers on them; the rotation vector and shift they find.
+/// Rotation vector and shift found by one of OpenCV's solvers.
 struct FoundPose {
     cv::Vec3d turn;
     cv::Vec3d shift;
 };
-FoundPose refineLm(const KnownPartners& partners);   ///< solvePnPRefineLM from the start pose
-FoundPose sqpnp(const KnownPartners& partners);   ///< solvePnP with SQPNP, which needs no start
+FoundPose refineLm(const KnownPartners& partners);   ///< solvePnPRefineLM from the initial pose
+FoundPose sqpnp(const KnownPartners& partners);   ///< solvePnP with SQPNP, which needs no initial pose
 
-/// Mean projection distance to the true pixels.
+/// Mean distance of the projected points from the true pixels, px.
 double meanDistancePx(const KnownPartners& partners, const FoundPose& pose);
 
 }   // namespace angiopose::benchmarks

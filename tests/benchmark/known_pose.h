@@ -4,11 +4,11 @@
 
 namespace angiopose::benchmarks {
 
-/// The pose of the first view that lays the unbent tree nearest to where its points truly are: of one view in its
-/// image, of several in space. What no rigid registration can beat.
+/// The pose of the first view that brings the undeformed tree nearest to the true positions of its points: in the image
+/// for one view, in 3-D for several. No rigid registration can be better.
 core::RigidTransform bestRigidPose(const DeformedCase& deformedCase);
 
-/// Likewise of the first view, nearest in space: what a rigid pose of bent vessels means.
+/// The pose of the first view that is nearest in 3-D: the definition of a rigid pose for deformed vessels.
 core::RigidTransform nearestPoseInSpace(const DeformedCase& deformedCase);
 
 }   // namespace angiopose::benchmarks

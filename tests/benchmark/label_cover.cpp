@@ -12,7 +12,7 @@ namespace angiopose::benchmarks {
 namespace {
 
 constexpr double reachVoxels = 2.0;
-constexpr double twigMm = 4.0;   ///< beyond the wall of what it leaves
+constexpr double twigMm = 4.0;   ///< length beyond the wall of the parent vessel
 
 /// Voxels within reach of the tree's curves.
 core::VoxelMask nearTree(const core::VolumeGeometry& grid, const core::VesselTree& tree)
@@ -40,7 +40,7 @@ core::VoxelMask nearTree(const core::VolumeGeometry& grid, const core::VesselTre
     return near;
 }
 
-/// From every voxel to the tree's curves.
+/// Distance of every voxel from the tree's curves.
 core::DistanceMap toTree(const core::VolumeGeometry& grid, const core::VesselTree& tree)
 {
     core::VoxelMask others(grid, 1);
@@ -57,7 +57,7 @@ core::DistanceMap toTree(const core::VolumeGeometry& grid, const core::VesselTre
     return core::distanceMap(others, 1, unheard);
 }
 
-/// Share of the vessels' skeleton that is near, without twigs.
+/// Share of the vessels' skeleton, without twigs, that is close to the tree.
 double coverOfVessels(const core::VoxelMask& mask, const std::vector<std::size_t>& skeleton,
                       const core::DistanceMap& away)
 {
@@ -84,7 +84,7 @@ double coverOfVessels(const core::VoxelMask& mask, const std::vector<std::size_t
     return all > 0.0 ? found / all : 1.0;
 }
 
-/// Connected sets on the six faces.
+/// Number of connected sets on the six faces.
 int cutsOf(const core::VoxelMask& mask)
 {
     core::VoxelMask faces(mask.geometry);

@@ -7,15 +7,16 @@
 
 namespace angiopose::benchmarks {
 
-/// How much of a mask's own skeleton a tree follows.
+/// Coverage of a mask's own skeleton by a tree.
 struct LabelCover {
     double ofSkeleton = 1.0;   ///< share of all its voxels within two voxels of the tree
-    /// Without twigs that end within the wall they leave, or 4 mm beyond; within half a radius where that is more. The
-    /// skeleton of a wide lumen with a rough wall runs beside its middle.
+    /// Share without twigs that end inside the wall of their parent vessel or within 4 mm beyond. A voxel is covered
+    /// also within half a radius, where that is more, because the skeleton of a wide lumen with a rough wall runs off
+    /// center.
     double ofVessels = 1.0;
-    double leftOut = 0.0;   ///< share of the mask's voxels in pieces that the tree has less than half of
+    double leftOut = 0.0;   ///< share of the mask's voxels in components of which less than half is traced
     std::size_t pieces = 0;
-    std::size_t traced = 0;   ///< pieces of which it has half
+    std::size_t traced = 0;   ///< components of which at least half is traced
     int ends = 0;   ///< free ends of the tree in the outermost two voxels of the grid
     int cuts = 0;   ///< places where the mask meets a face of the grid
 };

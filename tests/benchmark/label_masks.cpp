@@ -59,7 +59,7 @@ void addMasksIn(const std::string& folder, std::vector<NamedMask>& all)
     }
 }
 
-/// Vessels of a body that were segmented: the aorta, the inferior vena cava, portal and splenic veins.
+/// Adds the segmented vessels of an abdomen: the aorta, the inferior vena cava, portal and splenic veins.
 void addAbdominalLabels(std::vector<NamedMask>& all)
 {
     const auto labels = io::readLabels(test::dataFile("abdomen-ct/example_seg.nii.gz").string());
@@ -91,7 +91,7 @@ void addSurfaces(std::vector<NamedMask>& all)
     }
 }
 
-/// The chords of the graph, wide as recorded; all of its pieces and loops.
+/// The chords of the graph with the recorded widths, including all components and loops.
 core::VesselTree cerebralTree(const ArteryGraph& graph)
 {
     std::map<int, Eigen::Vector3d> nodes;
@@ -139,13 +139,13 @@ core::VesselTree movedBy(core::VesselTree tree, const Eigen::Vector3d& shiftMm)
     return tree;
 }
 
-/// Every longer branch without a stretch in its middle.
+/// Removes a segment from the middle of every longer branch.
 core::VesselTree inPieces(const core::VesselTree& tree, double withoutMm)
 {
     core::VesselTree cut;
     for (const core::VesselBranch& branch : core::resampled(tree, 0.5).branches) {
         const std::size_t count = branch.pointsInPatient.size();
-        const auto half = static_cast<std::size_t>(withoutMm);   // points, 0.5 mm apart, to each side
+        const auto half = static_cast<std::size_t>(withoutMm);   // points, 0.5 mm apart, on each side
         const std::size_t middle = count / 2;
         const bool isCut = branch.lengthMm() > 30.0 && branch.id % 3 == 0;
         const auto take = [&](std::size_t from, std::size_t to) {

@@ -8,24 +8,23 @@
 
 namespace angiopose::benchmarks {
 
-/// A mask of vessels to be traced.
+/// A named vessel mask to trace.
 struct NamedMask {
     std::string name;
     core::VoxelMask mask;
 };
 
-/// The vessels as balls along their curves, with a margin of some voxels around.
+/// Draws the vessels as balls along their curves, with a margin of some voxels.
 core::VoxelMask drawnVessels(const core::VesselTree& tree, double voxelMm);
 
-/// Masks and labels of vessels, and surfaces filled with voxels, of the folder of test data.
+/// Vessel masks and labels, and voxelized surfaces, from the folder of test data.
 std::vector<NamedMask> givenMasks();
 
 /// Trees of patients drawn as tubes: cerebral arteries with their circle of Willis, both coronary arteries with and
-/// without the aorta. These judge.
+/// without the aorta. The test set.
 std::vector<NamedMask> masksOfPatients();
 
-/// Trees of the simulator drawn as tubes: alone, two beside each other, cut in pieces, crossed by a crop. For choosing
-/// constants.
+/// Trees of the simulator drawn as tubes: alone, two side by side, cut into pieces, cropped. For choosing constants.
 std::vector<NamedMask> grownMasks(int count);
 
 }   // namespace angiopose::benchmarks

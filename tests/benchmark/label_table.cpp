@@ -1,5 +1,5 @@
-// Prints how much of vessel masks and labels is traced: what share of a label's own skeleton (thinned piece by piece)
-// lies within two voxels of the curves, how many of its pieces are found, and what is said of the others.
+// Prints how completely vessel masks and labels are traced: the share of a label's own skeleton (thinned component by
+// component) within two voxels of the curves, the number of components found, and the messages about the others.
 
 #include "core/evaluation/report/result_table.h"
 #include "core/support/format_number.h"

@@ -16,7 +16,7 @@
 namespace angiopose::benchmarks {
 namespace {
 
-/// The most memory that the program has held since `forgetPeak`, MB.
+/// Peak memory of the program since `forgetPeak`, MB.
 double peakMb()
 {
     std::ifstream status("/proc/self/status");
@@ -35,7 +35,7 @@ void forgetPeak()
     std::ofstream("/proc/self/clear_refs") << "5";
 }
 
-/// How long each stage took, by the wall.
+/// Wall time of each stage.
 class StageClock {
 public:
     void enter(std::string_view stage)
@@ -99,7 +99,7 @@ void printLarge(const core::Volume& scan)
     stages.print();
 }
 
-/// Stop pressed at ten times of the run: how long until the tracer has returned.
+/// Requests a stop at ten times during tracing and prints how long the tracer takes to return.
 void printStops(const core::Volume& scan, const core::VesselTracingOptions& options, const char* name)
 {
     constexpr int stops = 10;

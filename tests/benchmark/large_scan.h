@@ -2,7 +2,8 @@
 
 namespace angiopose::benchmarks {
 
-/// Traces a simulated scan of 512 x 512 x 300 voxels: its time and memory, and how soon a stop is answered.
+/// Traces a simulated scan of 512 x 512 x 300 voxels and prints the time, the memory, and the response time to a stop
+/// request.
 void printLargeScan();
 
 }   // namespace angiopose::benchmarks

@@ -6,7 +6,7 @@
 
 namespace angiopose::benchmarks {
 
-/// The usual print, remembering each benchmark's median processor time, which other programs disturb least.
+/// Console output that also stores each benchmark's median processor time, the figure least affected by other programs.
 class MedianReporter : public benchmark::ConsoleReporter {
 public:
     MedianReporter() : ConsoleReporter(OO_Tabular) {}
@@ -21,7 +21,7 @@ public:
         ConsoleReporter::ReportRuns(reports);
     }
 
-    /// 0 when it did not run.
+    /// Median in ms; 0 if the benchmark did not run.
     double medianMs(const std::string& name) const
     {
         const auto found = mediansMs_.find(name);

@@ -18,16 +18,16 @@ constexpr std::size_t minCurvePoints = 4;
 
 using Pixels = std::vector<Eigen::Vector2d>;
 
-/// How an image came about: drawn once for each case.
+/// Imaging parameters, drawn once per case.
 struct Imaging {
     core::ProjectionCamera camera;
     core::RigidTransform view;   ///< cameraFromPatient
     double jitterPx = 0.5;
     double jitterReachPx = 10.0;
     bool isRounded = false;
-    double lostShare = 0.0;   ///< of pieces that the tracing missed
+    double lostShare = 0.0;   ///< share of pieces that the tracing missed
     std::size_t foreignCurves = 0;
-    double doubledShare = 0.0;   ///< of branches with a vein beside them
+    double doubledShare = 0.0;   ///< share of branches with a vein next to them
     bool hasCatheter = false;
 };
 
@@ -78,7 +78,7 @@ std::vector<std::size_t> withoutLeaves(const RootedTree& tree, double share, For
     return kept;
 }
 
-/// What an early frame shows: nothing beyond so many forks.
+/// Branches shown by an early frame: those at most `forks` bifurcations from the inflow.
 std::vector<std::size_t> nearTheRoots(const RootedTree& tree, int forks)
 {
     std::vector<std::size_t> kept;
@@ -139,7 +139,7 @@ std::vector<std::size_t> drawnFilling(const RootedTree& tree, std::string& kind,
     return pathTo(tree, any());
 }
 
-/// As a tracer leaves it, in pieces of which some are lost.
+/// Adds the curve as traced, in pieces, some of which are lost.
 void addTraced(const Pixels& curve, const Imaging& imaging, ForeignRandom& random, core::Centerline2d& target)
 {
     const core::Centerline2d even = core::resampled({{{0, curve, {}}}}, random.uniform(0.6, 1.6));
@@ -188,7 +188,7 @@ Pixels foreignCurve(const core::ProjectionCamera& camera, ForeignRandom& random)
     return curve;
 }
 
-/// A smooth line from the lower edge to where blood flows in.
+/// A smooth line from the lower edge to the inflow.
 Pixels catheter(const core::ProjectionCamera& camera, const Eigen::Vector2d& to, ForeignRandom& random)
 {
     const Eigen::Vector2d from(random.uniform(0.2, 0.8) * camera.width, camera.height - 1.0);
@@ -245,7 +245,7 @@ void spoilCamera(core::ProjectionCamera& camera, ForeignRandom& random)
     }
 }
 
-/// A turned image would only need a pose that is turned, too.
+/// Mirrors the image. Rotating it would not do: a rotated pose would explain it.
 void mirror(AskedCase& asked, ForeignRandom& random)
 {
     const Eigen::Vector2d last(asked.trueCamera.width - 1.0, asked.trueCamera.height - 1.0);

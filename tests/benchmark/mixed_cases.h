@@ -6,10 +6,10 @@
 
 namespace angiopose::benchmarks {
 
-/// Number `number` of a world made up to learn from, the same on every call: trees grown step by step, sizes, views,
-/// filling, motion, noise, gaps, foreign vessels, catheters, wrong geometry and starts drawn at random over wide
-/// ranges. Shares no code with the generators that judge (foreign/targets, bent_cases), nor with the program's
-/// simulator. Every fourth number has the same tree as its neighbours.
+/// Makes case `number` of an artificial training set, the same on every call: trees grown step by step; sizes, views,
+/// opacification, motion, noise, gaps, foreign vessels, catheters, wrong geometry and initial poses drawn at random
+/// over wide ranges. Shares no code with the generators of the test set (foreign/targets, deformed_cases) or with the
+/// program's simulator. Every four consecutive numbers share one tree.
 AskedCase mixedCase(std::uint64_t number);
 
 }   // namespace angiopose::benchmarks

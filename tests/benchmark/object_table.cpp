@@ -1,5 +1,5 @@
-// Prints what of things that are no vessels (borders, shutters, letters, wires, catheters) is traced when they are
-// drawn into the annotated angiograms, and whether devices are flagged.
+// Prints how much of objects that are not vessels (borders, shutters, letters, guidewires, catheters) is traced when
+// they are drawn into the annotated angiograms, and whether devices are flagged.
 
 #include "core/support/format_number.h"
 #include "core/tracing/angiogram/trace_angiogram.h"
@@ -31,12 +31,12 @@ constexpr double besideVesselPx = 4.0;
 
 struct Score {
     double drawnPx = 0.0;
-    double tracedPx = 0.0;   ///< of the object, away from annotated vessels
-    double unflaggedPx = 0.0;   ///< of that
-    double beforePx = 0.0;   ///< traced there in the frame without the object: vessels that nobody drew
+    double tracedPx = 0.0;   ///< traced length on the object, away from annotated vessels
+    double unflaggedPx = 0.0;   ///< part of it that is not flagged
+    double beforePx = 0.0;   ///< traced there in the frame without the object: vessels that are not annotated
     double clDice = 0.0;
     int frames = 0;
-    int untouched = 0;   ///< frames in which nothing of it was traced
+    int untouched = 0;   ///< frames in which no part of the object was traced
 };
 
 bool isNearMask(const core::Mask2d& mask, const Eigen::Vector2d& point, double reachPx)
@@ -79,7 +79,7 @@ bool isFlagged(const core::AngiogramTrace& trace, const core::Curve2d& curve)
     return std::ranges::find(trace.suspectCurves, curve.id) != trace.suspectCurves.end();
 }
 
-/// Traced px on the object, all and on curves that are not flagged.
+/// Traced px on the object: in all, and on curves that are not flagged.
 std::pair<double, double> tracedOn(const test::ObjectFrame& object, const core::Mask2d& truth,
                                    const core::AngiogramTrace& trace)
 {
@@ -124,7 +124,7 @@ void addRow(core::ResultTable& table, const std::string& name, const Score& scor
                           false});
 }
 
-/// Share of the traced px on annotated vessels that is flagged nevertheless, over frames as they are.
+/// Share of the traced px on annotated vessels that is wrongly flagged, over unmodified frames.
 struct FlaggedVessels {
     double vesselPx = 0.0;
     double flaggedPx = 0.0;
@@ -145,7 +145,7 @@ struct FlaggedVessels {
     }
 };
 
-/// Traced px of a frame: all, and on curves that are not flagged.
+/// Traced px of a frame: in all, and on curves that are not flagged.
 std::pair<double, double> tracedIn(const core::ImageF& frame)
 {
     const auto trace = core::traceAngiogram(frame, core::Polarity::VesselsDark);
@@ -171,7 +171,7 @@ bool isChosen(int number, const std::string& which)
     return which == "all" || (number % 2 == 1) == (which == "odd");
 }
 
-/// What is traced where the vessels were painted over.
+/// Prints what is traced where the vessels were painted over.
 void printWithoutVessels(const std::string& which, bool isEachRequested)
 {
     int frames = 0;

@@ -1,5 +1,6 @@
-// Prints how well single vessels are traced between two places of a scan, as by two clicks in the window: branches of
-// simulated scans, coronary branches of a patient drawn beside filled chambers, and the arteries of the thoracic CTA.
+// Prints how well single vessels are traced between two points of a scan, as by two clicks in the window: branches of
+// simulated scans, a patient's coronary branches drawn next to opacified chambers, and the arteries of the thoracic
+// CTA.
 
 #include "core/evaluation/report/result_table.h"
 #include "core/simulation/simulate_cta.h"
@@ -29,19 +30,19 @@ const char* const usage =
     "path_table [--seeds <n>]\n"
     "  --seeds <n>   simulated scans (4)\n";
 
-constexpr double wholeVessel = 0.9;   // of the overlap
-constexpr double shortestMm = 15.0;   // shorter branches are seen at a glance
+constexpr double wholeVessel = 0.9;   // minimum overlap
+constexpr double shortestMm = 15.0;   // shorter branches need no tracing by clicks
 
-/// What became of the vessels of one kind.
+/// Outcomes for the vessels of one kind.
 struct PathScores {
     std::vector<double> overlaps;
     std::vector<double> distancesMm;
     std::vector<double> radiusErrors;
-    std::vector<double> seconds;   ///< of the processor
+    std::vector<double> seconds;   ///< processor time
     int failed = 0;
 };
 
-/// Where a hand clicks that means a place.
+/// A realistic click for a place, with the inaccuracy of a user.
 Eigen::Vector3d clickAt(const Eigen::Vector3d& place, double voxelMm, core::CounterRandom& random)
 {
     return place + 0.5 * voxelMm * Eigen::Vector3d(random.normal(), random.normal(), random.normal());

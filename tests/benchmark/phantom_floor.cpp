@@ -15,7 +15,7 @@ namespace {
 
 using core::fixedText;
 
-constexpr double seenWithinPx = 8.0;   // the part of a branch that the real view shows
+constexpr double seenWithinPx = 8.0;   // limit for the part of a branch that the real view shows
 constexpr double shapeStdsMm[] = {0.0, 0.2, 0.4, 0.5, 0.6, 0.8};   // per axis
 constexpr double gantryStdsDeg[] = {0.0, 0.3, 0.5};   // per axis and view
 constexpr double aimedMedianDeg = 0.7;
@@ -32,7 +32,7 @@ bool isSeen(const Eigen::Vector2d& pixel, const core::Centerline2d& traced)
     return false;
 }
 
-/// Pieces of the projected tree that the real view shows too.
+/// Pieces of the projected tree that the real view also shows.
 core::Centerline2d seenPart(const core::Centerline2d& projected, const core::Centerline2d& traced)
 {
     core::Centerline2d seen;
@@ -52,7 +52,7 @@ core::Centerline2d seenPart(const core::Centerline2d& projected, const core::Cen
     return seen;
 }
 
-/// The four views of a phantom whose true shape is not quite that of the tree, at the poses found in the real ones.
+/// The four views of a phantom whose true shape differs slightly from the tree, at the poses found in the real views.
 std::vector<core::RegistrationInput> simulatedViews(const std::vector<PhantomView>& views, double shapeStdMm,
                                                     core::CounterRandom random)
 {
@@ -66,7 +66,7 @@ std::vector<core::RegistrationInput> simulatedViews(const std::vector<PhantomVie
     return inputs;
 }
 
-/// What the simulated phantoms of one size of shape error gave.
+/// Results of the simulated phantoms with one size of shape error.
 struct Simulated {
     std::vector<std::vector<Eigen::Matrix3d>> rotations;   ///< by trial and view
     std::vector<double> medianPx;
@@ -88,7 +88,7 @@ Simulated simulate(const std::vector<PhantomView>& views, double shapeStdMm, int
     return simulated;
 }
 
-/// What the headers say of gantries that stand a little otherwise.
+/// Rotations that the headers would report for slightly wrong gantry angles.
 std::vector<Eigen::Matrix3d> reportedRotations(const std::vector<PhantomView>& views, double stdDeg,
                                                core::CounterRandom random)
 {

@@ -4,13 +4,12 @@
 
 namespace angiopose::benchmarks {
 
-/// The rotations of views registered from where they stand, and the mean of their median distances; none where one
-/// fails.
+/// Rotations of the views registered from their poses, and the mean of their median distances; empty if one fails.
 std::vector<Eigen::Matrix3d> rotationsOf(const std::vector<core::RegistrationInput>& inputs, double& medianPx);
 
-/// Prints how well the relative rotations can be expected to agree when the tree is off the vessel's shape by a smooth
-/// random error and the header's angles are off what the gantry did. The simulated views show the parts that the real
-/// ones show, at the poses found there.
+/// Prints the agreement of the relative rotations to be expected when the tree differs from the vessel's shape by a
+/// smooth random error and the header's angles differ from the gantry's. The simulated views show the same parts as the
+/// real ones, at the poses found there.
 void printFloor(const std::vector<PhantomView>& views, int trials, std::uint64_t seed);
 
 }   // namespace angiopose::benchmarks

@@ -1,6 +1,6 @@
-// What limits the agreement of the phantom's registered views with the angles of their headers (phantom_table): how
-// each view differs, what it costs to force the header's angles, what single branches do, and what a tree that is not
-// quite the vessel's shape must be expected to give.
+// Analyzes what limits the agreement of the phantom's registered views with the angles in their headers
+// (phantom_table): the difference of each view, the cost of enforcing the header's angles, the effect of single
+// branches, and the disagreement to be expected from a tree that differs slightly from the vessel's shape.
 
 #include "core/registration/register_views.h"
 #include "core/support/format_number.h"
@@ -30,7 +30,7 @@ Eigen::Vector3d centroidInCamera(const PhantomView& view)
     return view.result.cameraFromPatient * core::centroidInPatient(view.input.tree);
 }
 
-/// The turn of the patient that the header's angles leave open, as all views together have it.
+/// The rotation of the patient that the header's angles leave undetermined, estimated from all views together.
 Eigen::Matrix3d commonTurn(const std::vector<PhantomView>& views)
 {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
@@ -66,7 +66,7 @@ void printDeviations(const std::vector<PhantomView>& views)
                 io::toPlainText(table).c_str());
 }
 
-/// Joint registration with the header's angles held all but exactly.
+/// Registers jointly with the header's angles almost fixed.
 void printHeld(const std::vector<PhantomView>& views)
 {
     const Eigen::Matrix3d turn = commonTurn(views);
@@ -120,7 +120,7 @@ void printWithout(const std::vector<PhantomView>& views)
     std::printf("What single branches do\n\n%s\n", io::toPlainText(table).c_str());
 }
 
-/// How each branch lies in each view, first as registered, then where the other branches alone lay it.
+/// Prints the error of each branch in each view, first as registered, then at the pose from the other branches alone.
 void printBranches(const std::vector<PhantomView>& views)
 {
     core::ResultTable table;

@@ -51,7 +51,7 @@ void printViews(const std::vector<PhantomView>& views)
     std::printf("%s\n", io::toPlainText(table).c_str());
 }
 
-/// 1-σ length of the turn that the two views' covariances allow between them.
+/// 1-σ angle of the relative rotation that the covariances of the two views allow.
 double reportedDeg(const PhantomView& a, const PhantomView& b)
 {
     const auto turns = [](const PhantomView& view) {
@@ -60,7 +60,8 @@ double reportedDeg(const PhantomView& a, const PhantomView& b)
     return inDegrees(std::sqrt(turns(a) + turns(b)));
 }
 
-/// `headerDeg`: 1-σ length of the turn between two views that the header's angles are off.
+/// Ratio of the rms difference to the reported one. `headerDeg`: 1-σ error angle of the rotation between two views
+/// according to the header.
 double rmsOverReported(const std::vector<PhantomView>& views, const std::vector<PhantomPair>& pairs, double headerDeg)
 {
     double squares = 0.0;

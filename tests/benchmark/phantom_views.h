@@ -14,14 +14,14 @@ struct PhantomView {
     double primaryDeg = 0.0;
     double secondaryDeg = 0.0;
     double sourceToPatientMm = 0.0;
-    Eigen::Matrix3d headerRotation = Eigen::Matrix3d::Identity();   ///< cameraFromPatient by the header's angles
-    core::RegistrationInput input;   ///< traced automatically, rough start pose
+    Eigen::Matrix3d headerRotation = Eigen::Matrix3d::Identity();   ///< cameraFromPatient from the header's angles
+    core::RegistrationInput input;   ///< traced automatically, rough initial pose
     core::RegistrationResult result;
     double depthMm = 0.0;   ///< of the tree's centroid
     double traceMs = 0.0;
 };
 
-/// How the rotation between two views differs from what the header's angles say.
+/// Difference between the rotation of two registered views and the header's angles.
 struct PhantomPair {
     std::size_t first = 0;
     std::size_t second = 0;
@@ -32,18 +32,18 @@ struct PhantomPair {
 
 double inDegrees(double radians);
 
-/// The folder of the four cases among the test data.
+/// Folder of the four cases in the test data.
 std::filesystem::path phantomFolder();
 
-/// IM1 to IM4 of `folder`.
+/// Registers IM1 to IM4 of `folder`.
 core::Result<std::vector<PhantomView>> registerPhantom(const std::filesystem::path& folder,
                                                        const core::RegistrationOptions& options);
 
 std::vector<Eigen::Matrix3d> registeredRotations(const std::vector<PhantomView>& views);
 std::vector<Eigen::Matrix3d> headerRotations(const std::vector<PhantomView>& views);
 
-/// All pairs of views; `rotations` are cameraFromPatient, `expected` what they should be up to one common turn of the
-/// patient.
+/// All pairs of views. `rotations` are cameraFromPatient, `expected` their expected values up to one common rotation of
+/// the patient.
 std::vector<PhantomPair> pairsOf(const std::vector<Eigen::Matrix3d>& rotations,
                                  const std::vector<Eigen::Matrix3d>& expected);
 

@@ -1,6 +1,6 @@
-// A long session of random but valid user actions (issue 5): ends without a crash, a leak above 20 MiB or a case that
-// differs after saving and reopening, and prints how long the window's event handlers took.
-//   xvfb-run -a -s "-screen 0 1920x1200x24" random_session [actions=5000] [seed=1] [file…]
+// A long session of random but valid user actions (issue 5): must end without a crash, a leak above 20 MiB or a case
+// that differs after saving and reopening; prints how long the window's event handlers took. xvfb-run -a -s "-screen 0
+// 1920x1200x24" random_session [actions=5000] [seed=1] [file…]
 #include "app/files/sample_case.h"
 #include "tests/app/session/random_user.h"
 #include "tests/app/session/session_check.h"
@@ -29,7 +29,7 @@ namespace {
 
 constexpr double leakLimitMiB = 20.0;
 
-/// Of all threads, since the program began.
+/// Processor time of all threads since the start of the program, ms.
 double processMs()
 {
     return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -42,7 +42,8 @@ double heapMiB()
     return static_cast<double>(info.uordblks + info.hblkhd) / (1024.0 * 1024.0);
 }
 
-/// The case files as they were found. The user saves over them, say with a subtracted run, which takes more memory.
+/// Backs up and restores the case files. The random user saves over them, for instance with a subtracted run, which
+/// takes more memory.
 class FilesAsFound {
 public:
     explicit FilesAsFound(const QStringList& paths)
@@ -69,7 +70,7 @@ private:
     std::vector<std::pair<QString, QByteArray>> contents_;
 };
 
-/// What of the open case is still there when it has been closed.
+/// Detects data of the open case that are still in memory after it was closed.
 class Remains {
 public:
     explicit Remains(const core::Case& current)
@@ -78,7 +79,7 @@ public:
     }
 
     bool areNone() const { return tree_.expired() && angiogram_.expired() && stored_.expired(); }
-    /// How often each is held: vessels, run as shown, run as stored.
+    /// Prints the reference counts of the vessels, the run as shown and the run as stored.
     void print() const
     {
         std::printf("vessels %ld, shown run %ld, stored run %ld x KEPT", tree_.use_count(), angiogram_.use_count(),
@@ -91,8 +92,8 @@ private:
     std::weak_ptr<const core::Angiogram> stored_;
 };
 
-/// Pictures are as large as the views that show them. The 3-D view has been large and small again: letting go of large
-/// buffers fills others of the software OpenGL, 8 MiB at least.
+/// Restores the layout, because images are as large as the views that show them. Makes the 3-D view large and small
+/// again first: releasing large buffers fills others of the software OpenGL, 8 MiB at least.
 void layOutAfresh(ui::MainWindow& window)
 {
     constexpr int untilAtRestMs = 1500;
@@ -105,7 +106,7 @@ void layOutAfresh(ui::MainWindow& window)
     QTest::qWait(untilAtRestMs);
 }
 
-/// Opens the files as a fresh case, so that memory is comparable before and after.
+/// Opens the files as a new case, to make the memory before and after comparable.
 bool openAfresh(app::CaseController& controller, const QStringList& paths)
 {
     controller.document().replace({}, {});
@@ -115,7 +116,7 @@ bool openAfresh(app::CaseController& controller, const QStringList& paths)
     return isOpen && QTest::qWaitFor([] { return QThreadPool::globalInstance()->activeThreadCount() == 0; }, 60000);
 }
 
-/// The files named, or the sample case, made now.
+/// The named files, or a newly written sample case.
 QStringList filesOrSample(const QStringList& named)
 {
     if (!named.isEmpty()) {
@@ -125,7 +126,8 @@ QStringList filesOrSample(const QStringList& named)
     return sample ? QStringList{sample.value()} : QStringList{};
 }
 
-/// From the start of the program until the window stands, and from asking for the case until it is drawn and judged.
+/// Opens the first case. Prints the time from the start of the program until the window is shown, and from opening the
+/// case until it is drawn and assessed.
 bool openFirst(app::WindowHost& host, const QElapsedTimer& sinceStart, QStringList& paths)
 {
     const bool isShown = QTest::qWaitForWindowExposed(&host.window());
@@ -160,7 +162,7 @@ int run(benchmarks::TimedApplication& application, const QElapsedTimer& sinceSta
             user.act();
         }
     };
-    act(std::min(300, actions / 5));   // fonts, caches and dialogs are made once
+    act(std::min(300, actions / 5));   // fonts, caches and dialogs are created once
     const bool isAtRest = user.comeToRest();
     found.putBack();
     layOutAfresh(host.window());

@@ -1,8 +1,7 @@
-// Random walks through cases (issue 18): each is opened, worked on at random, registered, saved and reopened, and every
-// step undone and done again; what is not the same before and after is printed. A walk takes 10 to 20 s, forty take
-// about 10 minutes.
-//   xvfb-run -a -s "-screen 0 1920x1200x24" random_walks [--walks 40] [--seed 1] [--actions 20] [--keep DIR] [--tell]
-//     [case…]
+// Random walks through cases (issue 18): each case is opened, worked on at random, registered, saved and reopened, and
+// every step undone and redone; prints the differences between before and after. A walk takes 10 to 20 s, forty take
+// about 10 minutes. xvfb-run -a -s "-screen 0 1920x1200x24" random_walks [--walks 40] [--seed 1] [--actions 20] [--keep
+// DIR] [--tell] [case…]
 #include "app/files/sample_case.h"
 #include "tests/app/session/random_walk.h"
 #include "ui/theme/active_theme.h"
@@ -46,7 +45,7 @@ Plan planOf(const QStringList& arguments, const QString& folder)
             parser.value(keep),          parser.positionalArguments(),     parser.isSet(tell)};
 }
 
-/// Whether nothing was different.
+/// Returns true if there was no difference.
 bool walk(const Plan& plan, int number)
 {
     const std::uint64_t seed = plan.seed + static_cast<std::uint64_t>(number);

@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <vector>
 
-// reading_table OLD NEW [FOLDER]
-// Gives every file below FOLDER (the test data) to `info` of two builds of the command line, one after the other, and
-// compares what they say, their exit codes, processor time (the least of three runs) and peak memory. Files that differ
-// and files that take long are listed; the last lines sum up. Starting the program is part of each time.
+// reading_table OLD NEW [FOLDER] Passes every file below FOLDER (the test data) to `info` of two builds of the command
+// line, one after the other, and compares their output, exit codes, processor time (minimum of three runs) and peak
+// memory. Lists files that differ and files that take long; the last lines sum up. Each time includes starting the
+// program.
 
 using namespace angiopose;
 

@@ -1,7 +1,10 @@
-// How long a pose edit takes until both views show it, a drag in nudge mode until the whole window does, with one view
-// and with two side by side, the tree's lines alone by our rasteriser and by QPainter, and a turn of the 3-D view with
-// a scan behind the vessels. With --scan only the last, with --drag only drags. Run it on a screen or under xvfb-run -a
-// -s "-screen 0 1920x1200x24".
+// Measures redraw times:
+// - a pose edit, until both views show it;
+// - a drag in nudge mode, until the whole window shows it, with one view and with two side by side;
+// - the tree's lines alone, by our rasterizer and by QPainter;
+// - a rotation of the 3-D view with a scan behind the vessels.
+// With --scan only the last, with --drag only drags. Run it on a screen or under
+// xvfb-run -a -s "-screen 0 1920x1200x24".
 #include "app/case_controller.h"
 #include "core/geometry/pose_offset.h"
 #include "core/simulation/simulate_cta.h"
@@ -37,7 +40,7 @@ namespace {
 constexpr int editCount = 100;
 constexpr double sourceToDetectorMm = 1000.0;
 
-/// The two views as the main window places them.
+/// The two views, arranged as in the main window.
 struct Window {
     QWidget widget;
     ui::TreeView* tree = new ui::TreeView;
@@ -71,7 +74,7 @@ void show(Window& window, const core::SimulatedCase& simulated)
     window.widget.show();
 }
 
-/// Makes an edit and waits until both views have drawn it and the display server has taken the pixels.
+/// Edits the pose and waits until both views have drawn it and the display server has received the pixels.
 void editAndWait(Window& window, const core::RigidTransform& pose)
 {
     const int before = window.angiogram->renderCount();
@@ -82,11 +85,11 @@ void editAndWait(Window& window, const core::RigidTransform& pose)
     while (window.angiogram->renderCount() == before || window.tree->renderCount() == beforeTree) {
         QApplication::processEvents(QEventLoop::WaitForMoreEvents);
     }
-    QApplication::processEvents();   // the 3-D view's picture goes to the window
+    QApplication::processEvents();   // shows the rendered 3-D image in the window
     window.widget.screen()->grabWindow(window.widget.winId(), 0, 0, 1, 1);
 }
 
-/// Prints the time of pose edits in a window of this size; false when it did not appear.
+/// Prints the time of pose edits in a window of this size; returns false if the window did not appear.
 bool measure(const core::SimulatedCase& simulated, const QSize& size, ui::OverlayMode mode)
 {
     Window window(size);
@@ -120,7 +123,7 @@ bool measure(const core::SimulatedCase& simulated, const QSize& size, ui::Overla
     return true;
 }
 
-/// Two views of one tree of 3000 points, with frames of 1024 × 1024 as C-arms have them.
+/// Two views of one tree of 3000 points, with frames of 1024 × 1024 as from C-arms.
 core::Case twoLargeViews()
 {
     core::DsaOptions dsa;
@@ -137,7 +140,7 @@ core::Case twoLargeViews()
     return values;
 }
 
-/// Waits until everything that shows a pose has drawn itself again.
+/// Waits until everything that shows a pose has been redrawn.
 class AllRedrawn {
 public:
     AllRedrawn(ui::MainWindow& window) : window_(window), images_(window.sideBySide().images()), before_(counts()) {}
@@ -167,7 +170,7 @@ private:
     std::vector<int> before_;
 };
 
-/// Prints the time of a drag's steps in the whole window, judging included, as a user of the nudge mode sees them.
+/// Prints the time of the steps of a drag in the whole window, including the assessment, as in nudge mode.
 bool measureDrag(std::size_t viewCount)
 {
     ui::MainWindow window;
@@ -183,7 +186,7 @@ bool measureDrag(std::size_t viewCount)
         std::fputs("The window did not appear.\n", stderr);
         return false;
     }
-    QTest::qWait(3000);   // small pictures of the views are made
+    QTest::qWait(3000);   // thumbnails of the views are created
     window.actions()[ui::Command::Nudge]->setChecked(true);
     ui::AngiogramView& image = window.angiogramView();
     const QPoint from = image.rect().center() + QPoint(5, 7);
@@ -205,7 +208,7 @@ bool measureDrag(std::size_t viewCount)
     return true;
 }
 
-/// A turn of the 3-D view by mouse, until it has drawn itself again.
+/// Times of mouse rotations of the 3-D view until it has been redrawn, ms.
 std::vector<double> turnMs(ui::TreeView& tree)
 {
     const QPoint from = tree.rect().center();
@@ -226,7 +229,7 @@ std::vector<double> turnMs(ui::TreeView& tree)
     return wallMs;
 }
 
-/// Prints what a scan behind the vessels costs: until it is there, and while the view turns.
+/// Prints the cost of a scan behind the vessels: the time until it is shown, and the time of each rotation.
 bool measureScan(benchmarks::TimedApplication& application, const core::SimulatedCta& cta)
 {
     ui::MainWindow window;
@@ -268,7 +271,7 @@ bool measureScan(benchmarks::TimedApplication& application, const core::Simulate
     return true;
 }
 
-/// Milliseconds of one call, the median of many.
+/// Median time of one call over many, ms.
 template <class Draw>
 double medianMsOf(const Draw& draw)
 {
@@ -283,7 +286,7 @@ double medianMsOf(const Draw& draw)
     return wallMs[10];
 }
 
-/// The tree's centrelines or edges with their borders, as a programmer would draw them with Qt.
+/// Draws the tree's centerlines or edges with their borders by means of QPainter, for comparison.
 void drawByQt(const ui::OverlayContent& content, const ui::DeviceFromImage& device, QImage& picture)
 {
     const bool isTube = content.mode == ui::OverlayMode::Tube;
@@ -316,7 +319,7 @@ void drawByQt(const ui::OverlayContent& content, const ui::DeviceFromImage& devi
     }
 }
 
-/// Prints what the tree's lines alone cost, without frame, by one thread.
+/// Prints the time of drawing the tree's lines alone, without the frame, on one thread.
 void measureLines(const core::SimulatedCase& simulated, const QSize& size, ui::OverlayMode mode)
 {
     ui::OverlayScene scene;
@@ -344,7 +347,7 @@ void measureLines(const core::SimulatedCase& simulated, const QSize& size, ui::O
 
 int main(int argc, char** argv)
 {
-    const QTemporaryDir home;   // nobody's settings count, and none are changed
+    const QTemporaryDir home;   // neither reads nor changes the user's settings
     qputenv("XDG_DATA_HOME", home.path().toUtf8());
     qputenv("XDG_CONFIG_HOME", home.path().toUtf8());
     benchmarks::TimedApplication application(argc, argv);

@@ -1,7 +1,7 @@
-// Time of one registration on one core, 2000 points, 512 × 512, with target map, search and judging, against OpenCV's
-// solvers that are told the correspondences and against the other methods, on three targets: the tree's own projected
-// points, the same curves sampled anew, and what tracing would make of them; and time of one frame when tracking, the
-// new target map excluded. Medians and their ratios from one run.
+// Time of one registration on one core, 2000 points, 512 × 512, including target map, search and assessment, compared
+// with OpenCV's solvers for known correspondences and with the other methods, on three targets: the tree's own
+// projected points, the same curves resampled, and a simulated trace of them; and time per frame when tracking, without
+// the new target map. Medians and their ratios from one execution.
 
 #include "core/evaluation/protocols/protocol.h"
 #include "core/evaluation/trial/contestant.h"
@@ -24,25 +24,25 @@ namespace {
 
 using namespace benchmarks;
 
-constexpr std::size_t trialCount = 20;   ///< start poses, taken in turn
+constexpr std::size_t trialCount = 20;   ///< initial poses, used in turn
 constexpr int repetitions = 5;
 
 struct BenchmarkTarget {
     const char* condition;   ///< of the protocol "simulation"
     const char* title;
 };
-constexpr std::array targets{BenchmarkTarget{"exact-obj-2-5", "own points"}, BenchmarkTarget{"obj-2-5", "sampled anew"},
+constexpr std::array targets{BenchmarkTarget{"exact-obj-2-5", "own points"}, BenchmarkTarget{"obj-2-5", "resampled"},
                              BenchmarkTarget{"degraded-obj-2-5", "degraded"}};
 const std::string refineKnown = "known/solvePnPRefineLM";
 
 struct BenchmarkAim {
     const char* other;
-    double share;   ///< of its time, on degraded targets
+    double share;   ///< maximum ratio to the other's time, on degraded targets
 };
 constexpr std::array aims{BenchmarkAim{"known/solvePnPRefineLM", 1.5}, BenchmarkAim{"assembled-icp", 0.2}};
 constexpr double trackingAim = 1.0 / 6.0;
 
-/// Made once for each condition; every method sees the same.
+/// Trials made once per condition, the same for every method.
 const std::vector<core::Trial>& trialsOf(const std::string& condition)
 {
     static std::map<std::string, std::vector<core::Trial>> made;
@@ -104,7 +104,7 @@ void solveKnown(benchmark::State& state, FoundPose (*solve)(const KnownPartners&
     state.counters["worst_px"] = worstPx;
 }
 
-/// Frame by frame through a run, map and all.
+/// Tracks frame by frame through a run, including the target maps.
 void trackFrames(benchmark::State& state)
 {
     const BreathingRun run = breathingRun(trialsOf(targets.front().condition).front(), trialCount);
@@ -124,7 +124,7 @@ void trackFrames(benchmark::State& state)
     state.counters["searches"] = searches;
 }
 
-/// The same frames' maps alone.
+/// Computes only the target maps of the same frames.
 void mapFrames(benchmark::State& state)
 {
     const BreathingRun run = breathingRun(trialsOf(targets.front().condition).front(), trialCount);
@@ -165,13 +165,13 @@ void addAll()
     }
 }
 
-/// "1.23", "–" where one of both did not run.
+/// "1.23", or "–" if one of the two did not run.
 std::string ratioText(double ms, double otherMs)
 {
     return ms > 0.0 && otherMs > 0.0 ? core::fixedText(ms / otherMs, 2) : "–";
 }
 
-/// One row of angiopose's times over another's, by target.
+/// Prints one row of the ratios of angiopose's times to another method's, by target.
 void printRatios(const MedianReporter& reporter, const std::string& other, bool knowsPartners)
 {
     std::printf("%-24s", other.c_str());

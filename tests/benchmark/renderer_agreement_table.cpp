@@ -1,5 +1,5 @@
-// How far the painter's and VTK's pictures of the overlay are apart, and what VTK hands to OpenGL. Run it on a screen
-// or under xvfb-run -a.
+// Measures the difference between the overlay images of the painter and of VTK, and the amount of data that VTK passes
+// to OpenGL. Run it on a screen or under xvfb-run -a.
 #include "tests/ui/renderer_agreement.h"
 
 #include "ui/views/gl_driver.h"
@@ -37,7 +37,7 @@ Worst printCase(std::uint64_t seed, ui::GlOverlay& gl)
     return worst;
 }
 
-/// What one picture of a state hands to OpenGL.
+/// OpenGL work of one image of a state.
 ui::VtkOverlay::Work workOf(const test::OverlayState& state, ui::GlOverlay& gl, int width, int height)
 {
     ui::OverlayScene scene;

@@ -1,7 +1,7 @@
-// Prints how joint registration fares on simulated two-view studies of rooms whose table travels between the views and
-// whose (0018,1111) is the plane of an assumed object: headers are written as DICOM and read again, vessels are traced,
-// starts follow from the headers. Right: both views are trusted together and the joint pose lies within 2 mm of the
-// truth, in space, in the mean over the tree.
+// Prints the success of joint registration on simulated two-view studies of rooms whose table moves between the views
+// and whose (0018,1111) refers to the plane of an assumed object: headers are written as DICOM and read again, vessels
+// are traced, initial poses come from the headers. Right: both views together are reliable, and the joint pose lies
+// within 2 mm of the truth, in 3-D, in the mean over the tree.
 
 #include "core/case/start_pose.h"
 #include "core/simulation/study/simulated_room.h"
@@ -33,7 +33,7 @@ constexpr double asideMm = 2.0;
 struct Room {
     const char* name;
     core::RoomOptions options;
-    double aim;   ///< share that is trusted and right
+    double aim;   ///< target share of reliable and right results
 };
 
 const std::array rooms{
@@ -46,8 +46,8 @@ const std::array rooms{
 };
 
 struct Outcome {
-    double inSpaceMm = 0.0;   ///< of the first view
-    double acrossMm = 0.0;   ///< of the worse view
+    double inSpaceMm = 0.0;   ///< 3-D error of the first view
+    double acrossMm = 0.0;   ///< in-plane error of the worse view
     bool isTrusted = false;
     std::string words;
 

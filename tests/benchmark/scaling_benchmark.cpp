@@ -1,5 +1,6 @@
-// How `angiopose` and its stages grow with the number of points (200 … 200 000, taken as they are) and with the image,
-// what a point costs in an iteration, and how often the iterations ask for memory.
+// Measures how the time of `angiopose` and its stages grows with the number of points (200 … 200 000, used without
+// resampling) and with the image size, the cost per point of an iteration, and how often the iterations allocate
+// memory.
 
 #include "core/registration/registration.h"
 #include "core/simulation/phantom.h"
@@ -32,8 +33,8 @@ core::RegistrationInput makeInput(int points, int imageSizePx)
     return input;
 }
 
-/// Allocations between two reports of one stage: what an iteration and its report cost; and once, between the last
-/// iteration and the report of the end, for what closes a registration.
+/// Counts allocations between two reports of one stage, which is the cost of an iteration and its report, and those
+/// between the last iteration and the final report, which is the cost of finishing a registration.
 class AllocationsByStep {
 public:
     core::Verdict operator()(const core::IterationReport& report)
@@ -45,7 +46,7 @@ public:
             steps_.push_back(now - lastCount_);
         }
         lastStage_ = report.stage;
-        lastCount_ = allocationsOfThisThread();   // what the line above took is not theirs
+        lastCount_ = allocationsOfThisThread();   // excludes the allocations of the line above
         return core::Verdict::Continue;
     }
     double median() const

@@ -1,7 +1,6 @@
 // Processor time of the events that go through the slices of a large scan, each with all the painting it causes: of the
-// window's thread, which must stay below 16 ms, and of all threads together, which share the cutting and painting. Run
-// it on a screen or under xvfb-run -a -s "-screen 0 1920x1200x24".
-//   slice_benchmark [columns=512] [slices=300]
+// window's thread, which must stay below 16 ms, and of all threads together, which share the reslicing and painting.
+// Run it on a screen or under xvfb-run -a -s "-screen 0 1920x1200x24". slice_benchmark [columns=512] [slices=300]
 #include "core/imaging/mask_brush.h"
 #include "core/imaging/mask_cut.h"
 #include "core/simulation/simulate_cta.h"
@@ -30,7 +29,7 @@ double processorMs(clockid_t clock)
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-/// Prints the median and worst time of an action, painting included.
+/// Prints the median and worst time of an action, including painting.
 template <class Action>
 void measure(const char* what, const Action& act)
 {
@@ -77,7 +76,7 @@ void measureAll(ui::SliceModel& model, ui::SlicesPage& page)
 
 enum class BrushShape { Disc, Ball };
 
-/// What a move of the brush does in the window's thread, erasing and painting in turns.
+/// Measures the work of a brush move in the window's thread, alternately erasing and painting.
 void measureBrush(const char* what, ui::SliceModel& model, ui::SliceView& view, core::VoxelMask& draft,
                   BrushShape shape, double radiusMm)
 {
@@ -134,7 +133,7 @@ int main(int argc, char** argv)
     }
     ui::SliceModel model;
     ui::SlicesPage page(model);
-    page.resize(1400, 940);   // beside the columns of a window of 1920 × 1080
+    page.resize(1400, 940);   // the space beside the columns of a 1920 × 1080 window
     model.setScan(std::make_shared<const core::Volume>(std::move(cta.volume)),
                   std::make_shared<const core::VoxelMask>(std::move(lumen)));
     model.setTree(std::make_shared<const core::VesselTree>(std::move(cta.tree)));

@@ -13,7 +13,7 @@ namespace angiopose::benchmarks {
 namespace {
 
 constexpr int deepest = 96;
-std::array<void*, deepest> frames;   // written by the signal's handler on the watched thread, read by the same thread
+std::array<void*, deepest> frames;   // written by the signal handler on the watched thread, read by the same thread
 volatile std::sig_atomic_t frameCount = 0;
 
 void noteStack(int /*signal*/)
@@ -21,7 +21,7 @@ void noteStack(int /*signal*/)
     frameCount = backtrace(frames.data(), deepest);
 }
 
-/// The function's name without its parameters; empty for what is not named.
+/// The function's name without its parameters; empty if it has no name.
 std::string nameOf(const char* mangled)
 {
     int status = 0;
@@ -35,7 +35,7 @@ std::string nameOf(const char* mangled)
 
 StackWatch::StackWatch(double afterMs) : afterMs_(afterMs)
 {
-    backtrace(frames.data(), 1);   // loads what it needs now, not in the signal's handler
+    backtrace(frames.data(), 1);   // loads the required libraries now, not in the signal handler
     struct sigaction action {};
     action.sa_handler = noteStack;
     action.sa_flags = SA_RESTART;

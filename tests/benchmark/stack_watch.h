@@ -7,17 +7,19 @@
 
 namespace angiopose::benchmarks {
 
-/// Notes where the calling thread was after so much processor time, to name what made an event handler slow.
+/// Records the call stack of the calling thread after a given processor time, to identify what made an event handler
+/// slow.
 class StackWatch {
 public:
-    /// One at a time, on the thread that it watches.
+    /// Only one may exist at a time, on the thread that it watches.
     explicit StackWatch(double afterMs);
     ~StackWatch();
     StackWatch(const StackWatch&) = delete;
     StackWatch& operator=(const StackWatch&) = delete;
 
-    void begin() const;   ///< what was noted before is forgotten
-    /// Stops watching; named functions on the stack at the time, innermost first. Empty when it did not take so long.
+    void begin() const;   ///< discards earlier records
+    /// Stops watching and returns the named functions on the recorded stack, innermost first; empty if the time limit
+    /// was not reached.
     std::vector<std::string> end() const;
 
 private:

@@ -8,7 +8,7 @@
 
 namespace angiopose::benchmarks {
 
-/// Stage times of a benchmark's registrations, as processor time: results carry wall time, which other programs
+/// Sums the stage times of a benchmark's registrations as processor time. Results carry wall time, which other programs
 /// stretch evenly over the stages.
 class StageSum {
 public:
@@ -18,7 +18,7 @@ public:
                  wall_.totalMs + time.totalMs};
     }
 
-    double solveMs() const { return wall_.solveMs * share(); }   ///< of all registrations so far
+    double solveMs() const { return wall_.solveMs * share(); }   ///< total of all registrations so far
 
     void report(benchmark::State& state) const
     {

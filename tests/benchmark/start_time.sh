@@ -29,7 +29,7 @@ trap 'kill "$watcher" "$server" 2>/dev/null || true; rm -rf "$folder"' EXIT
 
 milliseconds() { echo $((${EPOCHREALTIME/[.,]/} / 1000)); }
 
-# Prints the milliseconds from the start of $1 until the server maps its window. Told by an event: asking again and again
+# Prints the milliseconds from the start of $1 until the server maps its window. Measured by an event: polling
 # would take the processor from what is measured.
 one_start() {
     local begin process line

@@ -10,8 +10,8 @@ namespace angiopose::benchmarks {
 namespace {
 
 constexpr double sampleMm = 0.5;
-constexpr double axisReachMm = 2.0;   ///< along an axis
-constexpr double arterialTolerance = 0.1;   ///< of the masked arteries' value
+constexpr double axisReachMm = 2.0;   ///< search radius along an axis
+constexpr double arterialTolerance = 0.1;   ///< relative tolerance on the value of the masked arteries
 
 using core::medianOf;
 
@@ -36,14 +36,15 @@ OutsideRun runOf(const core::VesselBranch& branch, std::size_t first, std::size_
             kind};
 }
 
-/// Follows the curves from the root on and tells for each point what the masks say about it; nothing: inside.
+/// Follows the curves from the root and determines for each point how it lies outside the masks; nothing if it lies
+/// inside.
 class OutsideKinds {
 public:
     explicit OutsideKinds(const ThoracicScan& thorax) : thorax_(thorax) {}
 
     using Kinds = std::vector<std::optional<OutsideKind>>;
 
-    /// Parents come before their branches.
+    /// Kinds of the branch's points. Parents must be processed before their children.
     Kinds of(const core::VesselBranch& branch)
     {
         const auto& way = branch.pointsInPatient;
@@ -74,7 +75,7 @@ private:
         return thorax_.isAtAnEnd(left) ? OutsideKind::BeyondAnEnd : OutsideKind::Elsewhere;
     }
 
-    /// Of the point that a branch leaves from; the first may come in through an end.
+    /// Kind of the point where a branch originates; the first branch may enter through an end.
     std::optional<OutsideKind> kindBefore(const std::vector<Eigen::Vector3d>& way) const
     {
         if (points_.empty()) {
@@ -93,8 +94,8 @@ private:
     Kinds kinds_;
 };
 
-/// The axis of an aorta with two lumens lies between them, so that a distance to it would say nothing: what counts is
-/// whether a curve runs beside it.
+/// Share of the axis along which a curve runs. The axis of an aorta with two lumens lies between them, where a distance
+/// to it would be meaningless.
 double coveredShare(const std::vector<Eigen::Vector3d>& axis, const std::vector<Eigen::Vector3d>& insidePoints)
 {
     std::vector<bool> isBeside(axis.size(), false);

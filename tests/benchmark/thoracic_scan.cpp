@@ -12,15 +12,15 @@ namespace angiopose::benchmarks {
 namespace {
 
 constexpr std::uint64_t placesSeed = 5;
-constexpr int depthInAorta = 3;   ///< voxels to its wall
-constexpr double endReachInRadii = 2.0;   ///< from the end of a mask's axis; the mask's own end is round
+constexpr int depthInAorta = 3;   ///< minimum distance from the wall, voxels
+constexpr double endReachInRadii = 2.0;   ///< distance from the end of a mask's axis; the mask's own end is round
 
 Eigen::Vector3i nearestVoxel(const core::VolumeGeometry& geometry, const Eigen::Vector3d& inPatient)
 {
     return (geometry.patientFromVoxel().inverse() * inPatient).array().round().cast<int>();
 }
 
-/// The given arteries as labels 1, 2, …; the aorta is 1.
+/// The given arteries as labels 1, 2, …, with the aorta as 1.
 core::LabelVolume givenArteries()
 {
     core::LabelVolume all;
@@ -115,7 +115,7 @@ std::optional<ThoracicScan> readThoracicScan()
                    [](std::uint16_t label) { return static_cast<std::uint8_t>(label == 0 ? 1 : 0); });
     core::TracingProgress unheard({});
     thorax.toArteries = core::distanceMap(others, 1, unheard);
-    // The masks are a network's, with stubs on their walls that are no vessels.
+    // The masks come from a neural network and have stubs on their walls that are not vessels.
     auto axes =
         core::traceLabels(thorax.arteries, {}, {.minBranchLengthMm = 12.0, .pieces = core::TracedPieces::Largest});
     if (thorax.scan.voxels.empty() || !axes) {

@@ -11,32 +11,32 @@
 
 namespace angiopose::benchmarks {
 
-/// A scan below ../shared/data; empty, with the reason on stdout, where it cannot be read.
+/// Reads a scan below ../shared/data. If that fails, prints the reason to stdout and returns an empty volume.
 core::Volume readScan(const std::string& relative);
 
-/// The thoracic CTA with the arteries that its masks give.
+/// The thoracic CTA with the arteries from its masks.
 struct ThoracicScan {
     core::Volume scan;
-    core::LabelVolume arteries;   ///< 0 elsewhere
-    core::VoxelMask lumens;   ///< the same with the masks of the torn aorta's two lumens
-    core::VesselTree axes;   ///< of the arteries
-    core::DistanceMap toArteries;   ///< 0 in them
+    core::LabelVolume arteries;   ///< labels; 0 outside
+    core::VoxelMask lumens;   ///< the arteries plus the masks of the dissected aorta's two lumens
+    core::VesselTree axes;   ///< centerlines of the arteries
+    core::DistanceMap toArteries;   ///< distance to the arteries, 0 inside
 
-    Eigen::Vector3d at(int i, int j, int k) const;   ///< LPS mm of a voxel
+    Eigen::Vector3d at(int i, int j, int k) const;   ///< position of a voxel, LPS mm
     bool isArtery(const Eigen::Vector3d& inPatient) const;
     bool isLumen(const Eigen::Vector3d& inPatient) const;
-    bool isAtAnEnd(const Eigen::Vector3d& inPatient) const;   ///< of an artery's mask
-    double value(const Eigen::Vector3d& inPatient) const;   ///< of the scan, HU
+    bool isAtAnEnd(const Eigen::Vector3d& inPatient) const;   ///< at the end of an artery's mask
+    double value(const Eigen::Vector3d& inPatient) const;   ///< scan value, HU
     double mmToArteries(const Eigen::Vector3d& inPatient) const;
 };
 
 std::optional<ThoracicScan> readThoracicScan();
 
-/// Click into the ascending aorta, and where its tree begins.
+/// Seed in the ascending aorta, where its tree begins.
 Eigen::Vector3d seedOf(const ThoracicScan& thorax);
 Eigen::Vector3d rootOf(const ThoracicScan& thorax);
 
-/// Places at least 3 voxels within the aorta, drawn with a seed.
+/// Random points at least 3 voxels inside the aorta, reproducible by a fixed seed.
 std::vector<Eigen::Vector3d> placesInAorta(const ThoracicScan& thorax, int count);
 
 }   // namespace angiopose::benchmarks

@@ -19,7 +19,7 @@ double threadMs()
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-/// What a button says, to be found by; it may be gone after its event.
+/// Text of a button, to identify it; read before the event, which may delete the button.
 QString wordsOn(const QObject& receiver)
 {
     const auto* button = qobject_cast<const QAbstractButton*>(&receiver);
@@ -34,7 +34,8 @@ QString nameOf(const QObject& receiver, const QEvent& event)
         .arg(wordsOn(receiver));
 }
 
-/// Where a slow handler was, from the inside out: our own functions, and what the innermost was calling.
+/// Prints the stack of a slow handler, innermost first: our own functions, and the function that the innermost one was
+/// calling.
 void printStack(const std::vector<std::string>& stack)
 {
     constexpr std::size_t maxCalled = 3;
@@ -111,7 +112,7 @@ void TimedApplication::note(const QString& name, double tookMs, const Handler& h
     }
 }
 
-/// What slow handlers spent their time with, largest first.
+/// Prints the nested events that took the time of slow handlers, longest first.
 void TimedApplication::printInner(const Slow& slow)
 {
     std::vector<std::pair<double, QString>> parts;

@@ -11,9 +11,9 @@
 
 namespace angiopose::benchmarks {
 
-/// Measures the processor time of every event the loop delivers; events sent from within one count as part of it, and
-/// are told apart in what a slow one consisted of. What a loop inside it delivers (an open menu runs one) are handlers
-/// of their own.
+/// Measures the processor time of every event that the loop delivers. Events sent from a handler count as part of it
+/// and are listed separately in the breakdown of slow ones. Events delivered by a nested loop (as of an open menu) are
+/// handlers of their own.
 class TimedApplication : public QApplication {
 public:
     static constexpr double handlerLimitMs = 16.0;
@@ -21,7 +21,7 @@ public:
     using QApplication::QApplication;
 
     bool notify(QObject* receiver, QEvent* event) override;
-    void printSlow() const;   ///< handlers that took longer than the limit while it was watching
+    void printSlow() const;   ///< handlers that exceeded the limit while watching
 
     bool isWatching = false;
     int handled = 0;
@@ -30,13 +30,13 @@ private:
     struct Slow {
         int count = 0;
         double worstMs = 0.0;
-        std::map<QString, double> innerMs;   ///< of all `count` together
-        std::vector<std::string> stack;   ///< of the worst, after `lookAtStackMs`
+        std::map<QString, double> innerMs;   ///< total over all `count` handlers
+        std::vector<std::string> stack;   ///< of the slowest handler, after `lookAtStackMs`
     };
     struct Handler {
         int loopLevel = 0;
-        double awayMs = 0.0;   ///< in handlers of a loop inside it
-        bool isInside = false;   ///< an event that was sent from it
+        double awayMs = 0.0;   ///< time in handlers of a nested loop
+        bool isInside = false;   ///< an event sent from this handler
         std::map<QString, double> innerMs;
     };
     static constexpr double lookAtStackMs = 10.0;
@@ -45,7 +45,7 @@ private:
     void note(const QString& name, double tookMs, const Handler& handler);
     static void printInner(const Slow& slow);
 
-    std::deque<Handler> handlers_;   ///< under way; each runs in a loop inside the one before
+    std::deque<Handler> handlers_;   ///< running handlers; each runs in a loop nested in the previous one
     std::map<QString, Slow> slowest_;
     StackWatch stackWatch_{lookAtStackMs};
 };

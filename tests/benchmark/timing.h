@@ -5,7 +5,7 @@
 
 namespace angiopose::benchmarks {
 
-/// Wall and processor time of one piece of work, s.
+/// Wall and processor time of one operation, s.
 struct Timing {
     double wall = 0.0;
     double processor = 0.0;

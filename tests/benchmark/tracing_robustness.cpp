@@ -1,5 +1,5 @@
-// Prints what becomes of tracing when the same vessels come in other pictures: the annotated angiograms and the
-// thoracic CTA, changed as other devices, exports and viewers would have left them, with one set of defaults.
+// Prints how tracing fares on modified images of the same vessels: the annotated angiograms and the thoracic CTA,
+// changed as by other devices, exports and viewers, with one set of defaults.
 
 #include "core/support/format_number.h"
 #include "core/tracing/angiogram/trace_angiogram.h"
@@ -57,7 +57,7 @@ std::vector<test::DrawnFrame> annotatedFrames(int count)
     return frames;
 }
 
-/// Agreement with the drawn vessels, of every frame.
+/// Agreement with the annotated vessels for every frame.
 struct FrameScores {
     std::vector<double> dices;
     double precision = 0.0;

@@ -1,5 +1,5 @@
-// Prints how well and how fast angiograms are traced: centreline Dice of the 40 annotated angiograms and the time a
-// frame takes, or what of simulated runs is found and what is traced besides.
+// Prints the quality and speed of angiogram tracing: centerline Dice of the 40 annotated angiograms and the time per
+// frame, or the found and the falsely traced lengths in simulated runs.
 
 #include "core/imaging/image_filters.h"
 #include "core/support/format_number.h"
@@ -40,7 +40,7 @@ struct Row {
     double timeMs = 0.0;
 };
 
-/// Processor time of this program, so that other programs do not count.
+/// Processor time of this program, to exclude other programs.
 double processorMs()
 {
     timespec now{};
@@ -157,7 +157,7 @@ int printSimulated(int count, int size, int firstSeed)
     }
     addRow(table, "all", sum);
     std::printf(
-        "%d simulated runs of %d x %d px, fullest frame, one set of defaults\n"
+        "%d simulated runs of %d x %d px, peak-opacification frame, one set of defaults\n"
         "visible: wider than 2 px, outside other vessels, own contrast at least 2 x noise; found within 2 px;\n"
         "false: beside every filled vessel and the catheter; bias, sideways and radius: mean over the runs\n\n%s",
         count, size, size, io::toPlainText(table).c_str());

@@ -20,7 +20,7 @@ Eigen::Vector3d normals(core::CounterRandom& random)
     return {random.normal(), random.normal(), random.normal()};
 }
 
-/// A sum of plane waves: many with normally distributed wave vectors are a Gaussian field, few are waves.
+/// A sum of plane waves: many with normally distributed wave vectors approximate a Gaussian field, a few are waves.
 Field planeWaves(int count, const std::function<Eigen::Vector3d()>& waveVector, core::CounterRandom& random)
 {
     std::vector<std::pair<Eigen::Vector3d, Eigen::Vector4d>> waves;
@@ -73,7 +73,7 @@ std::pair<double, double> heightsOf(const core::VesselTree& tree)
     return {low, high};
 }
 
-/// All points of a tree with the ways between them.
+/// All points of a tree and the paths between them.
 struct PointGraph {
     explicit PointGraph(const core::VesselTree& tree)
     {
@@ -106,7 +106,7 @@ struct PointGraph {
         neighbors[b].push_back(a);
     }
 
-    /// Way lengths from a point, and the point before each on the way (itself at the start).
+    /// Path lengths from a point, and the predecessor of each point on its path (itself at the start).
     std::pair<std::vector<double>, std::vector<std::size_t>> waysFrom(std::size_t start) const
     {
         std::vector<double> lengths(points.size(), std::numeric_limits<double>::infinity());
@@ -145,7 +145,8 @@ struct PointGraph {
     std::vector<std::vector<std::size_t>> neighbors;
 };
 
-/// A stiff wire in the longest way through the tree bends it to one side; what branches off is carried along.
+/// Deforms the tree by a stiff guidewire, which pushes the longest path through it to one side; branches off the path
+/// are carried along.
 core::VesselTree deformedByWire(const core::VesselTree& tree, double sizeMm, core::CounterRandom& random)
 {
     const PointGraph graph(tree);
@@ -154,7 +155,7 @@ core::VesselTree deformedByWire(const core::VesselTree& tree, double sizeMm, cor
     const std::size_t end = PointGraph::farthest(lengths);
     const Eigen::Vector3d chord = graph.points[end] - graph.points[begin];
     const Eigen::Vector3d aside = chord.cross(normals(random)).normalized();
-    std::vector<double> share(graph.points.size(), -1.0);   // of the way, for points of the wire
+    std::vector<double> share(graph.points.size(), -1.0);   // fraction of the path, for points of the guidewire
     for (std::size_t k = end; k != begin; k = before[k]) {
         share[k] = lengths[k] / lengths[end];
     }

@@ -7,18 +7,18 @@
 
 namespace angiopose::benchmarks {
 
-/// How a tree is bent in truth. Only the fields have the form that the program assumes.
+/// True deformation of a tree. Only the fields have the form that the program assumes.
 struct TrueMotion {
     enum class Form { None, Field, Waves, Breathing, Wire, Half };
 
     Form form = Form::None;
-    double lengthMm = 0.0;   ///< of a field: its correlation length; of waves: a sixth of their mean length
-    double sizeMm = 0.0;   ///< of fields and waves: rms over the tree, in space; of others: the greatest motion
+    double lengthMm = 0.0;   ///< for fields: correlation length; for waves: a sixth of their mean length
+    double sizeMm = 0.0;   ///< for fields and waves: rms over the tree, in 3-D; for others: the maximum motion
 
     std::string name() const;
 };
 
-/// The tree after the motion; the same points.
+/// The tree after the motion, with the same points.
 core::VesselTree deformedBy(const core::VesselTree& tree, const TrueMotion& motion, core::CounterRandom random);
 
 }   // namespace angiopose::benchmarks

@@ -59,7 +59,7 @@ core::ResultTable::Row flagRow(const std::string& name, const std::vector<TrustR
             false};
 }
 
-/// "44 of 47 (94 %, 82–98)".
+/// Formats a share with its 95 % interval: "44 of 47 (94 %, 82–98)".
 std::string shareText(const std::vector<TrustRun>& runs, Predicate isMeant, Predicate holds)
 {
     std::map<std::string, core::ClusterCount> byTree;

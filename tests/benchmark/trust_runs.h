@@ -6,12 +6,12 @@
 
 namespace angiopose::benchmarks {
 
-/// What a registration said of itself, and the truth.
+/// The self-assessment of a registration, and the truth.
 struct TrustRun {
     std::string tree;
     std::string kind;
     bool isImpossible = false;
-    double errorMm = 0.0;   ///< of the overlay
+    double errorMm = 0.0;   ///< overlay error
     core::RegistrationResult result;
 
     bool isWithin() const { return !isImpossible && errorMm < 2.0; }
@@ -22,16 +22,17 @@ TrustRun runOf(const AskedCase& asked);
 
 std::size_t treeCount(const std::vector<TrustRun>& runs);
 
-/// By kind: how many errors below 2, of 2 to 5 and above 5 mm and how many impossible cases are flagged.
+/// By kind: number of flagged results with errors below 2, of 2 to 5 and above 5 mm, and number of flagged impossible
+/// cases.
 core::ResultTable flagTable(const std::vector<TrustRun>& runs);
 
-/// By bins of the probability stated: how many overlays were within 2 mm.
+/// By bins of the stated probability: number of overlays that were within 2 mm.
 core::ResultTable reliabilityTable(const std::vector<TrustRun>& runs);
 
-/// Shares with their 95 % intervals by drawing trees anew; how good the probabilities are.
+/// Shares with 95 % intervals from resampling the trees, and the quality of the probabilities.
 std::string summaryOf(const std::vector<TrustRun>& runs);
 
-/// One line for each run: the signs that the probability is made from, and the error.
+/// One line per registration: the features from which the probability is computed, and the error.
 std::string csvOf(const std::vector<TrustRun>& runs);
 
 }   // namespace angiopose::benchmarks

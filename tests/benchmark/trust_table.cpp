@@ -1,5 +1,6 @@
-// Whether a result knows how far it may be off: what it says of its overlay against the truth. The made-up world is
-// there to learn from (--dump, then fit_within_2mm.py), trees of patients and generators of another hand judge.
+// Tests whether a result knows its possible error: compares its statements about the overlay with the truth. The
+// artificial cases are for training (--dump, then fit_within_2mm.py); trees of patients and independent generators are
+// the test set.
 
 #include "core/registration/registration.h"
 #include "core/support/format_number.h"

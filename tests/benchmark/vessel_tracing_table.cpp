@@ -1,4 +1,4 @@
-// Prints how well and how fast vessels of CT angiograms are traced: simulated scans with known trees, the thoracic CTA
+// Prints the quality and speed of vessel tracing in CT angiograms: simulated scans with known trees, the thoracic CTA
 // with vessel masks, the CT of a stented abdominal aorta, and a large scan for time and memory.
 
 #include "core/evaluation/report/result_table.h"
@@ -42,7 +42,7 @@ core::ResultTable tableOf(std::vector<std::string> columns)
     return table;
 }
 
-/// Cells that a row leaves out stay empty.
+/// Adds a row; missing cells stay empty.
 void add(core::ResultTable& table, std::vector<std::string> cells)
 {
     cells.resize(table.columns.size());
@@ -78,7 +78,7 @@ void printSimulated(int seeds)
     print(table);
 }
 
-/// Simulated scans whose first branch carries a stent.
+/// Traces simulated scans whose first branch contains a stent.
 void printStented()
 {
     core::ResultTable table =
@@ -160,7 +160,7 @@ void printOutside(const Course& course, const core::Volume& scan)
     print(table);
 }
 
-/// Shares of the curve outside the masks, by how far away their runs lead and how bright they are.
+/// Prints the shares of the curve outside the masks by the distance that its segments reach and by their brightness.
 void printReasons(const Course& course)
 {
     struct Reason {
@@ -204,8 +204,8 @@ void printThoracic()
     options.rootInPatient = benchmarks::rootOf(thorax);
     const auto fromSeed = core::traceVessels(thorax.scan, options);
     addThoracic(table, "one seed", fromSeed, thorax);
-    // Clicks into ventricle, atria, pulmonary artery, superior vena cava and the brachiocephalic vein before and beside
-    // the arch.
+    // Seeds in the ventricle, atria, pulmonary artery, superior vena cava and the brachiocephalic vein, in front of and
+    // beside the arch.
     options.avoidInPatient = {thorax.at(48, 73, 82),  thorax.at(75, 54, 62),  thorax.at(75, 45, 85),
                               thorax.at(36, 67, 92),  thorax.at(67, 28, 85),  thorax.at(36, 31, 80),
                               thorax.at(38, 47, 110), thorax.at(64, 52, 131), thorax.at(45, 45, 133)};

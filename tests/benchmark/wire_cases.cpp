@@ -18,11 +18,11 @@ constexpr double startDepthMm = 10.0;
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/// A way from where blood flows in towards a leaf.
+/// A path from the inflow toward a leaf.
 struct Way {
     Points points;
     std::vector<double> radiusMm;
-    std::vector<int> branchIds;   ///< of each point
+    std::vector<int> branchIds;   ///< branch id of each point
 };
 
 Way wayTo(const RootedTree& tree, std::size_t leaf)
@@ -35,7 +35,7 @@ Way wayTo(const RootedTree& tree, std::size_t leaf)
     for (std::size_t i = 0; i < branches.size(); ++i) {
         core::VesselBranch branch = tree.tree.branches[branches[i]];
         branch.radiusMm.resize(branch.pointsInPatient.size(), 0.0);
-        // Towards the next branch, or away from the last.
+        // Orients the branch toward the next one, or away from the previous one.
         const Eigen::Vector3d& front = branch.pointsInPatient.front();
         const Eigen::Vector3d& back = branch.pointsInPatient.back();
         bool isTurned = false;
@@ -67,7 +67,7 @@ double lengthMm(const Points& points)
     return branch.lengthMm();
 }
 
-/// A long way, its first part outside of the image perhaps, its tip anywhere in the last.
+/// A long random path. Its first part may lie outside the image; its tip is anywhere in the last branch.
 Way drawnWay(const RootedTree& tree, ForeignRandom& random)
 {
     Way best;
@@ -88,7 +88,7 @@ Way drawnWay(const RootedTree& tree, ForeignRandom& random)
     return cut;
 }
 
-/// Wanders about the axis, each step a little, drawn back to the lumen; then pulled straight by its neighbours.
+/// A random walk about the axis in small steps, confined to the lumen and then smoothed toward its neighbors.
 Points wandering(const Way& way, ForeignRandom& random)
 {
     Points wire = way.points;
@@ -111,7 +111,7 @@ Points wandering(const Way& way, ForeignRandom& random)
     return wire;
 }
 
-/// Swings about the axis in two waves, and is averaged along it.
+/// Two waves about the axis, averaged along it.
 Points swinging(const Way& way, ForeignRandom& random)
 {
     const Eigen::Vector3d first = random.direction();
@@ -153,7 +153,7 @@ core::RigidTransform drawnView(const core::VesselTree& tree, ForeignRandom& rand
     return {turn, Eigen::Vector3d(0.0, 0.0, random.uniform(680.0, 800.0)) - turn * core::centroidInPatient(tree)};
 }
 
-/// The pose some time ago: the patient breathed and moved a little since.
+/// An earlier pose: since then the patient has breathed and moved a little.
 core::RigidTransform before(const core::RigidTransform& pose, const Eigen::Vector3d& centroid, ForeignRandom& random)
 {
     Eigen::Vector3d turn(random.normal(), random.normal(), random.normal());
@@ -166,7 +166,7 @@ core::RigidTransform before(const core::RigidTransform& pose, const Eigen::Vecto
     return {rotation, pose * centroid + shift - rotation * centroid};
 }
 
-/// A wire or a catheter is as wide everywhere, as a tracer tells it.
+/// Adds the width of a guidewire or catheter, which is constant apart from the errors of a tracer.
 void addDeviceWidth(core::Curve2d& curve, ForeignRandom random)
 {
     const double devicePx = random.uniform(0.18, 1.35) * 6000.0 / 740.0;   // 0.014 inch to 8 French

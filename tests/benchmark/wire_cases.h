@@ -9,21 +9,21 @@
 
 namespace angiopose::benchmarks {
 
-/// A tree of which the image shows nothing but a wire inside it.
+/// A tree in whose image only a guidewire inside the tree is visible.
 struct WireCase {
     std::string tree;
-    core::RegistrationInput input;   ///< the start is the last full pose
-    core::RigidTransform cameraFromPatient;   ///< in truth
-    std::vector<int> branchIds;   ///< that the wire takes, in order
-    std::vector<Eigen::Vector3d> axisInPatient;   ///< of the vessels where the wire runs, up to its tip
-    double offAxisMm = 0.0;   ///< rms of the wire from it
+    core::RegistrationInput input;   ///< the initial pose is the last pose of opacified vessels
+    core::RigidTransform cameraFromPatient;   ///< true pose
+    std::vector<int> branchIds;   ///< branches that contain the guidewire, in order
+    std::vector<Eigen::Vector3d> axisInPatient;   ///< vessel axis along the guidewire, up to its tip
+    double offAxisMm = 0.0;   ///< rms distance of the guidewire from the axis
 };
 
-/// The world to learn from: trees grown step by step, a wire that wanders in the lumen and is pulled straight bit by
-/// bit.
+/// A training case: trees grown step by step, with a guidewire that wanders in the lumen and is straightened step by
+/// step.
 WireCase madeUpWireCase(std::uint64_t number);
 
-/// The world to judge by: trees of patients, a wire that swings about the axis in waves and is averaged along it.
+/// A test case: trees of patients, with a guidewire that swings about the axis in waves and is averaged along it.
 WireCase judgingWireCase(const RootedTree& tree, std::uint64_t trial);
 
 }   // namespace angiopose::benchmarks

@@ -1,5 +1,6 @@
-// Only a wire is visible: which way it takes, where the tree lies, and whether the program knows how far it may be off.
-// Thresholds come from the made-up world; trees of patients and another wire judge.
+// Tests registration when only a guidewire is visible: its path, the pose of the tree, and whether the program knows
+// its possible error. Thresholds come from the artificial cases; trees of patients and a different guidewire model are
+// the test set.
 
 #include "core/registration/registration.h"
 #include "core/support/quantile.h"
@@ -26,17 +27,17 @@ const char* const usage =
     "  --others <0|1>    what was there before, too (1)\n"
     "  --dump <file>     CSV of every run\n";
 
-constexpr double offMm = 3.0;   // the most that a trusted overlay may be off, and a true way
-constexpr double besideMm = 1.5;   // of an axis, on it
-constexpr double sameWay = 0.8;   // share of the visible course, of either in the other
+constexpr double offMm = 3.0;   // maximum error of a reliable overlay, and of a true path
+constexpr double besideMm = 1.5;   // maximum distance from an axis to count as on it
+constexpr double sameWay = 0.8;   // minimum share of the visible course of each path that runs along the other
 
 struct WireRun {
-    double errorMm = 0.0;   ///< of the whole tree's overlay, mean
-    double errorOnWayMm = 0.0;   ///< of the vessels that the wire is in
+    double errorMm = 0.0;   ///< mean over the whole tree's overlay
+    double errorOnWayMm = 0.0;   ///< of the vessels that contain the guidewire
     double expectedMm = 0.0;
-    int rank = 0;   ///< of the first way that is the true one, 1 the first; 0: not among them
-    int rankWithin = 0;   ///< … and whose pose lays the visible course within 3 mm
-    double probability = 0.0;   ///< stated of the first
+    int rank = 0;   ///< rank of the first true path, from 1; 0: none of the paths
+    int rankWithin = 0;   ///< rank of the first path whose pose puts the visible course within 3 mm
+    double probability = 0.0;   ///< stated for the first path
     bool isTrusted = false;
     double timeMs = 0.0;
 };
@@ -49,7 +50,7 @@ double shiftMm(const WireCase& made, const Eigen::Vector3d& point, const core::R
     return a && b ? (*a - *b).norm() * core::millimetersPerPixel(made.input.camera, truth.z()) : 100.0;
 }
 
-/// Share of a course as the image shows it in truth: what runs along the ray is not visible.
+/// Share of a course that runs along the other, measured by its true projection: parts along the ray are not visible.
 double shareBeside(const WireCase& made, const std::vector<Eigen::Vector3d>& course,
                    const std::vector<Eigen::Vector3d>& other)
 {
@@ -68,7 +69,7 @@ double shareBeside(const WireCase& made, const std::vector<Eigen::Vector3d>& cou
     return visiblePx > 0.0 ? besidePx / visiblePx : 0.0;
 }
 
-/// The visible course is the same: most of either runs along the other.
+/// True if the visible courses agree: most of each runs along the other.
 bool isTrueWay(const WireCase& made, const core::WirePath& path)
 {
     return shareBeside(made, made.axisInPatient, path.courseInPatient) >= sameWay &&
@@ -84,7 +85,7 @@ double errorOnWayMm(const WireCase& made, const core::RigidTransform& pose)
     return sum / static_cast<double>(made.axisInPatient.size());
 }
 
-/// Place of the first, counted from 1; 0: of none.
+/// Rank of the first path for which the predicate holds, from 1; 0 if there is none.
 template <class Holds>
 int placeOf(const std::vector<core::WirePath>& paths, const Holds& holds)
 {
@@ -125,7 +126,7 @@ WireRun runOf(const WireCase& made, const core::RegistrationInput& input, const 
     return run;
 }
 
-/// What a user could do before: every branch excluded but those that the wire is in.
+/// The method available before: excludes every branch that does not contain the guidewire.
 core::RegistrationInput withoutOthers(const WireCase& made)
 {
     core::RegistrationInput input = made.input;

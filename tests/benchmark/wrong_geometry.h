@@ -4,7 +4,7 @@
 
 namespace angiopose::benchmarks {
 
-/// What is told wrongly about an image.
+/// Kinds of errors in the geometry of an image.
 enum class GeometryError {
     None,
     Distance,
@@ -20,7 +20,7 @@ struct NamedError {
     GeometryError error;
     std::string_view key;   ///< for the command line
     std::string_view words;
-    std::string_view message;   ///< id, or the start of it, of the message that should name the error
+    std::string_view message;   ///< id, or its beginning, of the message that should name the error
 };
 inline constexpr std::array<NamedError, 8> geometryErrors{{
     {GeometryError::None, "exact", "nothing", ""},
@@ -33,14 +33,14 @@ inline constexpr std::array<NamedError, 8> geometryErrors{{
     {GeometryError::UpsideDown, "upside-down", "turned by 180°", "frame.upside-down"},
 }};
 
-/// Whether the pose has a truth that the camera told admits: of a mirrored image it has none.
+/// True if a true pose exists for the given camera; a mirrored image has none.
 bool hasTruth(GeometryError error);
 
-/// Makes the geometry that is told of the image wrong, or the image unlike its geometry. Every second trial errs the
-/// other way; principal points err in a direction of their own.
+/// Falsifies the geometry given for the image, or changes the image to contradict its geometry. Every second trial errs
+/// in the opposite direction; principal points err in random directions.
 void spoil(core::RegistrationInput& input, GeometryError error, std::uint64_t trial);
 
-/// How far a camera may be off whose distances and spacing come from a header, and whose principal point is assumed.
+/// Uncertainty of a camera with distances and pixel spacing from a header and an assumed principal point.
 core::CameraSpread spreadOfHeader(const core::ProjectionCamera& camera);
 
 }   // namespace angiopose::benchmarks

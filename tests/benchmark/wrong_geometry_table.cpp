@@ -1,5 +1,5 @@
-// What becomes of a registration whose geometry is told wrongly: whether the reported uncertainty holds the true error,
-// and whether the error is named. Real cerebral arteries judge; the developing family is there to choose thresholds by.
+// Tests registration with a wrong geometry: whether the reported uncertainty covers the true error, and whether the
+// error is named. Real cerebral arteries are the test set; the development set serves to choose thresholds.
 
 #include "core/registration/pose/centroid_pose.h"
 #include "core/registration/register_views.h"
@@ -22,14 +22,14 @@ namespace {
 using namespace benchmarks;
 using core::fixedText;
 
-constexpr double inside95 = 12.592;   // χ² of six degrees of freedom
+constexpr double inside95 = 12.592;   // 95 % quantile of χ² with six degrees of freedom
 constexpr double sigmas95 = 1.96;
 
 const char* const usage =
     "wrong_geometry_table\n"
     "  --family <name>   real: cerebral arteries of patients; development: trees made up (real)\n"
     "  --errors <list>   exact,sid,spacing,principal,mirrored,flipped,turned,upside-down (all)\n"
-    "  --views <list>    one,two (both); of two, what is told wrongly is wrong of both\n"
+    "  --views <list>    one,two (both); of two, both have the wrong value\n"
     "  --trials <n>      for each tree and error (4)\n"
     "  --first <n>       number of the first trial (0)\n"
     "  --set <name>      none: the geometry counts as exact; estimate: where images contradict it they estimate it\n"
@@ -39,12 +39,12 @@ struct Answer {
     bool isTrusted = false;
     bool isNamed = false;   ///< by the message that should name the error
     bool isAlarmed = false;   ///< by any message about camera or frame
-    bool isEstimated = false;   ///< another camera was taken
+    bool isEstimated = false;   ///< a different camera was adopted
     double nees = 0.0;   ///< squared error over covariance, 6 degrees of freedom
     double depthErrorMm = 0.0;
     double depthStdMm = 0.0;
-    double gain = 0.0;   ///< of the error that the images find in the cameras
-    double focalOffPercent = 0.0;   ///< where cameras are estimated
+    double gain = 0.0;   ///< decrease of −2 log of the posterior by the estimated camera errors
+    double focalOffPercent = 0.0;   ///< where the camera is estimated
     double timeMs = 0.0;
 };
 
@@ -71,7 +71,7 @@ void compare(Answer& answer, const ForeignCase& asked, const core::RigidTransfor
     answer.depthStdMm = uncertainty.depthMm;
 }
 
-/// A case of these questions whose spread the options hold; it has no pictures.
+/// A case without images for these registration inputs, with their camera uncertainty in the options.
 core::Case caseOf(const std::vector<core::RegistrationInput>& inputs, core::RegistrationOptions options)
 {
     const core::CameraSpread spread = inputs.front().cameraSpread;
@@ -95,7 +95,7 @@ core::Case caseOf(const std::vector<core::RegistrationInput>& inputs, core::Regi
     return values;
 }
 
-/// The questions with the geometry that is told of them.
+/// The registration inputs with the geometry that is reported for them.
 std::vector<core::RegistrationInput> reportedInputs(const std::vector<ForeignCase>& asked, const NamedError& reported,
                                                     std::uint64_t trial)
 {
@@ -108,7 +108,7 @@ std::vector<core::RegistrationInput> reportedInputs(const std::vector<ForeignCas
     return inputs;
 }
 
-/// What a run says of the first view.
+/// Records the result for the first view.
 void hearRun(Answer& answer, const core::RegistrationResult& result, const ForeignCase& asked,
              const NamedError& reported)
 {
@@ -221,7 +221,7 @@ void printAnswer(const NamedError& reported, const std::string& views, const Roo
     std::fflush(stdout);
 }
 
-/// Every tree and trial of one row.
+/// Registers every tree and trial of one row.
 std::vector<Answer> askAll(const std::vector<RootedTree>& trees, const NamedError& reported, const std::string& views,
                            const core::RegistrationOptions& options, const Arguments& arguments)
 {
@@ -257,7 +257,7 @@ int main(int argc, char** argv)
     const std::vector<std::string> wanted =
         arguments.list("errors", "exact,sid,spacing,principal,mirrored,flipped,turned,upside-down");
     core::ResultTable table;
-    table.columns = {"views",    "told wrongly",     "trusted",   "pose in 95 %", "depth in 95 %", "named",
+    table.columns = {"views",    "wrong value",     "trusted",   "pose in 95 %", "depth in 95 %", "named",
                      "any word", "word or no trust", "estimated", "focal off %",  "depth off mm",  "depth σ mm",
                      "gain",     "median ms"};
     for (const std::string& views : arguments.list("views", "one,two")) {

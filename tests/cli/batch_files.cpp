@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Keys whose values are times, or say when.
+/// Removes the keys that hold durations or points in time.
 void dropTimes(json& value)
 {
     if (value.is_object()) {
@@ -29,7 +29,7 @@ void dropTimes(json& value)
     }
 }
 
-/// A PNG without its texts, which say when it was made.
+/// A PNG without its text chunks, which contain the creation time.
 std::string withoutTexts(const std::string& png)
 {
     std::string rest = png.substr(0, 8);
@@ -52,7 +52,7 @@ std::string lasting(const fs::path& path)
     if (path.extension() == ".json") {
         json value = json::parse(content, nullptr, false);
         if (value.value("format", "") ==
-            "angiopose-batch-outcome") {   // pictures and results differ in length by times
+            "angiopose-batch-outcome") {   // images and results contain times, hence vary in length
             value.erase("files");
         }
         dropTimes(value);
@@ -61,7 +61,7 @@ std::string lasting(const fs::path& path)
     return path.extension() == ".png" ? withoutTexts(content) : content;
 }
 
-/// Of a process: its parent, and whether its command line says that it works for a batch.
+/// Facts about a process: its parent, and whether its command line marks it as a batch worker.
 struct ProcessFacts {
     pid_t parent = -1;
     bool isBatchWorker = false;

@@ -8,14 +8,14 @@
 
 namespace angiopose::test {
 
-/// The files of a batch's folder by their path in it, without what differs from run to run: times in JSON and in
-/// pictures, times.csv, and the order in which shards wrote their tables.
+/// The files in a batch's output folder by relative path, without the content that varies between executions: times in
+/// JSON and in images, times.csv, and the order in which shards wrote their tables.
 std::map<std::string, std::string> lastingContentOf(const std::string& folder);
 
-/// Processes that work on the cases of a batch whose parent is this process.
+/// Worker processes of a batch whose parent is this process.
 std::vector<pid_t> batchWorkers();
 
-/// The process that started another.
+/// The parent of a process.
 pid_t parentOf(pid_t process);
 
 }   // namespace angiopose::test

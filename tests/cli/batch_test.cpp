@@ -29,7 +29,7 @@ std::ptrdiff_t linesOf(const std::string& path)
     return std::count(text.begin(), text.end(), '\n');
 }
 
-/// Small simulated cases in a folder of their own, and a manifest of them.
+/// Fixture: small simulated cases in a separate folder, and a manifest of them.
 class CliBatch : public testing::Test {
 protected:
     void simulate(int count)
@@ -60,7 +60,7 @@ protected:
     const std::string manifest_ = folder_.file("cases.csv");
 };
 
-TEST_F(CliBatch, WrongUsageAndBrokenManifestsAreTold)
+TEST_F(CliBatch, WrongUsageAndBrokenManifestsAreReported)
 {
     EXPECT_EQ(runCli({"batch"}).exitCode, 2);
     EXPECT_EQ(runCli({"batch", manifest_}).exitCode, 2);
@@ -133,7 +133,7 @@ TEST_F(CliBatch, TheTableIsTheSameForAnyThreadsShardsAndMerges)
     EXPECT_EQ(summaryOf("one"), summaryOf("two"));
     EXPECT_EQ(linesOf(in("one/summary.csv")), 5);
 
-    // Two parts at the same time into one folder: neither writes over the other's rows.
+    // Two shards write to one folder at the same time: neither overwrites the other's rows.
     auto other = std::async(std::launch::async, [&] { return batch("both", {"--shard", "1/2", "--threads", "1"}); });
     batch("both", {"--shard", "2/2", "--threads", "1"});
     other.get();
@@ -142,7 +142,7 @@ TEST_F(CliBatch, TheTableIsTheSameForAnyThreadsShardsAndMerges)
     EXPECT_EQ(summaryOf("both"), summaryOf("one"));
     EXPECT_EQ(test::lastingContentOf(in("both")), test::lastingContentOf(in("one")));
 
-    // Two parts on two machines, brought together.
+    // Two shards on two machines, merged.
     batch("a", {"--shard", "1/2"});
     EXPECT_FALSE(fs::exists(in("a/summary.csv")));
     const auto half = batch("merged", {"--merge", in("a")});
@@ -231,9 +231,9 @@ TEST_F(CliBatch, ResumingLeavesWhatIsDoneAndUpToDate)
     const auto second = timeOf("c2");
     const auto third = timeOf("c3");
     const std::string summary = summaryOf("out");
-    fs::remove(in("out/c2/pose.tfm"));   // half of an outcome
+    fs::remove(in("out/c2/pose.tfm"));   // makes an outcome incomplete
     const auto now = fs::file_time_type::clock::now();
-    fs::last_write_time(in("c1/angiogram.dcm"), now);   // touched alone: the same content
+    fs::last_write_time(in("c1/angiogram.dcm"), now);   // changes the time stamp, not the content
     const auto again = batch("out", {"--resume"});
     EXPECT_NE(again.messages.find("2 cases are done already, 1 are left"), std::string::npos) << again.messages;
     EXPECT_EQ(timeOf("c1"), first);
@@ -242,7 +242,7 @@ TEST_F(CliBatch, ResumingLeavesWhatIsDoneAndUpToDate)
     EXPECT_TRUE(fs::exists(in("out/c2/pose.tfm")));
     EXPECT_EQ(summaryOf("out"), summary);
 
-    // Another input, other settings: done anew.
+    // A different input or different settings: computed again.
     fs::copy_file(in("c2/angiogram.dcm"), in("c1/angiogram.dcm"), fs::copy_options::overwrite_existing);
     const auto changed = batch("out", {"--resume"});
     EXPECT_NE(changed.messages.find("2 cases are done already, 1 are left"), std::string::npos) << changed.messages;
@@ -250,7 +250,7 @@ TEST_F(CliBatch, ResumingLeavesWhatIsDoneAndUpToDate)
     EXPECT_NE(other.messages.find("0 cases are done already, 3 are left"), std::string::npos) << other.messages;
 }
 
-/// A worker of a batch that this test has started.
+/// Waits for a worker of a batch that this test has started.
 pid_t waitForWorker()
 {
     for (int i = 0; i < 20000; ++i) {
@@ -286,7 +286,7 @@ TEST_F(CliBatch, ACaseThatHangsOrCrashesCostsItselfAlone)
         << summaryOf("second");
     EXPECT_TRUE(fs::exists(in("second/c2/result.json")));
 
-    // Both end well another day.
+    // Both can be completed later.
     batch("out", {"--resume"});
     batch("second", {"--resume"});
     batch("quiet");
@@ -312,7 +312,7 @@ TEST_F(CliBatch, StopKeepsWhatIsFinished)
     kill(test::parentOf(worker), SIGINT);
     const auto stopped = std::chrono::steady_clock::now();
     EXPECT_EQ(run.get().exitCode, 130);
-    EXPECT_LT(std::chrono::steady_clock::now() - stopped, 10s);   // 2 s, and a busy machine
+    EXPECT_LT(std::chrono::steady_clock::now() - stopped, 10s);   // 2 s, with a margin for a busy machine
     std::ptrdiff_t kept = 0;
     for (const auto& entry : fs::directory_iterator(in("out"))) {
         kept += fs::exists(entry.path() / "outcome.json") ? 1 : 0;

@@ -72,10 +72,10 @@ TEST_F(CliOnSimulatedCase, RegistersToTheTruePose)
 {
     const auto outcome = runCli({"register", casePath_, "--output", folder_.file("result"), "--json"});
     ASSERT_TRUE(outcome.exitCode == 0) << outcome.exitCode << outcome.messages;
-    const auto json = nlohmann::json::parse(outcome.output);   // stdout holds JSON and nothing else
+    const auto json = nlohmann::json::parse(outcome.output);   // stdout must contain only JSON
     EXPECT_EQ(json["format"], "angiopose-result");
     EXPECT_GT(json["metrics"]["coverage"].get<double>(),
-              0.9);   // half of this tree is unfilled, but all that is is met
+              0.9);   // half of this tree is unopacified, but all opacified vessels are matched
     EXPECT_TRUE(fs::exists(folder_.file("result/overlay.png")));
     EXPECT_GT(json["timeMs"]["reading"].get<double>(), 0.0);
     EXPECT_GT(json["timeMs"]["tracing"].get<double>(), 0.0);
@@ -83,7 +83,7 @@ TEST_F(CliOnSimulatedCase, RegistersToTheTruePose)
     const auto found = io::readPose(folder_.file("result/result.json"));
     const auto truth = io::readPose(folder_.file("demo/true-pose.json"));
     ASSERT_TRUE(found && truth);
-    EXPECT_TRUE(test::nearPose(found.value(), truth.value(), 0.5, 2.0));   // the depth is the weakest
+    EXPECT_TRUE(test::nearPose(found.value(), truth.value(), 0.5, 2.0));   // depth is the least certain
 }
 
 TEST_F(CliOnSimulatedCase, ProjectsAGivenPose)
@@ -105,7 +105,7 @@ TEST_F(CliOnSimulatedCase, ProjectsBeforeAndAfterWithDepthCueAndSwipe)
         EXPECT_EQ(outcome.exitCode, 0) << outcome.messages;
         return fs::file_size(picture);
     };
-    const auto widthPx = [this] {   // of the picture written last, as its header says
+    const auto widthPx = [this] {   // of the last written image, from its header
         std::ifstream file(folder_.file("look.png"), std::ios::binary);
         std::array<char, 24> head{};
         file.read(head.data(), head.size());
@@ -131,7 +131,7 @@ TEST_F(CliOnSimulatedCase, ProjectWritesLinesAndGrayValues)
 
     const std::string gray = folder_.file("grey.png");
     ASSERT_EQ(runCli({"project", casePath_, "--output", gray, "--16-bit"}).exitCode, 0);
-    EXPECT_EQ(bytesOf(gray)[24], 16);   // bits of a value, PNG 11.2.2
+    EXPECT_EQ(bytesOf(gray)[24], 16);   // bit depth, PNG 11.2.2
 
     const auto refused = runCli({"project", casePath_, "--output", folder_.file("x.pdf")});
     EXPECT_NE(refused.exitCode, 0);
@@ -193,7 +193,7 @@ TEST_F(CliOnSimulatedCase, TracesItsAngiogram)
     EXPECT_TRUE(fs::exists(folder_.file("mask.png")));
 }
 
-/// What is printed can be typed: both count from 1, as DICOM does; JSON counts from 0.
+/// Printed frame numbers can be used as arguments: both count from 1, as in DICOM; JSON counts from 0.
 TEST_F(CliOnSimulatedCase, FramesCountFromOne)
 {
     const std::string run = folder_.file("demo/angiogram.dcm");
@@ -272,8 +272,8 @@ TEST_F(CliOnSimulatedCase, KeepsLockedDegreesOfFreedom)
     EXPECT_EQ(runCli({"register", casePath_, "--method", "assembled-icp", "--lock", "roll"}).exitCode, 2);
 }
 
-/// The case with nothing in its image but a wire that lies 1 mm beside a quarter of its longest branch. Where it
-/// is told to lie less sure than it does: other branches may hold it as well.
+/// Writes the case with only a guidewire in its image, 1 mm beside a quarter of the longest branch. The stated position
+/// is less certain than the true one: other branches may contain it as well.
 std::string wireCase(const std::string& casePath, const core::RigidTransform& truth, const std::string& path)
 {
     core::Messages warnings;

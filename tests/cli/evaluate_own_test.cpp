@@ -22,7 +22,7 @@ using Cells = std::map<std::string, std::string>;
 using Matrix = std::array<std::array<double, 4>, 4>;
 using Point = std::array<double, 3>;
 
-/// The rows of a plain table by the names of its columns.
+/// The rows of a plain table, with cells by column name.
 std::vector<Cells> rowsOfTable(const std::string& path)
 {
     std::istringstream text(readText(path));
@@ -71,7 +71,7 @@ Point minus(const Point& a, const Point& b)
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-/// Distance of a point to the line through the origin and another point, by the cross product.
+/// Distance of a point from the line through the origin and another point, by the cross product.
 double distanceToLine(const Point& p, const Point& on)
 {
     const Point cross{p[1] * on[2] - p[2] * on[1], p[2] * on[0] - p[0] * on[2], p[0] * on[1] - p[1] * on[0]};
@@ -90,7 +90,7 @@ std::string landmarkTable()
     return text.str();
 }
 
-/// Two simulated cases, the first with a pose that was found elsewhere, and what is known of them.
+/// Fixture: two simulated cases, the first with a pose from another program, and their ground truth.
 class CliEvaluateOwn : public ::testing::Test {
 protected:
     void SetUp() override
@@ -209,7 +209,7 @@ TEST_F(CliEvaluateOwn, DeformedVesselsAreJudgedWhereTheyLay)
     ASSERT_EQ(rows.size(), 3u);
     EXPECT_NEAR(std::stod(rows["truth"].at("mtre_mm")), mtre, 1e-4);   // the table has five digits
     EXPECT_NEAR(std::stod(rows["truth"].at("mrpd_mm")), mrpd, 1e-4);
-    EXPECT_GT(mrpd, 0.5);   // the best rigid pose cannot do better
+    EXPECT_GT(mrpd, 0.5);   // the best rigid pose cannot be better
     EXPECT_LT(std::stod(rows["angiopose"].at("mrpd_mm")), 0.6 * mrpd);
 }
 

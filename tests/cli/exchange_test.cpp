@@ -40,7 +40,8 @@ protected:
         ASSERT_EQ(outcome.exitCode, 0) << out << ": " << outcome.messages;
     }
 
-    /// Largest distance between where the case and this pose with its camera show points around the vessels.
+    /// Largest distance between the projections of points around the vessels by the case and by this pose with its
+    /// camera, px.
     double apartPx(const io::PoseWithCamera& pose) const
     {
         double apart = 0.0;
@@ -87,7 +88,7 @@ TEST_F(ExchangeOnSimulatedCase, ComesBackFromXregAndDiffDrr)
     EXPECT_LT((theirs.value() * Eigen::Vector3d::Zero().eval() -
                view_.cameraFromPatient.inverse() * Eigen::Vector3d::Zero().eval())
                   .norm(),
-              1e-9);   // of their world the origin is the source
+              1e-9);   // the origin of their world is the source
     convert(folder_.file("xreg.h5"), "back.yml", {"--pose-from", "xreg", "--camera", casePath_});
     EXPECT_LT(apartPx(io::readPoseWithCamera(folder_.file("back.yml")).value()), 1e-9);
 

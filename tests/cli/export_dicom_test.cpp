@@ -38,7 +38,7 @@ protected:
         arguments.insert(arguments.end(), more.begin(), more.end());
         return runCli(arguments);
     }
-    /// Changes the case file.
+    /// Modifies the case file.
     template <class Change>
     void change(const Change& change) const
     {
@@ -156,7 +156,7 @@ TEST_F(CliExportDicom, RunHasEveryFrame)
     EXPECT_EQ(data.integer(0x00280011), 160);
 }
 
-/// A tree in a scan: its tubes fill the scan's own grid.
+/// A tree in a scan: its tubes are rasterized on the scan's own grid.
 TEST_F(CliExportDicom, SegmentationIsTheTreeInTheGridOfTheScan)
 {
     for (int k = 0; k < 12; ++k) {
@@ -195,7 +195,7 @@ TEST_F(CliExportDicom, SegmentationIsTheTreeInTheGridOfTheScan)
     }
 }
 
-/// The window of an image that is shown inverted is that of its stored values.
+/// The window of an inverted image refers to its stored values.
 TEST_F(CliExportDicom, StateOfAnInvertedImageHasTheWindowOfItsStoredValues)
 {
     const auto shown = [this] {
@@ -219,7 +219,7 @@ TEST_F(CliExportDicom, StateOfAnInvertedImageHasTheWindowOfItsStoredValues)
     EXPECT_NEAR(inverted[1], plain[1], 0.25 * plain[1]);
 }
 
-/// Its archive keeps both.
+/// An archive keeps both instances.
 TEST_F(CliExportDicom, ConvertMakesAnotherInstanceOfTheSameStudy)
 {
     const std::string source = folder_.file("demo/angiogram.dcm");

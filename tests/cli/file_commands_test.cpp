@@ -165,7 +165,7 @@ TEST(Cli, TracesEveryPieceOfAMaskAndNamesTheSeeds)
     EXPECT_EQ(trace({"--loops", "kept"}).exitCode, 0);
 }
 
-/// One side of the fork, then the other joined to it; a place in the air beside the patient is refused.
+/// Traces one arm of the bifurcating vessel, then joins the other to it; rejects a point in the air beside the patient.
 TEST(Cli, TracesSingleVesselsBetweenPlacesIntoATree)
 {
     const TemporaryFolder folder;
@@ -214,7 +214,7 @@ TEST(Cli, TracesThinVesselsFromSeeds)
     EXPECT_NE(unseeded.messages.find("none is placed"), std::string::npos) << unseeded.messages;
 }
 
-/// What libraries print is no message of the program.
+/// Output of libraries must not appear among the program's messages.
 void expectOnlyOwnMessages(const std::string& messages, const std::string& path)
 {
     std::istringstream lines(messages);
@@ -326,7 +326,8 @@ TEST(Cli, DoubtsThatABallIsAVessel)
     EXPECT_NE(empty.messages.find("nothing is marked in it"), std::string::npos) << empty.messages;
 }
 
-/// Every odd, malformed or truncated file: a load or one clear message, quickly and in little memory.
+/// Every odd, malformed or truncated file is either loaded or rejected with one clear message, quickly and in little
+/// memory.
 TEST(Cli, ExoticFilesLoadOrAreRefusedClearly)
 {
     ANGIOPOSE_NEEDS_DATA("exotic-dicom");

@@ -11,7 +11,7 @@ namespace {
 
 using test::runCli;
 
-/// From two files to a case that knows what was found in it.
+/// Fixture: saves a registration result in a case.
 class CliFoundCase : public ::testing::Test {
 protected:
     void SetUp() override
@@ -33,7 +33,8 @@ TEST_F(CliFoundCase, WhatWasFoundIsSavedInTheCase)
     const auto json = nlohmann::json::parse(runCli({"info", saved, "--json"}).output);
     EXPECT_EQ(json["pose"], "registered");
     EXPECT_EQ(json["result"]["trustworthy"], true);
-    // Drawn as register draws it; a case in which nothing was registered is said to be one.
+    // The saved case is drawn as by register; for a case without a registration, the program reports that there is
+    // none.
     const auto drawn = runCli({"project", saved, "--output", folder_.file("drawn.png")});
     ASSERT_EQ(drawn.exitCode, 0) << drawn.messages;
     EXPECT_EQ(drawn.messages.find("Nothing has been registered"), std::string::npos) << drawn.messages;

@@ -108,7 +108,7 @@ TEST_F(CliMovie, WritesTheRunAsMp4)
     EXPECT_GT(bytes.size(), 3000U);
 }
 
-/// Without the pose of its own frame the vessels lie elsewhere, and the words are others.
+/// With --follow, the vessels have the pose of each frame, which changes their position and the texts.
 TEST_F(CliMovie, FollowsTheVesselsThroughTheRun)
 {
     const auto sizeOf = [this](const std::vector<std::string>& more) {

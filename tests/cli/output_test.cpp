@@ -25,7 +25,7 @@ TEST(Output, ThatDoesNotArriveIsAFailureWithASentence)
     }
 }
 
-/// A title that would clear the screen and one that would rename the terminal.
+/// Titles with control sequences, one that would clear the screen and one that would rename the terminal.
 TEST(Output, ShowsCommandsToTheTerminalAndDoesNotPassThemOn)
 {
     const test::TemporaryFolder folder;

@@ -23,7 +23,7 @@ std::size_t countOf(const std::string& text, const std::string& part)
     return count;
 }
 
-/// Letters as PDF keeps them where they are told of the document.
+/// Text in the encoding of PDF document properties.
 std::string utf16(const std::string& ascii)
 {
     std::string bytes;
@@ -34,7 +34,7 @@ std::string utf16(const std::string& ascii)
     return bytes;
 }
 
-/// runCli has no display; the language is the desktop's.
+/// Fixture: writes reports. runCli has no display; the language is that of the desktop.
 class CliReport : public ::testing::Test {
 protected:
     void SetUp() override
@@ -97,7 +97,7 @@ TEST_F(CliReport, IsAPdfWithTheTitleOfTheCase)
     EXPECT_GT(pdf.size(), 20000U) << "the pictures are in it";
 }
 
-/// Without --register the pose of the case counts, which is where the angles put it.
+/// Without --register the report uses the pose of the case, which comes from the gantry angles.
 TEST_F(CliReport, OfAPoseThatIsNotToBeTrustedSaysSoAndEndsWith4)
 {
     const auto start = reported("start.html");
@@ -141,7 +141,7 @@ TEST_F(CliReport, SpeaksTheLanguageThatIsAskedFor)
     EXPECT_FALSE(fs::exists(in("rapport.html")));
 }
 
-/// Two programs work at a report; what is opened and written is told once.
+/// Two programs produce a report; each file opened or written must be logged once.
 TEST_F(CliReport, IsOnceInTheAuditFile)
 {
     setenv("ANGIOPOSE_AUDIT_FILE", in("audit.jsonl").c_str(), 1);
@@ -168,7 +168,7 @@ TEST_F(CliReport, NamesWhatIsMissingAndWritesNothing)
     EXPECT_FALSE(fs::exists(in("report.pdf")) || fs::exists(in("report.doc")));
 }
 
-/// The command line alone, as in a container without the window.
+/// Only the command-line program is installed, as in a container without the window.
 TEST_F(CliReport, SaysWhereTheProgramIsLookedForThatWritesReports)
 {
     fs::create_directories(in("bin"));
@@ -180,7 +180,7 @@ TEST_F(CliReport, SaysWhereTheProgramIsLookedForThatWritesReports)
     EXPECT_NE(outcome.messages.find("Install"), std::string::npos) << outcome.messages;
 }
 
-/// While its vessels are traced in a scan, which takes seconds.
+/// Interrupts the report while vessels are traced in a scan, which takes seconds.
 TEST_F(CliReport, IsStoppedByCtrlC)
 {
     ASSERT_EQ(runCli({"simulate", "--seed", "3", "--scan", "--output", in("scanned")}).exitCode, 0);

@@ -15,7 +15,7 @@ using nlohmann::json;
 using test::readText;
 using test::runCli;
 
-/// A simulated case, registered; then only its result and its inputs are left, elsewhere.
+/// Fixture: registers a simulated case, then keeps only its result and its inputs, in other places.
 class CliResult : public testing::Test {
 protected:
     void registerAndScatter(std::vector<std::string> more = {})
@@ -52,7 +52,7 @@ TEST_F(CliResult, TellsAllThatItWasFoundFrom)
     EXPECT_EQ(result["inputs"]["angiogram"]["sha256"].get<std::string>().size(), 64U);
     EXPECT_FALSE(result["inputs"]["angiogram"]["dicom"]["sopInstanceUid"].get<std::string>().empty());
     EXPECT_EQ(result["case"]["vessel"]["centerline"]["path"], "tree.vtp");
-    EXPECT_EQ(result.dump().find(in("")), std::string::npos);   // folders may name patients
+    EXPECT_EQ(result.dump().find(in("")), std::string::npos);   // folder names may contain patient names
     EXPECT_NE(readText(in("first/overlay.png")).find("\"angiopose-result\""), std::string::npos);
 }
 
@@ -68,7 +68,7 @@ TEST_F(CliResult, IsFoundAgainFromItselfAndItsInputsAlone)
         for (const char* key : {"time", "timeMs"}) {
             each->erase(key);
         }
-        for (const char* input : {"vessel", "angiogram"}) {   // the files have other names now
+        for (const char* input : {"vessel", "angiogram"}) {   // the files were renamed
             (*each)["inputs"][input].erase("file");
         }
         (*each)["case"]["vessel"]["centerline"].erase("path");
@@ -85,7 +85,7 @@ TEST_F(CliResult, IsDrawnFromItselfAndItsInputsAlone)
         {"project", "--from", in("first/result.json"), "--inputs", in("elsewhere"), "--output", in("overlay.png")});
     ASSERT_EQ(drawn.exitCode, 0) << drawn.messages;
     EXPECT_GT(fs::file_size(in("overlay.png")), 10000U);
-    // The same picture as of a case that is at that pose.
+    // The image must equal that of a case at the same pose.
     fs::rename(in("elsewhere/vessels.vtp"), in("first/tree.vtp"));
     fs::rename(in("elsewhere/deep/run.dcm"), in("first/angiogram.dcm"));
     const auto beside = runCli({"project", "--from", in("first/result.json"), "--output", in("beside.png")});

@@ -54,7 +54,7 @@ ProgramOutcome runCli(const std::vector<std::string>& arguments, double interrup
 ProgramOutcome runProgram(const std::string& path, const std::vector<std::string>& arguments,
                           double interruptAfterSeconds)
 {
-    static std::atomic<int> runs{0};   // tests run several at once
+    static std::atomic<int> runs{0};   // several tests run at once
     const auto folder = std::filesystem::temp_directory_path();
     const std::string stem =
         (folder / ("angiopose-cli-test-" + std::to_string(getpid()) + "-" + std::to_string(++runs))).string();

@@ -5,19 +5,20 @@
 
 namespace angiopose::test {
 
-/// What a finished program left behind.
+/// Exit code, output and resource use of a finished program.
 struct ProgramOutcome {
-    int exitCode = -1;   ///< −1: ended by a signal
+    int exitCode = -1;   ///< −1: terminated by a signal
     std::string output;   ///< stdout
     std::string messages;   ///< stderr
     double seconds = 0.0;
     long peakMemoryKiB = 0;
 };
 
-/// Runs angiopose-cli with the arguments and waits for its end. `interruptAfterSeconds` > 0 sends SIGINT then.
+/// Runs angiopose-cli with the arguments and waits until it ends. `interruptAfterSeconds` > 0 sends SIGINT after that
+/// time.
 ProgramOutcome runCli(const std::vector<std::string>& arguments, double interruptAfterSeconds = 0.0);
 
-/// Likewise the program at that path.
+/// Runs the program at that path in the same way.
 ProgramOutcome runProgram(const std::string& path, const std::vector<std::string>& arguments,
                           double interruptAfterSeconds = 0.0);
 

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A planted run, and folders of the user of their own.
+/// Fixture: a run with planted words, and separate user folders.
 class CliSecrets : public ::testing::Test {
 protected:
     CliSecrets()
@@ -63,7 +63,7 @@ TEST_F(CliSecrets, AuditFileHoldsInputAndOutputWithTheirHashes)
     EXPECT_EQ(lines[2]["event"], "opened");
 }
 
-TEST_F(CliSecrets, AnAuditFileThatCannotBeWrittenIsTold)
+TEST_F(CliSecrets, AnAuditFileThatCannotBeWrittenIsReported)
 {
     const auto outcome = test::runCli({"--audit", folder.file("gone/audit.jsonl"), "info", runPath});
     EXPECT_EQ(outcome.exitCode, 0);

@@ -43,7 +43,7 @@ protected:
     void SetUp() override
     {
         writeText(folder.file("study.json"), smallStudy());
-        // A trunk with one side branch, as SWC.
+        // A trunk with one side branch, in SWC format.
         std::string swc;
         for (int k = 0; k < 40; ++k) {
             swc += std::to_string(k + 1) + " 3 0 0 " + std::to_string(2 * k - 40) + " 2 " +
@@ -74,7 +74,7 @@ TEST_F(CliSimulateStudy, ThreadsAndShardsMakeTheSameBytes)
     ASSERT_EQ(simulate("parts", {"--shard", "1/2"}).exitCode, 0);
     ASSERT_EQ(simulate("parts", {"--shard", "2/2"}).exitCode, 0);
     const auto sums = linesOf(readText(folder.file("whole/SHA256SUMS")));
-    EXPECT_EQ(sums.size(), 6u * 5u + 2u);   // with the truth of two bent trees
+    EXPECT_EQ(sums.size(), 6u * 5u + 2u);   // including the truth of two deformed trees
     EXPECT_EQ(
         linesOf(readText(folder.file("parts/SHA256SUMS-1-of-2")) + readText(folder.file("parts/SHA256SUMS-2-of-2"))),
         sums);

@@ -73,7 +73,7 @@ TEST(Cli, TrustsNoFitWithTheViewOfAnotherPatientUnlessSomebodyMadeSure)
     const auto made = runCli(sure);
     EXPECT_EQ(made.exitCode, 0) << made.output;
     EXPECT_EQ(runCli({"register", folder.file("sure.angiopose")}).exitCode, 0) << "the case keeps the answer";
-    EXPECT_NE(made.messages.find("different patients"), std::string::npos) << "still told";
+    EXPECT_NE(made.messages.find("different patients"), std::string::npos) << "the warning remains";
 }
 
 TEST(Cli, RefusesToDrawVesselsBehindTheSource)

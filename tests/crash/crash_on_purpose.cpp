@@ -6,7 +6,7 @@
 #include <string_view>
 #include <thread>
 
-// A program that ends as it is told to, to see what its dump says.
+// A program that crashes in the way given on its command line, to test the dump.
 namespace {
 
 int* volatile nowhere = nullptr;
@@ -25,7 +25,7 @@ volatile int some = 7;
         __builtin_trap();
     }
     if (way == "bus") {
-        return std::raise(SIGBUS) + zero;   // not as the last call: it is to be on the stack
+        return std::raise(SIGBUS) + zero;   // not the last call, so that it appears on the stack
     }
     if (way == "terminate") {
         throw std::runtime_error("Jane Doe's study");

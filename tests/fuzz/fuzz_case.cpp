@@ -3,7 +3,7 @@
 
 using namespace angiopose;
 
-// Case files beside a small tree and image, which they may name.
+// Fuzzes case files, next to a small tree and image that they may reference.
 extern "C" int LLVMFuzzerInitialize(int*, char***)
 {
     fuzz::writeSmallInputs();

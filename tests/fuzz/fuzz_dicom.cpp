@@ -7,7 +7,7 @@
 
 using namespace angiopose;
 
-// Data sets with their pixels, as run, as slices, as segmentation and as the directory of a disc.
+// Fuzzes DICOM data sets with pixels, read as a run, as slices, as a segmentation and as a DICOMDIR.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     const std::string path = fuzz::inputFile("image.dcm", fuzz::viewOf(data, size));

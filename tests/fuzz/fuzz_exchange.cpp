@@ -57,7 +57,8 @@ extern "C" int LLVMFuzzerInitialize(int*, char***)
     return 0;
 }
 
-// What is exchanged with other programs, and the lists and results of studies; the first byte chooses.
+// Fuzzes the formats exchanged with other programs and the lists and results of studies; the first byte selects the
+// reader.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     if (size == 0) {

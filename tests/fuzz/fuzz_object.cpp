@@ -27,7 +27,8 @@ bool areSameImages(const core::Angiogram& a, const core::Angiogram& b)
            std::equal(a.frames.begin(), a.frames.end(), b.frames.begin(), isSameImage);
 }
 
-/// What was freed of identity shows what it showed before, but for what is told: colours, damaged frames.
+/// Checks that a de-identified object shows the same images as before, except for reported changes: colors, damaged
+/// frames.
 void checkFreed(const std::string& path, const std::string& nameless, const core::Messages& reported)
 {
     const auto before = io::readAngiogram(path);
@@ -42,7 +43,7 @@ void checkFreed(const std::string& path, const std::string& nameless, const core
 
 }   // namespace
 
-// DICOM objects as they are listed, sent, referred to and freed of identity.
+// Fuzzes listing, sending, referencing and de-identifying DICOM objects.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     const std::string_view content = fuzz::viewOf(data, size);

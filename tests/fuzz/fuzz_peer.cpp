@@ -12,7 +12,7 @@ using namespace angiopose;
 
 namespace {
 
-/// The parts of a body that comes in pieces of `pieceSize` bytes, and whether it ended as it should.
+/// Parts of a multipart body that arrives in pieces of `pieceSize` bytes, and whether it ended correctly.
 struct Parts {
     std::vector<std::string> contents;
     bool isLawful = true;
@@ -53,8 +53,8 @@ void readCommand(std::string_view bytes)
     }
 }
 
-/// The header's line, then the body. How it is cut into pieces changes nothing of a lawful one (what is not found
-/// within some kilobytes is unlawful in pieces alone).
+/// Reads the header line, then the body. The piece size makes no difference for a valid body (a part not found within a
+/// few kilobytes is invalid only when read in pieces).
 void readMultipart(std::string_view content)
 {
     const std::size_t end = std::min(content.find('\n'), content.size());
@@ -72,8 +72,8 @@ void readMultipart(std::string_view content)
 
 }   // namespace
 
-// What an archive sends before it is a file: commands and answers of DIMSE, JSON and bodies of DICOMweb; the first byte
-// chooses.
+// Fuzzes everything an archive sends before it becomes a file: DIMSE commands and responses, JSON and DICOMweb bodies;
+// the first byte selects the reader.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     if (size == 0) {

@@ -9,8 +9,8 @@
 
 #include <cstdio>
 
-// fuzz_seeds FOLDER [DATA]: a folder of small sound files for every harness, made by the program's own writers, and
-// small real ones out of DATA where that is there.
+// fuzz_seeds FOLDER [DATA]: writes a folder of small valid files for every harness, made by the program's own writers,
+// plus small real ones from DATA if it exists.
 
 using namespace angiopose;
 
@@ -36,7 +36,7 @@ constexpr const char* studyText = R"({"format": "angiopose-study", "version": 1,
 "settings": [{"name": "noisy", "frames": 1, "deformationMm": 1, "photons": 400, "maskMotionPx": 3, "catheter": 1,
 "header": {"distancePercent": 2, "spacingPercent": 1, "angleDeg": 3}}]})";
 
-/// With the case that it began with.
+/// A result that includes the case it started from.
 std::string resultText()
 {
     return R"({"format": "angiopose-result", "version": 2, "view": 1, "method": "angiopose", "trustworthy": true,
@@ -45,7 +45,7 @@ std::string resultText()
            std::string(caseText) + "}";
 }
 
-/// Which harness reads a file, and the byte by which it tells the format; "" for what none reads.
+/// The harness that reads a file and the byte that selects its format; "" if no harness reads it.
 std::pair<std::string, std::string> placeOf(const std::string& name)
 {
     const auto ends = [&name](const char* ending) { return name.ends_with(ending); };

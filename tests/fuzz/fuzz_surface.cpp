@@ -5,7 +5,7 @@
 
 using namespace angiopose;
 
-// STL and OBJ; the first byte chooses. PLY and legacy VTK are decoded by a process of its own.
+// Fuzzes STL and OBJ; the first byte selects the format. PLY and legacy VTK are decoded in a separate process.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     constexpr std::array names = {"box.stl", "box.obj", "box.vtp"};

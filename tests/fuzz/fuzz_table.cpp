@@ -10,7 +10,7 @@
 
 using namespace angiopose;
 
-// Curves, lists of cases, runs of studies and poses; the first byte chooses.
+// Fuzzes curves, case lists, registrations of studies and poses; the first byte selects the reader.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     if (size == 0) {

@@ -6,13 +6,13 @@
 
 using namespace angiopose;
 
-// Centrelines; the first byte chooses the format. What is read is written as table, SWC and curves, and read again (VTP
-// is decoded by a process of its own).
+// Fuzzes centerlines; the first byte selects the format. A tree that was read is written as a table, as SWC and as
+// curves, and read back (VTP is decoded in a separate process).
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     constexpr std::array names = {"tree.vtp", "tree.csv", "tree.swc", "tree.mrk.json"};
     const std::string_view content = fuzz::viewOf(data, size);
-    const bool isOfVtk =   // decoded by a process of its own
+    const bool isOfVtk =   // decoded in a separate process
         content.find("# vtk DataFile") != std::string_view::npos || content.find("<VTKFile") != std::string_view::npos;
     if (content.empty() || isOfVtk) {
         return 0;

@@ -4,7 +4,7 @@
 
 using namespace angiopose;
 
-// NIfTI, NRRD, MetaImage, GIPL, VTK images: told apart by content.
+// Fuzzes NIfTI, NRRD, MetaImage, GIPL and VTK images, detected by content.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     const std::string path = fuzz::inputFile("scan.nii", fuzz::viewOf(data, size));

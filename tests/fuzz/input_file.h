@@ -12,7 +12,8 @@
 
 namespace angiopose::fuzz {
 
-/// A folder of this process, for readers want files with names; below ANGIOPOSE_FUZZ_FOLDER, best in memory.
+/// The input folder of this process, because readers require named files; created under ANGIOPOSE_FUZZ_FOLDER,
+/// preferably in memory.
 inline const std::filesystem::path& folder()
 {
     static const std::filesystem::path place = [] {

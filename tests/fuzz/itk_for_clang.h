@@ -1,6 +1,6 @@
 #pragma once
 
-// Debian's ITK asks which compiler it is and knows GCC alone. Clang understands all that it then uses.
+// Debian's ITK checks the compiler and knows only GCC. Clang supports everything that ITK then uses.
 #pragma push_macro("__clang__")
 #pragma push_macro("__GNUC__")
 #pragma push_macro("__GNUC_MINOR__")

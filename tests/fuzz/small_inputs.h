@@ -6,7 +6,7 @@
 
 namespace angiopose::fuzz {
 
-/// A small tree and image that cases and results may name: in/tree.csv, in/image.png.
+/// Writes a small tree and image that cases and results may reference: in/tree.csv, in/image.png.
 inline void writeSmallInputs()
 {
     std::filesystem::create_directories(folder() / "in");

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Man pages and completions know every command and option that --help tells, and bash completes by them.
+# Man pages and completions know every command and option of --help, and bash completes by them.
 # Usage: check_descriptions.sh ANGIOPOSE ANGIOPOSE-CLI PACKAGING-LINUX-FOLDER
 set -u
 window=$1 cli=$2 linux=$3
@@ -18,7 +18,7 @@ done
 sed -i 's/\\-/-/g' "$work/cli.man"
 sed 's/\\-/-/g' "$linux/angiopose.1" >"$work/window.man"
 
-# What one command is told in a description of all.
+# Section of one command in the description of all.
 part_of() {   # KIND COMMAND
     case $1 in
         man) sed -n "/^\.SS $2\$/,/^\.S[SH] /{/^\.SS $2\$/p;/^\.S[SH] /!p}" "$work/cli.man" ;;
@@ -32,7 +32,7 @@ count=0
 for command in $(commands_of); do
     for option in $(options_of "$cli" "$command" --help); do
         for kind in man bash zsh fish; do
-            [[ $kind == man && $option == --help ]] && continue   # told once, above the commands
+            [[ $kind == man && $option == --help ]] && continue   # described once, above the commands
             wanted="(^|[^a-z-])$option([^a-z0-9-]|\$)"
             [ $kind = fish ] && wanted=" -l ${option#--} "
             count=$((count + 1))

@@ -38,7 +38,7 @@ meta=$share/metainfo/org.angiopose.AngioPose.metainfo.xml
 thumbnailer=$share/thumbnailers/org.angiopose.AngioPose.thumbnailer
 out=$(desktop-file-validate "$entry" 2>&1) && [ -z "$out" ] || complain "desktop-file-validate: $out"
 out=$(appstreamcli validate --no-net --no-color "$meta" 2>&1) || complain "appstreamcli: $out"
-grep -q "<release version=\"$version\"" "$meta" || complain "the metainfo tells no release $version"
+grep -q "<release version=\"$version\"" "$meta" || complain "the metainfo has no release $version"
 update-mime-database "$share/mime" >/dev/null 2>&1 || complain "update-mime-database fails"
 type=$(sed -n 's/^[0-9]*:\([^:]*\):\*\.angiopose$/\1/p' "$share/mime/globs2")
 for file in "$entry" "$thumbnailer"; do

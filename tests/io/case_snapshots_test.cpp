@@ -33,7 +33,7 @@ core::PoseSnapshot sampleSnapshot()
     return snapshot;
 }
 
-/// The phantom's case saved with a JSON patch applied to it.
+/// Saves the phantom's case with a JSON patch applied.
 std::string savedWith(const test::TemporaryFolder& folder, const core::Case& values, const nlohmann::json& patch)
 {
     const std::string path = folder.file("patched.angiopose");
@@ -89,7 +89,7 @@ TEST(CaseSnapshots, WithNumbersThatAreNoneAreStillReadable)
     auto loaded = io::loadCase(phantomCasePath(), warnings);
     ASSERT_TRUE(loaded);
     core::PoseSnapshot unseen = sampleSnapshot();
-    unseen.metrics->medianMm = std::numeric_limits<double>::quiet_NaN();   // nothing of the tree in the image
+    unseen.metrics->medianMm = std::numeric_limits<double>::quiet_NaN();   // none of the tree is in the image
     core::Case values = std::move(loaded).value();
     values.shown().snapshots = {unseen};
     ASSERT_TRUE(io::saveCase(values, folder.file("nan.angiopose")));

@@ -3,7 +3,7 @@
 #include "io/case/case_file.h"
 #include "io/centerline2d_file.h"
 #include "io/image_file.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/pose_file.h"
 #include "io/vessel_input_file.h"
 #include "io/vessel_tree_file.h"
@@ -15,7 +15,7 @@
 
 using namespace angiopose;
 
-// Good small files, cut short and with flipped bytes: whatever comes back is sound, and nothing crashes.
+// Valid small files, truncated and with flipped bits: anything that is read is valid, and nothing crashes.
 
 namespace {
 
@@ -87,7 +87,7 @@ std::string corrupted(const std::string& content, core::CounterRandom& random)
     return damaged;
 }
 
-/// The good files by name.
+/// Paths of the valid files.
 std::vector<std::string> writeGoodFiles(const test::TemporaryFolder& folder)
 {
     EXPECT_TRUE(io::writeVesselTree(twoBranches(), folder.file("tree.vtp")));
@@ -138,7 +138,7 @@ TEST(DamagedFiles, CutShortNeverLoadAsAnImage)
             const auto cut = io::readAngiogram(path);
             const bool isFirstFrame = cut && cut.value().frameCount() == 1 &&
                                       std::ranges::any_of(cut.value().warnings, [](const core::Message& said) {
-                                          return said.is(io::says::dicomFramesOther);
+                                          return said.is(io::messages::dicomFramesOther);
                                       });
             EXPECT_TRUE(!cut || isFirstFrame) << name << " of " << size << " bytes";
         }
@@ -171,7 +171,7 @@ TEST(UnreadableInputs, SayWhatTheyAre)
     EXPECT_NE(io::readVesselTree("/dev/zero").error().message.text().find("not a regular file"), std::string::npos);
 }
 
-/// The system throws where a place cannot even be looked at.
+/// The file system throws if a path cannot even be examined.
 TEST(UnreadableInputs, MayBeOutOfReach)
 {
     const test::TemporaryFolder folder;

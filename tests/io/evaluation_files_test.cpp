@@ -53,7 +53,7 @@ TEST(RunFiles, ComeBackAsTheyWere)
     }
     const std::string text = test::readText(folder.file("runs.csv"));
     EXPECT_EQ(text.find("-nan"), std::string::npos);
-    EXPECT_EQ(text.find("_ms"), std::string::npos);   // times differ from run to run and lie elsewhere
+    EXPECT_EQ(text.find("_ms"), std::string::npos);   // times vary between runs and are stored elsewhere
 }
 
 TEST(RunFiles, BrokenOnesAreRefusedByName)

@@ -12,8 +12,8 @@
 
 using namespace angiopose;
 
-// Odd, malformed and truncated files of other projects, and files of the wrong kind: each reader loads what makes sense
-// or says in one message which file, what is wrong and what to do.
+// Unusual, malformed and truncated files of other projects, and files of the wrong kind: each reader loads what is
+// valid or reports in one message which file, what is wrong and what to do.
 
 namespace {
 

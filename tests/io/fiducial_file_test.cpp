@@ -1,6 +1,6 @@
 #include "io/fiducial_file.h"
 
-#include "io/messages/says_exchange.h"
+#include "io/messages/messages.h"
 #include "io/vessel_tree_file.h"
 #include "tests/support/temporary_folder.h"
 
@@ -29,9 +29,9 @@ TEST(Fiducials, RestorePointsNamesAndDescriptions)
         EXPECT_EQ(readOr(folder.file(name)), twoPoints) << name;
         EXPECT_TRUE(io::isFiducialFile(folder.file(name)));
     }
-    EXPECT_TRUE(io::writeFiducials({}, folder.file("none.fcsv")).error().message.is(io::says::fiducialsNone));
+    EXPECT_TRUE(io::writeFiducials({}, folder.file("none.fcsv")).error().message.is(io::messages::fiducialsNone));
     EXPECT_TRUE(
-        io::writeFiducials(twoPoints, folder.file("points.csv")).error().message.is(io::says::fiducialsExtension));
+        io::writeFiducials(twoPoints, folder.file("points.csv")).error().message.is(io::messages::fiducialsExtension));
 }
 
 TEST(Fiducials, TablesOfEveryVersionAreTurnedToLps)
@@ -48,9 +48,9 @@ TEST(Fiducials, TablesOfEveryVersionAreTurnedToLps)
     EXPECT_EQ(readOr(table("# CoordinateSystem = RAS\r\n", row)).front(), turned);
     EXPECT_EQ(readOr(table("# CoordinateSystem = 1\n", row)).front(), asItIs);
     EXPECT_EQ(readOr(table("# CoordinateSystem = LPS\n", row)).front(), asItIs);
-    EXPECT_EQ(readOr(table("", row)).front(), turned);   // versions that did not say were RAS
+    EXPECT_EQ(readOr(table("", row)).front(), turned);   // versions that do not state it use RAS
     EXPECT_TRUE(
-        io::readFiducials(table("# CoordinateSystem = 2\n", row)).error().message.is(io::says::fiducialsSystem));
+        io::readFiducials(table("# CoordinateSystem = 2\n", row)).error().message.is(io::messages::fiducialsSystem));
     const auto old = folder.write("old.fcsv", "# name = L\n# columns = label,x,y,z,sel,vis\nnose,1,2,3,1,1\n");
     EXPECT_EQ(readOr(old).front(), (Fiducial{{-1, -2, 3}, "nose", ""}));
 }
@@ -67,7 +67,7 @@ TEST(Fiducials, MarkupsSayTheirSystemAndCurvesAreNone)
     EXPECT_EQ(readOr(markups("Fiducial", "RAS")), (std::vector<Fiducial>{{{-1, -2, 3}, "A", ""}}));
     EXPECT_EQ(readOr(markups("Fiducial", "LPS")).front().pointInPatient, Eigen::Vector3d(1, 2, 3));
     EXPECT_FALSE(io::isFiducialFile(markups("Curve", "LPS")));
-    EXPECT_TRUE(io::readFiducials(markups("Fiducial", "IJK")).error().message.is(io::says::fiducialsSystem));
+    EXPECT_TRUE(io::readFiducials(markups("Fiducial", "IJK")).error().message.is(io::messages::fiducialsSystem));
 }
 
 TEST(Fiducials, WrongLinesAreNamed)
@@ -75,7 +75,7 @@ TEST(Fiducials, WrongLinesAreNamed)
     const test::TemporaryFolder folder;
     const auto read = io::readFiducials(folder.write("p.fcsv", "# CoordinateSystem = LPS\nid,1,2,x,0\n"));
     ASSERT_FALSE(read);
-    EXPECT_TRUE(read.error().message.is(io::says::fiducialsLine));
+    EXPECT_TRUE(read.error().message.is(io::messages::fiducialsLine));
     EXPECT_NE(read.error().message.text().find("line 2"), std::string::npos);
 }
 

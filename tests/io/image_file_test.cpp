@@ -1,7 +1,7 @@
 #include "io/image_file.h"
 
 #include "io/angiogram_file.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(WritePng, TurnsColorIntoLuminanceWithAWarning)
     const auto read = io::readAngiogram(folder.file("red.png"));
     ASSERT_TRUE(read);
     EXPECT_NEAR(read.value().frames[0].at(3, 3), 0.299 * 200, 0.01);
-    EXPECT_EQ(read.value().warnings.front(), io::says::colorToGray());
+    EXPECT_EQ(read.value().warnings.front(), io::messages::colorToGray());
 }
 
 TEST(WritePng, RefusesAnEmptyPicture)

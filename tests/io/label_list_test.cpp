@@ -81,7 +81,7 @@ TEST(LabelList, FindsLabelsByNumberAndName)
     EXPECT_NE(missing.error().message.text().find("1 liver, 2 Aorta"), std::string::npos) << missing.error().message;
 }
 
-/// The fork is called an artery, the box an organ.
+/// Label list in which the bifurcating vessel is named as an artery and the box as an organ.
 std::string namedFork(const TemporaryFolder& folder)
 {
     const std::string plain = folder.file("plain.nrrd");
@@ -134,7 +134,7 @@ TEST(LabelList, TracingRefusesALabelThatIsNotThere)
         << traced.error().message;
 }
 
-/// The labels of a fork as floats, some of them but for their rounding.
+/// The labels of the bifurcating vessel as floats, some of them with rounding errors.
 TEST(LabelList, LabelsStoredAsFloatAreLabels)
 {
     const TemporaryFolder folder;

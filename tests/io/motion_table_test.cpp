@@ -11,7 +11,7 @@
 namespace angiopose::io {
 namespace {
 
-/// A branch of two points that moved, with their covariances.
+/// A branch of two points with displacements and their covariances.
 struct MovedBranch {
     MovedBranch()
     {

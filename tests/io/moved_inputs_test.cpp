@@ -1,5 +1,5 @@
 #include "io/case/moved_inputs.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 
 #include "io/case/case_file.h"
 #include "tests/support/temporary_folder.h"
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A phantom case with its two inputs beside it.
+/// A phantom case with copies of its two inputs.
 class MovedCase {
 public:
     MovedCase()
@@ -81,7 +81,7 @@ TEST(MovedInputs, AreFoundInSubFoldersEvenUnderAnotherName)
     EXPECT_TRUE(fs::equivalent(loaded.value().vessels.file.path, newTree));
     EXPECT_TRUE(fs::equivalent(loaded.value().shown().imageFile.path, newImage));
     for (const core::Message& warning : warnings) {
-        EXPECT_FALSE(warning.is(io::says::caseFileChanged)) << warning;
+        EXPECT_FALSE(warning.is(io::messages::caseFileChanged)) << warning;
     }
 }
 

@@ -9,7 +9,7 @@
 
 namespace angiopose::test {
 
-/// View 1, 2, … of the coronary phantom as its file stores it.
+/// View 1, 2, … of the coronary phantom as stored in its file.
 inline core::Angiogram phantomView(int view)
 {
     auto read = io::readAngiogram(dataFile("coronary-phantom-xa/views-A/IM" + std::to_string(view) + ".dcm").string());

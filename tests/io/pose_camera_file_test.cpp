@@ -1,8 +1,8 @@
 #include "io/pose_camera_file.h"
 
-#include "core/messages/says_exchange.h"
+#include "core/messages/messages.h"
 #include "io/camera_pose_file.h"
-#include "io/messages/says_exchange.h"
+#include "io/messages/messages.h"
 #include "io/pose_file.h"
 #include "tests/support/temporary_folder.h"
 
@@ -19,7 +19,7 @@ using core::Sight;
 const Sight oddSight{{-2281.123456789, 2279.5, 250.5, 1.0 / 3.0, 512, 480},
                      {core::expSo3({0.3, -1.1, 2.0 / 3.0}), {1.0 / 3.0, -1e-9, 742.123456789012345}}};
 
-/// As OpenCV 4.6 writes them, here the matrices of a camera with a turn of 3:4:5.
+/// As written by OpenCV 4.6, for the matrices of a camera with a 3:4:5 rotation.
 const std::string openCvYaml = R"(%YAML:1.0
 ---
 image_width: 512
@@ -74,7 +74,7 @@ const std::string openCvXml = R"(<?xml version="1.0"?>
 </opencv_storage>
 )";
 
-/// K, R and t with the names that PyYAML and numpy leave, and ROS's keys.
+/// K, R and t under the names used by PyYAML and numpy, and the keys of ROS.
 const std::string plainYaml = R"(image_size: [512, 480]
 K:
 - - -2281.25
@@ -122,7 +122,7 @@ TEST(ReadPoseWithCamera, RotationVectorsTurnAsRodrigues)
     ASSERT_TRUE(read);
     EXPECT_LT((read.value().cameraFromPatient.rotation * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitY()).norm(),
               1e-15);
-    EXPECT_EQ(read.value().camera->width, 0);   // not said
+    EXPECT_EQ(read.value().camera->width, 0);   // not stated
 }
 
 TEST(WriteSight, RestoresCameraAndPose)
@@ -141,8 +141,8 @@ TEST(WriteSight, RestoresCameraAndPose)
     EXPECT_LT(
         (projection.value().cameraFromPatient.matrix() - oddSight.cameraFromPatient.matrix()).cwiseAbs().maxCoeff(),
         1e-9);
-    EXPECT_TRUE(io::isSameCamera(*projection.value().camera, oddSight.camera));   // P does not say the size
-    EXPECT_TRUE(io::writeSight(oddSight, folder.file("sight.doc")).error().message.is(io::says::exchangeExtension));
+    EXPECT_TRUE(io::isSameCamera(*projection.value().camera, oddSight.camera));   // P does not contain the image size
+    EXPECT_TRUE(io::writeSight(oddSight, folder.file("sight.doc")).error().message.is(io::messages::exchangeExtension));
 }
 
 TEST(ReadPoseWithCamera, TakesNumbersAsTextHoweverTheyAreParted)
@@ -159,7 +159,7 @@ TEST(ReadPoseWithCamera, TakesNumbersAsTextHoweverTheyAreParted)
     const auto matrix = io::readPose(folder.write("pose.txt", "1 0 0 4\n0 1 0 5\n0 0 1 700\n0 0 0 1\n"));
     ASSERT_TRUE(matrix);
     EXPECT_EQ(matrix.value().translation, Eigen::Vector3d(4, 5, 700));
-    EXPECT_TRUE(io::readPose(folder.write("few.txt", "1 2 3")).error().message.is(io::says::exchangeNumbers));
+    EXPECT_TRUE(io::readPose(folder.write("few.txt", "1 2 3")).error().message.is(io::messages::exchangeNumbers));
 }
 
 TEST(ReadPoseWithCamera, PoseFilesBringTheirCamera)
@@ -181,18 +181,18 @@ TEST(ReadPoseWithCamera, SaysWhatIsWrong)
         return read ? core::Message::verbatim("read") : read.error().message;
     };
     const std::string skewed = R"({"K": [[1000,5,5],[0,1000,6],[0,0,1]], "R": [1,0,0,0,1,0,0,0,1], "t": [1,2,700]})";
-    EXPECT_TRUE(failure("skewed.json", skewed).is(core::says::projectionSkewed));
+    EXPECT_TRUE(failure("skewed.json", skewed).is(core::messages::projectionSkewed));
     EXPECT_NE(failure("skewed.json", skewed).text().find("skewed.json"), std::string::npos);
     const std::string scaled = R"({"K": [[1000,0,5],[0,1000,6],[0,0,1]], "R": [2,0,0,0,2,0,0,0,2], "t": [1,2,700]})";
-    EXPECT_TRUE(failure("scaled.json", scaled).is(core::says::projectionNoRotation));
+    EXPECT_TRUE(failure("scaled.json", scaled).is(core::messages::projectionNoRotation));
     std::string deformed = openCvYaml;
     deformed.replace(deformed.find("[ 0., 0., 0., 0., 0. ]"), 22, "[ -0.1, 0., 0., 0., 0.]");
-    EXPECT_TRUE(failure("bent.yml", deformed).is(io::says::exchangeDistorted));
-    EXPECT_TRUE(failure("empty.yml", "%YAML:1.0\n---\nsomething: 3\n").is(io::says::exchangeNoPose));
-    EXPECT_TRUE(failure("parameters.pt", "PK\x03\x04 data.pkl").is(io::says::exchangePickle));
+    EXPECT_TRUE(failure("bent.yml", deformed).is(io::messages::exchangeDistorted));
+    EXPECT_TRUE(failure("empty.yml", "%YAML:1.0\n---\nsomething: 3\n").is(io::messages::exchangeNoPose));
+    EXPECT_TRUE(failure("parameters.pt", "PK\x03\x04 data.pkl").is(io::messages::exchangePickle));
 }
 
-/// Cut and changed files give a message or a rigid pose, never anything else.
+/// Truncated and altered files give a message or a rigid pose, never anything else.
 TEST(ReadPoseWithCamera, DamagedTextsEndInAMessage)
 {
     const test::TemporaryFolder folder;

@@ -1,6 +1,6 @@
 #include "io/pose_convention_file.h"
 
-#include "io/messages/says_exchange.h"
+#include "io/messages/messages.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,8 @@ TEST(DiffDrrFile, RestoresTheSight)
     EXPECT_EQ(back.value().camera.height, 480);
 }
 
-/// What xvr keeps: parameters of the detector in `drr`, poses as a batch of one; angles and translation instead.
+/// Files of xvr: detector parameters in `drr`, poses as a batch of one, and angles with a translation as an
+/// alternative.
 TEST(DiffDrrFile, TakesMatrixAnglesAndTable)
 {
     const test::TemporaryFolder folder;
@@ -63,7 +64,7 @@ TEST(DiffDrrFile, TakesMatrixAnglesAndTable)
         folder.write("t.csv", "r1,r2,r3,tx,ty,tz,ncc\n0,0,0,0,-700,0,0.5\n0.1,-0.2,0.3,5,-740,8,0.9\n"));
     EXPECT_LT((poseIn(ofTable) - pose.matrix()).cwiseAbs().maxCoeff(), 1e-12);
     EXPECT_FALSE(ofTable.value().detector);
-    EXPECT_TRUE(io::sightOf(ofTable.value()).error().message.is(io::says::diffDrrKeys));
+    EXPECT_TRUE(io::sightOf(ofTable.value()).error().message.is(io::messages::diffDrrKeys));
 }
 
 TEST(DiffDrrFile, NamesTheKeyThatIsWrong)
@@ -80,7 +81,7 @@ TEST(DiffDrrFile, NamesTheKeyThatIsWrong)
     EXPECT_NE(reported(R"({"sdd": 1020, "height": 4, "delx": 0.4, "pose": [[2,0,0,0],[0,2,0,0],[0,0,2,0],[0,0,0,1]]})")
                   .find("pose"),
               std::string::npos);
-    EXPECT_TRUE(io::readDiffDrr(folder.write("parameters.pt", "PK")).error().message.is(io::says::exchangePickle));
+    EXPECT_TRUE(io::readDiffDrr(folder.write("parameters.pt", "PK")).error().message.is(io::messages::exchangePickle));
 }
 
 }   // namespace

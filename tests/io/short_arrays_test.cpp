@@ -8,7 +8,7 @@ using namespace angiopose;
 
 namespace {
 
-/// Two points, one line, a radius each; any of the lists may be shorter than declared.
+/// Poly data of two points and one line, with a radius per point; any of the lists may be shorter than declared.
 std::string polyData(const std::string& points, const std::string& radii, const std::string& offsets)
 {
     return R"(<?xml version="1.0"?><VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>
@@ -33,7 +33,7 @@ TEST(ShortArrays, AreRefusedAndNotReadOnAsTheMemoryWas)
     EXPECT_FALSE(read(polyData("0 0 0 10 0 0 20 0 0", "1 1 1", "")));
 }
 
-/// Points of one component each: VTK made room for those and wrote three.
+/// Points of one component each: VTK allocated memory for one component and wrote three.
 TEST(ShortArrays, OfFewerComponentsThanAreReadAreRefused)
 {
     const test::TemporaryFolder folder;
@@ -57,12 +57,12 @@ TEST(ShortArrays, OfBytesAreRefusedWhereverSomeAreMissing)
     ASSERT_LT(begin + 400, end);
     for (std::size_t at = begin; at + 80 < end; at += (end - begin) / 7) {
         std::string cut = good;
-        cut.erase(at, 40);   // whole groups of four: the rest is sound base64
+        cut.erase(at, 40);   // whole groups of four, so that the rest is valid base64
         EXPECT_FALSE(io::readVesselTree(folder.write("cut.vtp", cut))) << at;
     }
 }
 
-/// VTK makes room for every block that the header of a compressed array declares, here ten gigabytes.
+/// VTK allocates memory for every block declared by the header of a compressed array, here ten gigabytes.
 TEST(ShortArrays, CompressedInMoreBlocksThanAnyMemoryHoldsAreRefused)
 {
     const test::TemporaryFolder folder;

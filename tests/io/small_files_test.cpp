@@ -1,9 +1,9 @@
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "io/centerline2d_file.h"
 #include "io/decode/ask_decoder.h"
 #include "io/file_hash.h"
 #include "io/image_file.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/pose_file.h"
 #include "io/results/result_file.h"
 #include "tests/support/temporary_folder.h"
@@ -50,7 +50,7 @@ TEST(WritePose, RestoresEveryBit)
 TEST(ReadPose, KnowsItksRigidTransforms)
 {
     const test::TemporaryFolder folder;
-    // 90 degrees about z through the centre (1, 0, 0).
+    // 90 degrees about z through the center (1, 0, 0).
     const std::string text =
         "#Insight Transform File V1.0\n#Transform 0\nTransform: Euler3DTransform_double_3_3\n"
         "Parameters: 0 0 1.5707963267948966 0 0 5\nFixedParameters: 1 0 0\n";
@@ -83,7 +83,7 @@ TEST(ReadPose, FollowsTheOrderOfEulerAngles)
 
 TEST(ReadPose, TakesTheMatlabFilesOfItk)
 {
-    // As ITK 5.2 writes them: Euler angles 0.1, -0.2, 0.3, translation 1.5, -2, 740.25, centre 10, 20, 30.
+    // As written by ITK 5.2: Euler angles 0.1, -0.2, 0.3, translation 1.5, -2, 740.25, center 10, 20, 30.
     const auto matrix = [](const std::string& name, const std::vector<double>& values) {
         const std::array<std::uint32_t, 5> head{0, static_cast<std::uint32_t>(values.size()), 1, 0,
                                                 static_cast<std::uint32_t>(name.size() + 1)};
@@ -95,7 +95,7 @@ TEST(ReadPose, TakesTheMatlabFilesOfItk)
     const test::TemporaryFolder folder;
     const auto pose = io::readPose(folder.write("euler.mat", content));
     ASSERT_TRUE(pose) << pose.error().message;
-    Eigen::Matrix3d rotation;   // the matrix that ITK gives for these angles
+    Eigen::Matrix3d rotation;   // the matrix that ITK computes for these angles
     rotation << 0.9421546635113683, -0.29404383655185584, -0.16088136066569614, 0.2706814883919034, 0.9505637859220634,
         -0.15218416716418803, 0.19767681165408388, 0.09983341664682815, 0.975170327201816;
     EXPECT_TRUE(pose.value().rotation.isApprox(rotation, 1e-14));
@@ -122,7 +122,7 @@ TEST(ReadPose, Hdf5FilesMustBeRigid)
     EXPECT_NE(poseErrorOf(io::readPose(written("2"))).find("not a rotation"), std::string::npos);
     EXPECT_NE(poseErrorOf(io::readPose(written("-1"))).find("reflection"), std::string::npos);
     const std::string other = folder.write("other.h5", "\x89HDF\r\n\x1a\n and nothing of a transform");
-    EXPECT_TRUE(io::readPose(other).error().message.is(io::says::poseNoTransform));
+    EXPECT_TRUE(io::readPose(other).error().message.is(io::messages::poseNoTransform));
 }
 
 TEST(ReadPose, CutHdf5FilesAreRefused)
@@ -160,7 +160,7 @@ TEST(ResultJson, HasEveryPromisedKey)
     result.branches.push_back({4, 20, 0.5, 1.5, 0.9});
     result.unopacified.push_back({7, 0.75});
     result.stopReason = core::StopReason::StoppedByUser;
-    result.warnings = {core::says::trustDepthUnknown()};
+    result.warnings = {core::messages::trustDepthUnknown()};
     const nlohmann::json json = nlohmann::json::parse(io::resultJson(session, result));
     EXPECT_EQ(json["format"], "angiopose-result");
     EXPECT_EQ(json["version"], 2);
@@ -173,7 +173,7 @@ TEST(ResultJson, HasEveryPromisedKey)
     EXPECT_EQ(json["unfilled"][0]["branch"], 7);
     EXPECT_EQ(json["unfilled"][0]["share"], 0.75);
     EXPECT_EQ(json["trustworthy"], false);
-    EXPECT_EQ(json["warnings"][0], core::says::trustDepthUnknown().text());
+    EXPECT_EQ(json["warnings"][0], core::messages::trustDepthUnknown().text());
     EXPECT_EQ(json["messages"][0]["id"], "trust.depth-unknown");
     EXPECT_EQ(json["stopReason"], core::toText(core::StopReason::StoppedByUser));
     EXPECT_TRUE(json["timeMs"].contains("total"));

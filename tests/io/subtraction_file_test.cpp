@@ -24,7 +24,7 @@ std::string littleEndian(std::uint32_t value, int bytes)
     return text;
 }
 
-/// One element in explicit little endian; sequences and such have the long form.
+/// Encodes one element in explicit little endian; sequences and similar VRs use the long form.
 std::string element(std::uint32_t tag, const std::string& vr, std::string value)
 {
     if (value.size() % 2 == 1) {
@@ -79,7 +79,7 @@ TEST(ReadTreatment, SubtractsWhereTheHeaderNamesAMask)
     EXPECT_FALSE(treatmentOf(element(0x00281090, "CS", "SUB")).value().isSubtracted) << "there is no mask";
 }
 
-/// The run of `frames` as a file whose header names the first as mask.
+/// Writes a run of three frames whose header names frame `number` as mask.
 std::string runWithMask(const test::TemporaryFolder& folder, const std::string& number)
 {
     core::Angiogram run;

@@ -45,7 +45,7 @@ TEST(SvgPlot, IsWellFormedAndEscapesNames)
     EXPECT_NE(svg.find("2° &amp; &lt;more&gt;"), std::string::npos);
     EXPECT_NE(svg.find(">a&lt;b<"), std::string::npos);
     EXPECT_EQ(svg.find("inf"), std::string::npos);
-    EXPECT_EQ(svg.find("–"), std::string::npos);   // how an infinite coordinate would show
+    EXPECT_EQ(svg.find("–"), std::string::npos);   // an infinite coordinate would appear like this
     EXPECT_NE(svg.find("<polygon"), std::string::npos);
     // Every element is closed.
     int open = 0;

@@ -12,7 +12,7 @@ TEST(ReadVesselTree, ReadsThePhantomTree)
     const auto tree = io::readVesselTree(test::dataFile("coronary-phantom-xa/tree/Centerlines.vtk").string());
     ASSERT_TRUE(tree) << tree.error().message;
     ASSERT_EQ(tree.value().branches.size(), 11u);
-    EXPECT_EQ(tree.value().pointCount(), 453u);   // of the file's 464 points its lines visit 453
+    EXPECT_EQ(tree.value().pointCount(), 453u);   // the lines visit 453 of the 464 points in the file
     double length = 0.0;
     for (const auto& branch : tree.value().branches) {
         length += branch.lengthMm();

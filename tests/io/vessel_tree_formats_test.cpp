@@ -65,7 +65,7 @@ std::string treeErrorOf(const std::string& path)
 
 constexpr const char* header = "# vtk DataFile Version 3.0\n";
 
-/// Two pieces with a root each, the second with a loop: a branch that ends on another.
+/// Two trees with one root each, the second with a loop: a branch that ends on another one.
 core::VesselTree forest()
 {
     core::VesselTree tree;
@@ -105,7 +105,7 @@ TEST(VesselTreeFormats, KeepSeveralRootsAndLoops)
     }
 }
 
-/// Found by fuzzing: VTK 9.1 reads through a null pointer where an array has a type that there is not.
+/// Found by fuzzing: VTK 9.1 dereferences a null pointer if an array has a nonexistent type.
 TEST(VesselTreeFormats, AnArrayOfNoTypeIsRefused)
 {
     const test::TemporaryFolder folder;
@@ -171,7 +171,7 @@ TEST(ReadVesselTree, ReadsBinaryLegacyFiles)
 
 TEST(ReadVesselTree, LegacyTextMayHoldNoNumbersAndAnyWords)
 {
-    // "nan" as VTK's own writer puts it, CRLF, arrays of every kind, names in field data.
+    // "nan" as written by VTK's own writer, CRLF, arrays of every kind, names in field data.
     const test::TemporaryFolder folder;
     std::string text = header + std::string(
                                     "t\nASCII\nDATASET POLYDATA\nFIELD FieldData 1\nSPACE 1 1 string\nRAS\n"
@@ -249,11 +249,11 @@ TEST(WriteVesselTree, SwcKeepsPointsRadiiAndForks)
     tree.branches.push_back({1, "", {{0.1, 0.0, 0.0}, {10.0, 0.0, 0.0}, {20.0, 0.3, 0.0}}, {3.0, 2.5, 2.0}});
     tree.branches.push_back({2, "", {{10.0, 30.0, 0.0}, {10.0, 15.0, 1.0 / 3.0}, {10.0, 0.0, 0.0}}, {1.0, 1.1, 2.5}});
     tree.branches.push_back({3, "", {{10.0, 16.0, 0.3}, {10.0, 16.0, 9.0}}, {1.0, 0.9}});   // touches branch 2
-    tree.branches.push_back({4, "", {{90.0, 0.0, 0.0}, {99.0, 0.0, 0.0}}, {1.0, 1.0}});   // stands alone
+    tree.branches.push_back({4, "", {{90.0, 0.0, 0.0}, {99.0, 0.0, 0.0}}, {1.0, 1.0}});   // not connected to the others
     const std::string path = folder.file("tree.swc");
     ASSERT_TRUE(io::writeVesselTree(tree, path));
     const core::VesselTree read = readTreeOrFail(path);
-    EXPECT_EQ(read.branches.size(), 6u);   // parted at the two forks
+    EXPECT_EQ(read.branches.size(), 6u);   // split at the two bifurcations
     EXPECT_EQ(read.pointCount(), 2u + 2u + 2u + 2u + 3u + 2u);
     const auto has = [&](const Eigen::Vector3d& point, double radius) {
         for (const core::VesselBranch& branch : read.branches) {
@@ -283,7 +283,7 @@ TEST(WriteVesselTree, SwcWithoutRadii)
 
 TEST(ReadVesselTree, CountsSharedTrunksOnce)
 {
-    // Two lines from one inlet that part after 20 mm, as VMTK writes them.
+    // Two lines from one inlet that separate after 20 mm, as written by VMTK.
     const test::TemporaryFolder folder;
     std::string text = "x,y,z,branch\n";
     for (int line = 1; line <= 2; ++line) {
@@ -305,19 +305,19 @@ TEST(ReadVesselTree, SplitsTheRealCoronaryTrees)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-ccta-centerlines/lca_cl.vtp");
     const auto left = readTreeOrFail(test::dataFile("coronary-ccta-centerlines/lca_cl.vtp").string());
-    EXPECT_EQ(left.branches.size(), 9u);   // 5 outlets: 5 + 4 pieces between bifurcations
+    EXPECT_EQ(left.branches.size(), 9u);   // 5 outlets: 5 + 4 sections between bifurcations
     double length = 0.0;
     for (const auto& branch : left.branches) {
         length += branch.lengthMm();
         EXPECT_EQ(branch.radiusMm.size(), branch.pointsInPatient.size());
     }
-    EXPECT_NEAR(length, 428.3, 1.0);   // the five lines together have 792 mm
+    EXPECT_NEAR(length, 428.3, 1.0);   // the five lines have a total of 792 mm
     const auto right = readTreeOrFail(test::dataFile("coronary-ccta-centerlines/rca_cl.vtp").string());
     EXPECT_EQ(right.branches.size(), 7u);
     const auto rows = readTreeOrFail(test::dataFile("coronary-ccta-centerlines/centerline_lca.csv").string());
     for (const auto& branch : rows.branches) {
         for (std::size_t i = 1; i < branch.pointsInPatient.size(); ++i) {
-            EXPECT_LT((branch.pointsInPatient[i] - branch.pointsInPatient[i - 1]).norm(), 5.0);   // no leaps
+            EXPECT_LT((branch.pointsInPatient[i] - branch.pointsInPatient[i - 1]).norm(), 5.0);   // no jumps
         }
     }
 }

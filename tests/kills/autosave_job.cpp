@@ -41,7 +41,7 @@ int autosaveForEver(const std::string& folder, int ready)
     (void)!::write(ready, "r", 1);
     while (true) {
         document.undoStack().push(new QUndoCommand);
-        QTimer again;   // the queue may still be busy with what it did before
+        QTimer again;   // the queue may still be processing the previous save
         QObject::connect(&again, &QTimer::timeout, &autosave, &app::Autosave::saveSoon);
         again.start(1);
         if (loop.exec() != 0) {

@@ -4,7 +4,7 @@
 
 namespace angiopose::test {
 
-/// Has a session keep automatic copies of the case in `folder` until it is killed; they lie in `dataFolderOf(folder)`.
+/// Lets a session autosave the case in `folder` until the process is killed; the copies are in `dataFolderOf(folder)`.
 int autosaveForEver(const std::string& folder, int ready);
 std::string autosaveFolderOf(const std::string& folder);
 

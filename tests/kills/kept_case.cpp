@@ -38,7 +38,7 @@ core::Volume volumeOf(int number)
     return volume;
 }
 
-/// Writes one kind of export after the other over what is there.
+/// Writes all kinds of exports repeatedly over the existing files.
 int exportForEver(const std::string& folder)
 {
     const auto session = wholeCase(folder + "/case.angiopose");
@@ -72,7 +72,8 @@ int saveForEver(const std::string& folder)
     return 1;
 }
 
-/// One save: the exit code tells whether it was written (0), refused with a message (3), or left something half (1).
+/// Saves once; the exit code is 0 if the case was written, 3 if it was refused with a message, 1 if the file is wrong
+/// or incomplete afterward.
 int saveOnce(const std::string& folder)
 {
     const std::string path = folder + "/case.angiopose";
@@ -91,8 +92,8 @@ int saveOnce(const std::string& folder)
     return !isRight ? 1 : saved ? 0 : 3;
 }
 
-/// Counts the case up by saves that another program may be doing as well: how many of them were written is the exit
-/// code, 255 where something went wrong.
+/// Increments the case's number by saving while another program may do the same; the exit code is the number of
+/// successful saves, or 255 after a fault.
 int countUp(const std::string& folder)
 {
     const std::string path = folder + "/case.angiopose";
@@ -165,7 +166,7 @@ std::string findHalfWritten(const std::string& job, const std::string& folder)
     };
     check("case.angiopose", [](const std::string& path) { return wholeCase(path).has_value(); });
     std::error_code absent;
-    for (const auto& entry : fs::directory_iterator(folder, absent)) {   // of a session
+    for (const auto& entry : fs::directory_iterator(folder, absent)) {   // autosaved copies of a session
         if (entry.path().filename().string().starts_with("session-") && entry.path().extension() == ".angiopose") {
             half += wholeCase(entry.path().string()) ? "" : " " + entry.path().filename().string();
         }

@@ -7,21 +7,21 @@
 
 namespace angiopose::test {
 
-/// A case of a small tree and image in a folder; its path.
+/// Writes a case with a small tree and image to a folder and returns its path.
 std::string writeSmallCase(const std::string& folder);
 
-/// The case at `path` if it is whole; its title says how often it was saved.
+/// Loads the case at `path` if it is complete; its title contains the number of saves.
 std::optional<core::Case> wholeCase(const std::string& path);
 
-/// A title that makes the file large enough to be caught half written.
+/// Title long enough that a kill can interrupt the writing of the file.
 std::string titleOf(int number);
 int numberOf(const core::Case& session);
 
-/// Work that goes on until it is killed, or until it is done: the exit code of the program. `ready` is a descriptor
-/// that gets a byte when it begins.
+/// Runs a job until it is killed or finished, and returns the program's exit code. `ready` is a descriptor that
+/// receives a byte when the job starts.
 int runJob(const std::string& job, const std::string& folder, int ready);
 
-/// What of the files that `runJob` writes is not whole; empty: everything is.
+/// Names the incomplete files among those written by `runJob`; empty if all are complete.
 std::string findHalfWritten(const std::string& job, const std::string& folder);
 
 }   // namespace angiopose::test

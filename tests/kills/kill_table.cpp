@@ -22,9 +22,9 @@
 #include <thread>
 
 // kill_table [--kills N] [--seed N]
-// Kills programs at N random moments while they save a case, export, keep automatic copies, and receive objects; lets
-// programs save on full and read-only drives, and two of them on one case. Counts what is half written or lost
-// afterwards; fails where anything is.
+// Kills programs at N random moments while they save a case, export, autosave and receive objects; lets programs save
+// on full and read-only drives, and lets two of them save the same case. Counts what is incomplete or lost afterward;
+// fails if there is anything.
 
 using namespace angiopose;
 
@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 
 int faults = 0;
 
-/// Starts this program anew with a job, and waits until it is at work.
+/// Starts another process of this program with a job and waits until it is working.
 pid_t start(const std::string& job, const std::string& folder, const std::string& drive = "")
 {
     int ready[2];
@@ -72,12 +72,12 @@ std::size_t hiddenFilesIn(const std::string& folder)
     return hidden;
 }
 
-/// What a killed program was at, and how to look at what it left.
+/// Job of a killed program, with functions that check the files it left.
 struct KilledJob {
     std::string name;
     std::function<std::string(const std::string& folder)> findHalf;
     std::function<std::size_t(const std::string& folder)> left;   ///< temporary files and locks
-    std::function<void(const std::string& folder)> startAgain;   ///< as the next program does that writes there
+    std::function<void(const std::string& folder)> startAgain;   ///< starts writing there, as the next program would
 };
 
 KilledJob fileJob(const std::string& name, std::string (*writtenIn)(const std::string& folder))
@@ -120,7 +120,8 @@ void killDuring(const KilledJob& job, int kills, core::CounterRandom& random)
         job.name.c_str(), kills, half, left, leftInTheEnd, unexpected);
 }
 
-/// Who saves there gets a sentence, and the old case stays; `drive` says what is done to the folder.
+/// Checks that saving on such a drive is refused with a message and the old case stays intact; `drive` names the fault
+/// of the folder.
 void refuseOn(const char* drive)
 {
     const test::TemporaryFolder place;
@@ -148,7 +149,8 @@ void saveTogether()
                 b, counted, isRight ? "none lost" : "WRONG");
 }
 
-/// In a folder of memory that is full, or cannot be written, where this process may mount one; else under a limit.
+/// Puts the case on a memory file system that is full or read-only if this process may mount one, otherwise under a
+/// file size limit.
 void makeDrive(const std::string& folder, const std::string& drive)
 {
     const bool mayMount = ::unshare(CLONE_NEWNS) == 0 &&

@@ -25,7 +25,7 @@ std::string storeOf(const std::string& folder)
     return folder + "/arrivals";
 }
 
-/// Objects that no earlier program sent.
+/// Objects that no earlier program has sent.
 std::vector<std::string> newObjects(const std::string& folder, int turn)
 {
     const std::string series = "2.25.4711." + std::to_string(::getpid()) + "." + std::to_string(turn);
@@ -40,7 +40,7 @@ std::vector<std::string> newObjects(const std::string& folder, int turn)
     return files;
 }
 
-/// Its pixels are those of `objectText` for one of the numbers.
+/// Whether the file is a complete object, with the pixels of `objectText` for one of the numbers.
 bool isWholeObject(const std::string& path)
 {
     const auto read = io::readAngiogram(path);

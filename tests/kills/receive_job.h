@@ -5,16 +5,17 @@
 
 namespace angiopose::test {
 
-/// Takes objects at a port of its own into a store in `folder`, and sends some there all the time, until it is killed.
+/// Receives objects on its own port into a store in `folder` and keeps sending some there, until it is killed.
 int receiveForEver(const std::string& folder, int ready);
 
-/// What of the objects that came is not whole; empty: everything is.
+/// Names the received objects that are incomplete; empty if all are complete.
 std::string findHalfReceived(const std::string& folder);
 
-/// Objects that were coming when the program was killed.
+/// Number of objects that were being received when the program was killed.
 std::size_t interruptedIn(const std::string& folder);
 
-/// As the next program does that receives there. What came before is taken away, so that the next kill counts anew.
+/// Starts receiving there, as the next program would. Deletes the objects received so far, so that the next kill starts
+/// with an empty store.
 void receiveAgain(const std::string& folder);
 
 }   // namespace angiopose::test

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The same numbers to the last bit.
+/// Expects two results to be identical to the last bit.
 void expectSame(const RegistrationResult& one, const RegistrationResult& other)
 {
     EXPECT_EQ(0, std::memcmp(one.cameraFromPatient.data(), other.cameraFromPatient.data(), sizeof(Pose)));
@@ -42,12 +42,12 @@ TEST(Arrays, ACaseAndItsArraysGiveTheSameBits)
     Case session = test::smallCase().session;
     const RegistrationInput input = inputOf(session);
     RegistrationOptions options = session.options();
-    options.set("geometryErrors", "none");   // cases know where their geometry comes from, arrays do not
+    options.set("geometryErrors", "none");   // a case knows the origin of its geometry, arrays do not
     session.setOptions(options);
     expectSame(registerVessels(input, options), registerCase(session));
 }
 
-/// The library reads headers with a decimal point, and leaves the locale of the program around it alone.
+/// The library reads headers with a decimal point and does not change the locale of the calling program.
 TEST(Arrays, VolumesAreReadAlikeUnderAGermanLocale)
 {
     const test::TemporaryFolder folder;
@@ -89,14 +89,14 @@ TEST(Arrays, OptionsOfACaseSurviveTheWayThroughTexts)
     EXPECT_EQ("dynaweight", session.options().method);
 }
 
-/// How far the tree lies from the image points when projected, px, in the median.
+/// Median distance of the projected tree from the image points, px.
 double medianPx(RegistrationInput input, const VesselTree& tree, const Pose& pose)
 {
     input.tree = tree;
     return evaluatePose(input, pose).metrics.medianPx;
 }
 
-/// The far half of the tree 4 mm aside, more and more from its middle on.
+/// The tree with its far half displaced by up to 4 mm, increasing from the middle on.
 VesselTree deformedByHand(VesselTree tree)
 {
     double meanZ = 0.0;
@@ -124,7 +124,7 @@ TEST(Arrays, DeformedVesselsLieNearerToTheImageThanRigidOnes)
         const Eigen::Vector3d moved = found.deformed->tree.points[i] - input.tree.points[i];
         EXPECT_LT((moved - found.deformed->displacementMm[i]).norm(), 1e-9);
         EXPECT_GT(found.deformed->covarianceMm2[i](2, 2),
-                  found.deformed->covarianceMm2[i](0, 0));   // one view, along the ray
+                  found.deformed->covarianceMm2[i](0, 0));   // a single view, along the ray
     }
     EXPECT_LT(medianPx(input, found.deformed->tree, found.deformed->viewPoses.front()), 0.5 * found.metrics.medianPx);
 }
@@ -191,7 +191,7 @@ TEST(Arrays, TheCovarianceIsAboutThePlaceItNames)
 {
     const RegistrationInput input = inputOf(test::smallCase().session);
     const RegistrationResult result = evaluatePose(input, input.initialCameraFromPatient);
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();   // by length
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();   // weighted by length
     double length = 0.0;
     for (std::size_t i = 1; i < input.tree.points.size(); ++i) {
         if (input.tree.branchIds[i] == input.tree.branchIds[i - 1]) {

@@ -109,7 +109,7 @@ TEST_F(CaseOfLibrary, CopiesGoTheirOwnWays)
     EXPECT_EQ(first.angiogram().pixels(0).data(), second.angiogram().pixels(0).data());
 }
 
-/// The projections of the tree of `view`, with its own camera.
+/// Projections of the tree of `view` with its own camera.
 Centerline2d projections(const RegistrationInput& view, const Pose& cameraFromPatient)
 {
     Centerline2d projected;
@@ -128,7 +128,7 @@ TEST_F(CaseOfLibrary, TwoViewsAgreeOnOnePlace)
     RegistrationInput first = inputOf(one.session);
     first.image = {};
     RegistrationInput second = first;
-    Pose turn = Pose::Identity();   // a second camera at a right angle, about the place of the vessels
+    Pose turn = Pose::Identity();   // a second camera at a right angle, rotated about the vessels
     const double depth = one.session.startPose()(2, 3);
     turn.topLeftCorner<3, 3>() << 0, 0, 1, 0, 1, 0, -1, 0, 0;
     turn.topRightCorner<3, 1>() << -depth, 0, depth;

@@ -18,7 +18,7 @@ const RegistrationInput& input()
     return made;
 }
 
-/// A tube of 10 × 10 voxels along k.
+/// A square tube of 10 × 10 voxels along k.
 std::vector<std::uint8_t> tube(const VolumeGeometry& geometry)
 {
     std::vector<std::uint8_t> mask(geometry.voxelCount());

@@ -4,7 +4,7 @@
 
 namespace angiopose::test {
 
-/// A simulated case that is quick to register, the same at every call.
+/// A simulated case that is quick to register and identical at every call.
 inline SimulatedCase smallCase()
 {
     SimulationOptions options;

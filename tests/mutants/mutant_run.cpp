@@ -8,9 +8,9 @@
 #include <cstring>
 
 // mutant_run CLI [--trials N] [--seed N] [--only NAME] [--keep FOLDER]
-// Gives damaged files of every format to `CLI info` (surfaces to `CLI trace-vessel` too, a DICOMDIR beside its disc to
-// `CLI studies`), each in a process of 3 GB of address space and 10 s of processor time. Whatever is not exit code 0 or
-// 3 (4 when tracing) is reported, and kept in FOLDER.
+// Gives damaged files of every format to `CLI info` (surfaces also to `CLI trace-vessel`, a DICOMDIR next to its disc
+// to `CLI studies`), each in a process with 3 GB of address space and 10 s of processor time. Everything other than
+// exit code 0 or 3 (4 when tracing) is reported and kept in FOLDER.
 
 using namespace angiopose;
 
@@ -45,7 +45,7 @@ Arguments argumentsOf(int count, char** values)
     return arguments;
 }
 
-/// Empty when the program ended as it should.
+/// Describes an improper end of the program; empty if it ended properly.
 std::string findFault(const test::LimitedRun& run)
 {
     if (run.isTimedOut) {
@@ -58,7 +58,7 @@ std::string findFault(const test::LimitedRun& run)
     return isExpected ? std::string() : "ends with exit code " + std::to_string(run.exitCode);
 }
 
-/// Runs one kind of file through the program; how many of its mutants were not survived.
+/// Runs the program on mutants of one kind of file and returns the number of failures.
 int faultsOf(const test::SmallFile& file, const Arguments& arguments, const test::TemporaryFolder& folder)
 {
     core::CounterRandom random(arguments.seed);

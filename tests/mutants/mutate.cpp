@@ -12,7 +12,7 @@ namespace {
 
 std::size_t placeIn(const std::string& content, core::CounterRandom& random)
 {
-    // Headers are where damage matters most: half of it falls into the first kilobyte.
+    // Damage matters most in headers, so half of it is placed in the first kilobyte.
     const std::size_t reach = random.uniform() < 0.5 ? std::min<std::size_t>(content.size(), 1024) : content.size();
     return static_cast<std::size_t>(random.index(static_cast<int>(std::max<std::size_t>(reach, 1))));
 }
@@ -29,7 +29,7 @@ void cut(std::string& content, core::CounterRandom& random)
     content.resize(placeIn(content, random));
 }
 
-/// Four or eight bytes that mean something extreme as a length, a float or a double.
+/// Overwrites four or eight bytes with a value that is extreme as a length, a float or a double.
 void overwriteNumber(std::string& content, core::CounterRandom& random)
 {
     constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
@@ -47,7 +47,7 @@ void overwriteNumber(std::string& content, core::CounterRandom& random)
     content.replace(at, std::min(bytes.size(), content.size() - at), bytes);
 }
 
-/// Some number written in the text becomes an extreme one.
+/// Replaces a number in the text by an extreme one.
 void rewriteText(std::string& content, core::CounterRandom& random)
 {
     constexpr std::array words = {"4294967295", "2147483647",          "-1", "0", "1e30", "1000000", "nan",
@@ -68,13 +68,13 @@ void repeatPiece(std::string& content, core::CounterRandom& random)
     const std::size_t at = placeIn(content, random);
     const std::string piece = content.substr(at, 1 + static_cast<std::size_t>(random.index(64)));
     std::string many;
-    for (int i = 1 << random.index(16); i > 0; --i) {   // up to 32768 times: nesting, or a list without end
+    for (int i = 1 << random.index(16); i > 0; --i) {   // up to 32768 times: deep nesting or an endless list
         many += piece;
     }
     content.insert(at, many);
 }
 
-/// A DICOM sequence in a sequence in a sequence, each of undefined length; noise to every other format.
+/// Inserts deeply nested DICOM sequences of undefined length, which are noise to every other format.
 void nestDeeply(std::string& content, core::CounterRandom& random)
 {
     const std::string level("\x08\x00\x40\x11SQ\x00\x00\xff\xff\xff\xff\xfe\xff\x00\xe0\xff\xff\xff\xff", 20);
@@ -159,7 +159,7 @@ std::string mutatedGzip(const std::string& content, core::CounterRandom& random)
         return mutated(gzipped(content), random);
     }
     std::string damaged = mutated(content, random);
-    if (kind < 0.24) {   // a bomb: 64 MB of zeros in 64 kB
+    if (kind < 0.24) {   // a decompression bomb: 64 MB of zeros in 64 kB
         damaged += std::string(std::size_t{64} << 20, '\0');
     }
     return gzipped(damaged);

@@ -94,7 +94,7 @@ std::string plyText(const core::SurfaceMesh& mesh)
     return text;
 }
 
-/// A pose as ITK writes it for MATLAB, level 4.
+/// A pose as written by ITK for MATLAB, level 4.
 std::string matlabPose()
 {
     const auto matrix = [](const std::string& name, const std::vector<double>& values) {

@@ -7,17 +7,17 @@
 
 namespace angiopose::test {
 
-/// A small sound file of one format.
+/// A small valid file of one format.
 struct SmallFile {
-    std::string name;   ///< with the extension that its reader expects
+    std::string name;   ///< with the extension expected by its reader
     std::string content;
-    bool isGzip = false;   ///< `content` is what belongs inside an archive
+    bool isGzip = false;   ///< `content` is to be stored in a gzip archive
     bool isSurface = false;
-    bool isDisc = false;   ///< the directory of a disc, whose files lie in `scratch` beside it
+    bool isDisc = false;   ///< a DICOMDIR, whose files are in `scratch` next to it
 };
 
-/// One small file of every format that is read. `dataFolder`: real files of formats that nothing here writes; those
-/// formats are left out where it is absent. `scratch`: a folder to write to.
+/// One small file of every format that is read. `dataFolder`: real files of formats without a writer here; those
+/// formats are left out if the folder is missing. `scratch`: a folder to write to.
 std::vector<SmallFile> smallFiles(const std::string& dataFolder, const TemporaryFolder& scratch);
 
 }   // namespace angiopose::test

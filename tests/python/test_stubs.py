@@ -29,7 +29,7 @@ def split(arguments):
     return [part.strip() for part in parts if part.strip()]
 
 
-def told(doc, name):
+def documented(doc, name):
     """Of every overload that pybind11 documents: arguments as (name, has a default)."""
     found = []
     for arguments in re.findall(rf"^(?:\d+\. )?{name}\((.*)\) -> ", doc, re.MULTILINE):
@@ -69,7 +69,7 @@ def test_arguments_are_those_of_the_module():
     for (owner, name), nodes in definitions().items():
         holder = getattr(angiopose, owner) if owner else angiopose
         doc = getattr(holder, name).__doc__ or ""
-        module = told(doc, name)
+        module = documented(doc, name)
         assert module, f"{owner or ''}.{name}: no signature in\n{doc}"
         assert module == [stubbed(node) for node in nodes], f"{owner or ''}.{name}"
         checked += 1

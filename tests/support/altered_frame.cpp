@@ -25,7 +25,8 @@ DrawnFrame mappedFrame(DrawnFrame drawn, const Map& map)
     return drawn;
 }
 
-/// `width` × `height` pixels; `from` says where in the image a pixel's centre lies. Outside is black.
+/// Resamples to `width` × `height` pixels; `from` maps a pixel center to its position in the image. Positions outside
+/// are black.
 template <class From>
 ImageF resampled(const ImageF& image, int width, int height, const From& from)
 {
@@ -57,7 +58,7 @@ DrawnFrame scaled(const DrawnFrame& drawn, double factor)
     });
 }
 
-/// The part from (`left`, `top`) on, all in shares of the sides.
+/// Crops a frame at (`left`, `top`), with all values as shares of the side lengths.
 DrawnFrame croppedFrame(const DrawnFrame& drawn, double left, double top, double width, double height)
 {
     const Eigen::Vector2d sides(drawn.frame.width, drawn.frame.height);
@@ -81,7 +82,7 @@ DrawnFrame mirrored(const DrawnFrame& drawn)
                      [last](const Eigen::Vector2d& at) { return Eigen::Vector2d(last - at.x(), at.y()); });
 }
 
-/// In a black frame, as viewers and video grabbers leave it.
+/// Surrounds the image with a black frame, as viewers and video grabbers do.
 DrawnFrame framed(const DrawnFrame& drawn, int widthPx)
 {
     return resampled(drawn, drawn.frame.width + 2 * widthPx, drawn.frame.height + 2 * widthPx,
@@ -103,7 +104,7 @@ DrawnFrame bright(DrawnFrame drawn)
 
 using Block = Eigen::Matrix<float, 8, 8>;
 
-/// Rows are the cosines of JPEG's transform.
+/// Matrix of JPEG's transform, with one cosine per row.
 Block cosines()
 {
     Block basis;
@@ -116,7 +117,7 @@ Block cosines()
     return basis;
 }
 
-/// What JPEG loses: cosines of 8 × 8 pixels in steps that grow with the frequency.
+/// Applies the loss of JPEG: cosines of 8 × 8 pixels, quantized in steps that grow with the frequency.
 DrawnFrame compressed(DrawnFrame drawn, float step)
 {
     const Block basis = cosines();

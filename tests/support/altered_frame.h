@@ -9,20 +9,21 @@
 
 namespace angiopose::test {
 
-/// An angiogram frame with the grey picture of its drawn vessels.
+/// An angiogram frame with the grayscale mask of its drawn vessels.
 struct DrawnFrame {
     core::ImageF frame;
-    core::ImageF truth;   ///< bright where there is a vessel
+    core::ImageF truth;   ///< bright at vessels
     core::Polarity polarity = core::Polarity::VesselsDark;
 };
 
-/// Another picture of the same vessels, as another device, export or viewer would have left it.
+/// A variant of the image of the same vessels, as from another device, export or viewer.
 struct FrameChange {
     std::string name;
     std::function<DrawnFrame(const DrawnFrame&)> apply;
 };
 
-/// Sizes, grey values, noise, compression, cuts and turns; "as it is" comes first. Seeded: the same at every call.
+/// Changes of size, gray values, noise, compression, cropping and rotation; the unchanged frame comes first. Seeded:
+/// identical at every call.
 std::vector<FrameChange> frameChanges();
 
 }   // namespace angiopose::test

@@ -29,7 +29,7 @@ Volume mappedScan(Volume scan, const Map& map)
     return scan;
 }
 
-/// Linear between voxels; at the rim the outermost go on.
+/// Linear interpolation between voxels, with border values extended outward.
 double valueAt(const Volume& scan, const Eigen::Vector3d& voxel)
 {
     const Eigen::Vector3d low = voxel.array().floor();
@@ -44,7 +44,7 @@ double valueAt(const Volume& scan, const Eigen::Vector3d& voxel)
     return sum;
 }
 
-/// Voxels of another size; thicker ones are means over their extent, as thick slices are.
+/// Resamples to another voxel size; larger voxels are means over their extent, as thick slices are.
 Volume withSpacing(const Volume& scan, const Eigen::Vector3d& spacingMm)
 {
     const Eigen::Vector3d ratio = spacingMm.cwiseQuotient(scan.geometry.spacingMm);
@@ -71,7 +71,7 @@ Volume withSpacing(const Volume& scan, const Eigen::Vector3d& spacingMm)
     return result;
 }
 
-/// The voxels from `low` on, below `high`, in shares of the size.
+/// Crops the voxels from `low` to below `high`, as shares of the size.
 Volume croppedScan(const Volume& scan, const Eigen::Array3d& low, const Eigen::Array3d& high)
 {
     const Eigen::Array3d size = scan.geometry.size.cast<double>().array();
@@ -96,7 +96,7 @@ Volume noisyScan(Volume scan, double sigmaHu)
     return mappedScan(std::move(scan), [&](double value) { return value + sigmaHu * random.normal(); });
 }
 
-/// All that is brighter than soft tissue, by a share of what it was.
+/// Scales all values above soft tissue by `share` of their contrast.
 Volume withContrast(const Volume& scan, double share)
 {
     return mappedScan(

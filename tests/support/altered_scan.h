@@ -8,14 +8,15 @@
 
 namespace angiopose::test {
 
-/// Another scan of the same patient, as another device, protocol or export would have left it; what was at a place in
-/// the patient stays there.
+/// A variant of a scan of the same patient, as from another device, protocol or export; positions in the patient do not
+/// change.
 struct ScanChange {
     std::string name;
     std::function<core::Volume(const core::Volume&)> apply;
 };
 
-/// Axis orders, spacings, parts, values and noise; "as it is" comes first. Seeded: the same at every call.
+/// Changes of axis order, spacing, cropping, values and noise; the unchanged scan comes first. Seeded: identical at
+/// every call.
 std::vector<ScanChange> scanChanges();
 
 }   // namespace angiopose::test

@@ -28,7 +28,7 @@ inline std::vector<AxisOrder> allAxisOrders()
     return orders;
 }
 
-/// The voxel of the original that is stored at `voxel`.
+/// Voxel of the original that is stored at `voxel`.
 inline Eigen::Vector3i originalVoxel(const AxisOrder& order, const Eigen::Vector3i& originalSize,
                                      const Eigen::Vector3i& voxel)
 {
@@ -40,7 +40,7 @@ inline Eigen::Vector3i originalVoxel(const AxisOrder& order, const Eigen::Vector
     return original;
 }
 
-/// The same voxels at the same places in the patient, stored in another order.
+/// The same voxels at the same positions in the patient, stored in another axis order.
 template <class Grid>
 Grid stored(const Grid& original, const AxisOrder& order)
 {
@@ -68,7 +68,7 @@ Grid stored(const Grid& original, const AxisOrder& order)
     return result;
 }
 
-/// A small oblique volume in which every voxel has a value of its own.
+/// A small oblique volume in which every voxel has a unique value.
 inline core::Volume countedVolume(const Eigen::Vector3i& size = {4, 5, 6})
 {
     core::VolumeGeometry geometry;
@@ -86,7 +86,7 @@ inline core::Volume countedVolume(const Eigen::Vector3i& size = {4, 5, 6})
     return volume;
 }
 
-/// Largest distance (mm) between where two volumes place voxels of equal value; each value must occur once in both.
+/// Largest distance (mm) between the positions of equal values in two volumes; each value must occur once in both.
 inline double largestDisplacement(const core::Volume& a, const core::Volume& b)
 {
     if (a.voxels.size() != b.voxels.size()) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double minPaintedRadiusPx = 1.5;
 
-/// The pixels within `radius` of a point; those that hold the point itself for a radius of 0.
+/// Marks the pixels within `radius` of a point; for a radius of 0, only the pixel containing it.
 void paint(core::Mask2d& mask, const Eigen::Vector2d& point, double radius)
 {
     const int reach = static_cast<int>(std::ceil(radius));

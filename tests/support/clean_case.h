@@ -8,7 +8,7 @@
 
 namespace angiopose::test {
 
-/// A simulated tree 800 mm from the source and its exact projections, partners known only to the test.
+/// A simulated tree 800 mm from the source and its exact projections, with correspondences known only to the test.
 struct CleanCase {
     explicit CleanCase(std::uint64_t seed) : tree(core::simulateTree(seed))
     {
@@ -18,7 +18,7 @@ struct CleanCase {
         target = core::projectTree(tree, camera, truth);
     }
 
-    /// 2° and 5 mm on average about the centroid.
+    /// An initial pose that is off by 2° and 5 mm on average about the centroid.
     core::RigidTransform nearbyStart(core::CounterRandom& random) const
     {
         return core::perturbedAboutCentroid(truth, core::centroidInPatient(tree), 2.0 / std::sqrt(3.0),
@@ -36,7 +36,7 @@ struct CleanCase {
     core::Centerline2d target;
 };
 
-/// How far the tree's projection at a pose lies from its true one on average, px.
+/// Mean distance of the tree's projection at a pose from its true projection, px.
 inline double meanErrorPx(const CleanCase& clean, const core::RigidTransform& pose)
 {
     return core::projectionError(clean.tree, clean.camera, {pose, clean.truth}).meanPx;

@@ -9,8 +9,8 @@
 
 namespace angiopose::test {
 
-/// The case as if a run had found its shown view's pose and vessels that are bent there: each branch along its length
-/// by up to `maxMm` across the ray, in one view.
+/// The case as if a registration had found the pose of its shown view and deformed vessels: each branch displaced along
+/// its length by up to `maxMm` across the ray, in one view.
 inline core::Case withDeformedVessels(core::Case session, double maxMm)
 {
     core::View& view = session.shown();

@@ -8,14 +8,14 @@
 
 namespace angiopose::test {
 
-/// "E", "L", "H", 5 × 7 px each.
+/// "E", "L", "H", each 5 × 7 px.
 inline constexpr std::array<std::array<std::string_view, 7>, 3> drawnLetters{{
     {"#####", "#....", "#....", "####.", "#....", "#....", "#####"},
     {"#....", "#....", "#....", "#....", "#....", "#....", "#####"},
     {"#...#", "#...#", "#...#", "#####", "#...#", "#...#", "#...#"},
 }};
 
-/// Writes letters `scale` times as large, the upper left corner of the first at `at`.
+/// Writes letters magnified by `scale`, with the upper left corner of the first at `at`.
 inline void writeLetters(core::ImageF& frame, const Eigen::Vector2i& at, int count, float value, int scale = 2)
 {
     for (int k = 0; k < count; ++k) {

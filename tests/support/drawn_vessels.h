@@ -8,11 +8,11 @@
 
 namespace angiopose::test {
 
-/// Grey values of a drawn frame.
+/// Gray values of a drawn frame.
 struct FrameLook {
     float background = 120.0F;
-    float depth = 60.0F;   ///< how much darker the middle of a vessel is
-    double blurPx = 0.7;   ///< point spread, one sigma
+    float depth = 60.0F;   ///< darkening at the axis of a vessel
+    double blurPx = 0.7;   ///< standard deviation of the point spread function
     double noise = 0.0;   ///< standard deviation
 };
 
@@ -21,13 +21,13 @@ using Path = std::vector<Eigen::Vector2d>;
 Path line(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
 Path circle(const Eigen::Vector2d& center, double radius);
 
-/// A frame with dark round tubes (absorption along the chord) around the paths; where two cross, they add up.
+/// A frame with dark round tubes (absorption along the chord) along the paths; absorption adds up at crossings.
 core::ImageF drawnFrame(int width, int height, const std::vector<Path>& paths, double radiusPx,
                         const FrameLook& look = {});
 
 void addNoise(core::ImageF& image, double sigma, std::uint64_t seed);
 
-/// Distance from a point to the nearest point of the path, linearly between its points.
+/// Distance from a point to the path, with linear segments between its points.
 double distanceTo(const Path& path, const Eigen::Vector2d& point);
 
 }   // namespace angiopose::test

@@ -18,7 +18,7 @@ using core::CounterRandom;
 using core::ImageF;
 using Eigen::Vector2d;
 
-/// Grey values between the darkest and the brightest parts of the picture.
+/// Difference in gray value between the darkest and the brightest parts of the image.
 double contrastOf(const ImageF& frame)
 {
     const std::vector<float> ends = core::rankedAt(frame.pixels, {0.02, 0.98});
@@ -35,7 +35,7 @@ double sideOf(const ImageF& frame)
     return std::min(frame.width, frame.height);
 }
 
-/// Absorption along the chord of a tube, in units of its diameter: 1 in its middle.
+/// Absorption along the chord of a tube, in units of its diameter: 1 at its axis.
 ImageF tube(const ImageF& frame, const std::vector<Path>& courses, double radiusPx)
 {
     constexpr double stepPx = 0.5;
@@ -62,7 +62,7 @@ ImageF darkened(ImageF frame, const ImageF& depth, double by)
     return frame;
 }
 
-/// From one edge of the frame into it or across, bent evenly.
+/// A path from one edge of the frame into it or across it, with constant curvature.
 Path deviceCourse(const ImageF& frame, CounterRandom& random, double share)
 {
     const double side = sideOf(frame);
@@ -105,7 +105,7 @@ ObjectFrame withWire(const ImageF& frame, std::uint64_t seed)
     return {darkened(frame, depth, random.uniform(0.2, 0.5) * contrastOf(frame)), courses, 3.0};
 }
 
-/// Loops of wire with a twist, one above the other, as the closed breastbone shows them.
+/// Draws twisted loops of wire, one above the other, as in a closed sternum.
 ObjectFrame withSternalWires(const ImageF& frame, std::uint64_t seed)
 {
     CounterRandom random(seed);
@@ -158,7 +158,7 @@ ObjectFrame withText(const ImageF& frame, std::uint64_t seed)
     return object;
 }
 
-/// `inside` px are exposed; what is not is of one grey, dark or (rarely) bright, with a little noise.
+/// Exposes the pixels given by `inside`; all others get one gray value, dark or (rarely) bright, with a little noise.
 template <class Inside>
 ImageF bordered(const ImageF& frame, CounterRandom& random, double softPx, const Inside& inside)
 {
@@ -206,7 +206,7 @@ ObjectFrame withRectangle(const ImageF& frame, std::uint64_t seed, double maxTur
     return object;
 }
 
-/// Grey values of the marked pixels from those around them (Laplace's equation, by relaxation).
+/// Fills the marked pixels from the gray values around them (Laplace's equation, by relaxation).
 ImageF filledIn(ImageF image, const core::Mask2d& marked)
 {
     constexpr int rounds = 400;

@@ -8,7 +8,7 @@
 
 namespace angiopose::test {
 
-/// Distance (mm) to the axis of a vessel that runs up from (0, 0, 0) and forks at z = 40 into two, up to z = 80.
+/// Distance (mm) to the axis of a vessel that runs up from (0, 0, 0) and bifurcates at z = 40, up to z = 80.
 inline double distanceToFork(const Eigen::Vector3d& point)
 {
     const auto toSegment = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
@@ -27,7 +27,7 @@ inline core::VolumeGeometry forkGeometry()
     return geometry;
 }
 
-/// The fork of radius 4 mm as label 2 in an image that also holds something else, label 7.
+/// The bifurcating vessel of radius 4 mm as label 2 in an image with another object, label 7.
 inline core::LabelVolume forkLabels()
 {
     core::LabelVolume labels(forkGeometry());
@@ -42,7 +42,7 @@ inline core::LabelVolume forkLabels()
     return labels;
 }
 
-/// A CT angiogram of the fork: blood of 350 HU in tissue of 40 HU, air around, some noise.
+/// A CT angiogram of the bifurcating vessel: blood of 350 HU in tissue of 40 HU, surrounded by air, with some noise.
 inline core::Volume forkScan()
 {
     core::Volume scan(forkGeometry());
@@ -62,7 +62,7 @@ inline core::Volume forkScan()
     return scan;
 }
 
-/// Free ends of a tree; the fork has three, however its branches are cut.
+/// Number of free ends of a tree; the bifurcating vessel has three, however its branches are cut.
 inline long endsOf(const core::VesselTree& tree)
 {
     const auto nodes = core::findNodes(tree);

@@ -10,7 +10,7 @@
 
 namespace angiopose::test {
 
-/// A program whose locale has a decimal comma while this lives: the installed one, or one made for the test.
+/// Sets a locale with a decimal comma during its lifetime: the installed one, or one built for the test.
 class GermanLocale {
 public:
     GermanLocale() { isSet_ = isTaken() || (isMade() && isTaken()); }
@@ -35,7 +35,7 @@ private:
         return std::system((command + " > /dev/null 2>&1").c_str()) == 0 &&
                ::setenv("LOCPATH", folder_.file("locale").c_str(), 1) == 0;
     }
-    /// As C and as C++ programs do.
+    /// Sets the locale for C and for C++.
     static bool isTaken()
     {
         if (!std::setlocale(LC_ALL, name)) {

@@ -7,7 +7,7 @@
 
 namespace angiopose::test {
 
-/// Poses agree within an angle and, at the given pivot (patient frame), within a distance.
+/// Whether two poses agree within an angle and, at the given pivot (patient frame), within a distance.
 inline ::testing::AssertionResult nearPose(const core::RigidTransform& actual, const core::RigidTransform& expected,
                                            double toleranceDeg, double toleranceMm,
                                            const Eigen::Vector3d& pivot = Eigen::Vector3d::Zero())

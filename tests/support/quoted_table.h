@@ -7,7 +7,7 @@
 
 namespace angiopose::test {
 
-/// A comma-separated table as spreadsheets read it: cells in quotes may hold commas.
+/// A comma-separated table parsed as by spreadsheets: quoted cells may contain commas.
 class QuotedTable {
 public:
     explicit QuotedTable(const std::string& text) : rows_{{""}}
@@ -15,7 +15,7 @@ public:
         bool isQuoted = false;
         for (const char letter : text) {
             if (letter == '"') {
-                isQuoted = !isQuoted;   // a doubled one leaves and enters again; the letter itself does not matter here
+                isQuoted = !isQuoted;   // a doubled quote ends and restarts the quotation; the quote itself is not needed here
             } else if (letter == ',' && !isQuoted) {
                 rows_.back().emplace_back();
             } else if (letter == '\n' && !isQuoted) {
@@ -24,7 +24,7 @@ public:
                 rows_.back().back() += letter;
             }
         }
-        rows_.pop_back();   // behind the last line
+        rows_.pop_back();   // the empty row after the last line
     }
 
     std::size_t rowCount() const { return rows_.size() - 1; }
@@ -32,7 +32,7 @@ public:
     {
         return std::ranges::all_of(rows_, [this](const auto& row) { return row.size() == rows_.front().size(); });
     }
-    /// Of a row below the header; "no such column" where there is none.
+    /// Cell of a row below the header; "no such column" if the column does not exist.
     std::string cell(std::size_t row, const std::string& column) const
     {
         const auto found = std::ranges::find(rows_.front(), column);

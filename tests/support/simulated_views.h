@@ -7,7 +7,7 @@
 
 namespace angiopose::test {
 
-/// What a case holds of a simulated view: the true geometry, the pose as a header would give it.
+/// The view of a simulated case: the true geometry, with the pose that a header would give.
 inline core::View viewOf(const core::SimulatedCase& simulated)
 {
     core::View view;
@@ -29,7 +29,7 @@ inline core::Case caseOf(const core::SimulatedCase& simulated)
     return values;
 }
 
-/// A small tree in two views whose geometry to each other is true; the pose is 4 mm off.
+/// A small tree in two views with the true geometry between them; the pose is off by 4 mm.
 inline core::Case twoViewCase()
 {
     core::TreeOptions tree;
@@ -43,12 +43,12 @@ inline core::Case twoViewCase()
         const core::SimulatedCase simulated = core::simulateView(5, seed, tree, dsa);
         values.vessels.tree = std::make_shared<const core::VesselTree>(simulated.tree);
         core::View view = viewOf(simulated);
-        view.geometry.cArm = {};   // what leads from start to start is the geometry between the views
+        view.geometry.cArm = {};   // the initial poses alone define the geometry between the views
         view.initialCameraFromPatient = view.cameraFromPatient = simulated.trueCameraFromPatient;
         view.cameraFromPatient.translation += Eigen::Vector3d(4.0, 0.0, 0.0);
         values.views.push_back(view);
     }
-    values.views.erase(values.views.begin());   // the empty one of a new case
+    values.views.erase(values.views.begin());   // the empty view of a new case
     return values;
 }
 

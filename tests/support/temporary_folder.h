@@ -19,7 +19,7 @@ inline std::string readText(const std::filesystem::path& path)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// A fresh folder that vanishes with the test.
+/// A new folder that is deleted at the end of the test.
 class TemporaryFolder {
 public:
     TemporaryFolder()
@@ -37,7 +37,7 @@ public:
 
     std::string file(const std::string& name) const { return (path_ / name).string(); }
 
-    /// Writes a file, and the folders it lies in; its path.
+    /// Writes a file and creates its folders; returns its path.
     std::string write(const std::string& name, const std::string& content) const
     {
         std::filesystem::create_directories((path_ / name).parent_path());

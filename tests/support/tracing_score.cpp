@@ -27,7 +27,7 @@ constexpr double shortestForBiasPx = 20.0;
 
 Mask2d exposedInside(const ImageF& frame)
 {
-    Mask2d exposed(frame.width + 2, frame.height + 2);   // with the image edge as rim
+    Mask2d exposed(frame.width + 2, frame.height + 2);   // with the image edge as a border
     for (int y = 0; y < frame.height; ++y) {
         for (int x = 0; x < frame.width; ++x) {
             exposed.at(x + 1, y + 1) = frame.at(x, y) > 0.0F ? 255 : 0;
@@ -43,7 +43,7 @@ Mask2d exposedInside(const ImageF& frame)
     return inside;
 }
 
-/// Local standard deviation of the frame without its contrast medium, slow changes taken away.
+/// Local standard deviation of the frame without its contrast agent, after removing slow variations.
 ImageF noiseAround(const ImageF& frame, const ImageF& contrast)
 {
     ImageF weight(frame.width, frame.height);

@@ -9,7 +9,7 @@
 namespace angiopose::test {
 namespace {
 
-constexpr double stentTipShare = 0.02;   ///< of the branch, at both ends of its stent
+constexpr double stentTipShare = 0.02;   ///< share of the branch length, at both ends of its stent
 constexpr double stentReachMm = 2.0;
 
 constexpr double spacingMm = 0.5;

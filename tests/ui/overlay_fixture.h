@@ -13,7 +13,7 @@ namespace angiopose::test {
 
 enum class Mirror { SeenFromDetector, SeenFromSource };
 
-/// A camera off centre with unequal focal lengths; seen from the detector its fx is negative.
+/// A decentered camera with unequal focal lengths; seen from the detector, its fx is negative.
 inline core::ProjectionCamera obliqueCamera(Mirror mirror)
 {
     const double sign = mirror == Mirror::SeenFromDetector ? -1.0 : 1.0;
@@ -28,7 +28,7 @@ inline core::RigidTransform obliquePose()
     return {turn, {3.0, -4.0, 750.0}};
 }
 
-/// Branches so short that each shows as one dot, far apart on the image.
+/// Branches so short that each appears as one dot, far apart in the image.
 inline core::VesselTree treeOfDots()
 {
     core::VesselTree tree;
@@ -45,7 +45,7 @@ inline core::VesselTree treeOfDots()
     return tree;
 }
 
-/// Where the light around `guess` has its centre (pixel centres at integers); `brightness(x, y)` gives each pixel.
+/// Center of the light around `guess` (pixel centers at integers); `brightness(x, y)` gives each pixel.
 inline Eigen::Vector2d centerOfLight(const std::function<double(int, int)>& brightness, const Eigen::Vector2d& guess)
 {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();

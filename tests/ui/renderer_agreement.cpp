@@ -39,7 +39,7 @@ int difference(std::uint32_t a, std::uint32_t b)
     return largest;
 }
 
-/// Where a picture of the overlay alone changes from a pixel to its neighbours.
+/// Whether a rendering of the overlay alone changes between a pixel and its neighbors.
 bool isEdge(const Picture& plain, int x, int y)
 {
     constexpr int flat = 4;
@@ -55,7 +55,8 @@ bool isEdge(const Picture& plain, int x, int y)
     return false;
 }
 
-/// How much the overlay lights up a place, between pixel centres linearly; x, y in px, pixel k covers k … k + 1.
+/// Brightness added by the overlay at a position, interpolated linearly between pixel centers; x, y in px, pixel k
+/// covers k … k + 1.
 double lightAt(const Picture& picture, const Eigen::Vector2d& at, std::uint32_t ground)
 {
     const auto light = [&](int x, int y) {
@@ -77,7 +78,7 @@ double lightAt(const Picture& picture, const Eigen::Vector2d& at, std::uint32_t 
            fy * ((1.0 - fx) * light(x0, y0 + 1) + fx * light(x0 + 1, y0 + 1));
 }
 
-/// Where the light of a line has its middle across the line, px from `at`, and how much of it there is.
+/// Center of a line's light across the line, in px from `at`, and its amount.
 struct CrossSection {
     double middle = 0.0;
     double light = 0.0;
@@ -96,8 +97,8 @@ CrossSection crossSection(const Picture& picture, const Eigen::Vector2d& at, con
     return section;
 }
 
-/// Whether the lines of this point are seen alone: no other part of the tree is near, and the vessel does not come
-/// towards the viewer, where its points fall on each other.
+/// Whether the lines at this point are isolated: no other part of the tree is near, and the vessel does not run toward
+/// the viewer, where its points coincide.
 bool isClear(const ui::ProjectedTree& tree, const ui::ProjectedBranch& branch,
              const std::vector<ui::ProjectedPoint>& run, std::size_t at, double roomPx)
 {
@@ -121,7 +122,7 @@ bool isClear(const ui::ProjectedTree& tree, const ui::ProjectedBranch& branch,
     return true;
 }
 
-/// Every drawn line of the tree at a few of its points.
+/// Compares every drawn line of the tree at several of its points.
 void compareLines(const ui::OverlayContent& content, const Picture& a, const Picture& b, Agreement& agreement)
 {
     const ui::DeviceFromImage device{content.viewRect, a.width, a.height};
@@ -187,7 +188,7 @@ std::map<int, std::vector<double>> residualsOf(const core::VesselTree& tree)
     return residuals;
 }
 
-/// What all states of a case begin from.
+/// Sets up the common starting point of all states of a case.
 void showCase(ui::OverlayScene& scene, const core::SimulatedCase& simulated, int step)
 {
     const core::ImageF& frame = simulated.angiogram.frames[simulated.angiogram.frames.size() / 2];
@@ -281,7 +282,7 @@ Agreement agreementOf(const OverlayState& state, ui::GlOverlay& gl, int sizePx, 
     gl.draw(disturbed, false, {}, b.canvas());
     Agreement agreement;
     Picture brightPlain(sizePx, sizePx);
-    scene.setFrame(core::ImageF(512, 512, 1.0F));   // halos are dark
+    scene.setFrame(core::ImageF(512, 512, 1.0F));   // bright background, because halos are dark
     scene.setInverted(false);
     scene.setWindowLevel(1.0, 0.7);
     painter.draw(scene, brightPlain.canvas());

@@ -11,27 +11,27 @@
 
 namespace angiopose::test {
 
-/// One way to show one simulated case.
+/// One way of displaying one simulated case.
 struct OverlayState {
     std::string name;
-    std::function<void(ui::OverlayScene&)> apply;   ///< after which the scene shows it
+    std::function<void(ui::OverlayScene&)> apply;   ///< applies the state to the scene
 };
 
-/// Poses, modes, marks, colours, tints and cutouts of the case with this seed; eight of them.
+/// Poses, modes, marks, colors, tints and cutouts of the case with this seed; eight of them.
 std::vector<OverlayState> overlayStates(std::uint64_t seed);
 
-/// How far the pictures of two renderers are apart.
+/// Difference between the images of two renderers.
 struct Agreement {
-    double lineShiftPx = 0.0;   ///< worst, across the lines; device px
-    int grayDifference = 0;   ///< worst of any channel, outside of the overlay's edges
-    double edgeShare = 0.0;   ///< of the picture's pixels: they were left out
+    double lineShiftPx = 0.0;   ///< maximum across the lines, device px
+    int grayDifference = 0;   ///< maximum over all channels, excluding the edges of the overlay
+    double edgeShare = 0.0;   ///< share of the image's pixels excluded as edges
     std::size_t lineSamples = 0;
-    Eigen::Vector2d worstLineAt = Eigen::Vector2d::Zero();   ///< device px from the top left
+    Eigen::Vector2d worstLineAt = Eigen::Vector2d::Zero();   ///< device px from the top left corner
     Eigen::Vector2i worstGrayAt = Eigen::Vector2i::Zero();
 };
 
-/// Draws the state by both renderers in a picture `sizePx` wide and high; `scale` is the display's. What `disturb` does
-/// to the scene, the painter does not see.
+/// Draws the state with both renderers in an image `sizePx` wide and high; `scale` is that of the display. `disturb`
+/// alters the scene for the OpenGL renderer only.
 Agreement agreementOf(const OverlayState& state, ui::GlOverlay& gl, int sizePx, double scale,
                       const std::function<void(ui::OverlayScene&)>& disturb = {});
 

@@ -17,7 +17,8 @@ namespace angiopose::ui {
 namespace {
 
 constexpr int profileLabelHeight = 18;
-constexpr double leastHighestBend = 0.02;   // minimum curvature range, 1/mm: keeps a straight vessel looking straight
+constexpr double minHighestCurvature =
+    0.02;   // minimum curvature range, 1/mm: keeps a straight vessel looking straight
 
 double diameterIn(const core::ProfileSample& sample)
 {
@@ -59,7 +60,7 @@ void ProfilePlot::showProfile(const core::BranchProfile& profile)
     pointedAt_.reset();
     highestMm_ = std::fmax(highestOf(profile_, diameterIn, 0.0),
                            profile_.narrowing ? highestOf(profile_, referenceIn, 0.0) : 0.0);
-    highestBend_ = highestOf(profile_, deformationIn, leastHighestBend);
+    highestBend_ = highestOf(profile_, deformationIn, minHighestCurvature);
     update();
 }
 

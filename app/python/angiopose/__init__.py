@@ -14,7 +14,7 @@ Of arrays (points (N, 3) in patient LPS mm, image points (M, 2) in px):
 
 Then result.cameraFromPatient is the pose, a matrix (4, 4) from patient mm to camera mm.
 
-Names are those of the C++ library, letter for letter: one documentation tells of both. What C++ asks with name() and sets
+Names are exactly those of the C++ library: one documentation covers both. What C++ asks with name() and sets
 with setName(value) is an attribute here. Keys of case files are often the same words, those of result.json are not.
 
 What comes out cannot be changed in place where that would be lost: arrays are read-only, lists are tuples, and setting an

@@ -51,7 +51,7 @@ QString problemOf(const QLabel& label)
     return needed > label.width() + tolerancePx ? described(label, label.text(), label.width(), needed) : QString();
 }
 
-/// A sign alone, whose words are its tip.
+/// True for an icon-only button, whose text appears only in its tooltip.
 bool isSign(const QAbstractButton& button)
 {
     const auto* tool = qobject_cast<const QToolButton*>(&button);
@@ -63,7 +63,7 @@ QString problemOf(const QAbstractButton& button)
     if (button.text().isEmpty() || isSign(button)) {
         return {};
     }
-    if (qobject_cast<const ui::ColumnRail*>(&button)) {   // its words run downwards
+    if (qobject_cast<const ui::ColumnRail*>(&button)) {   // its text is vertical
         const int room = ui::ColumnRail::wordsRoomPx(button.height());
         const int length = widthOf(button, button.text());
         return length > room ? described(button, button.text(), room, length) : QString();
@@ -91,7 +91,7 @@ QString problemOf(const QLineEdit& field)
     return needed > has ? described(field, words, has, needed) : QString();
 }
 
-/// A widget that its parent cuts off, though nobody can scroll there.
+/// Describes a widget that its parent clips without offering a way to scroll.
 QString cutOff(const QWidget& widget)
 {
     const QWidget* parent = widget.parentWidget();

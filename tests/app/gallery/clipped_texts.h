@@ -7,8 +7,8 @@ class QWidget;
 
 namespace angiopose::test {
 
-/// Every visible label, button and field below the widget whose words do not fit into its room, in words. Labels that
-/// shorten themselves with "…" and tell the rest in their tool tip are not meant.
+/// Describes every visible label, button and field below the widget whose text does not fit. Skips labels that elide
+/// themselves with "…" and show the full text in their tooltip.
 QStringList clippedTexts(const QWidget& root);
 
 }   // namespace angiopose::test

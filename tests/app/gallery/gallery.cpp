@@ -30,7 +30,7 @@
 namespace angiopose::test {
 namespace {
 
-/// A picture of hardly any colours shows nothing.
+/// True for a screenshot with so few colors that it shows nothing.
 bool isEmpty(const QImage& picture)
 {
     QSet<QRgb> colors;
@@ -113,7 +113,7 @@ void Gallery::run()
     showScan(window, controller);
 }
 
-/// A length, an angle and an area in the image, and a branch along which is measured.
+/// Measures a length, an angle and an area in the image, and along a branch.
 void Gallery::measure(app::CaseController& controller)
 {
     using enum core::MeasurementKind;
@@ -148,7 +148,7 @@ void Gallery::measure(app::CaseController& controller)
     controller.branches().select({std::ranges::max_element(branches, {}, &core::VesselBranch::lengthMm)->id});
 }
 
-/// What commands open.
+/// Shows the dialogs that commands open.
 void Gallery::showDialogs(ui::MainWindow& window)
 {
     using enum ui::Command;
@@ -167,7 +167,7 @@ void Gallery::showDialogs(ui::MainWindow& window)
                              std::pair{BlindTrial, "blind_trial"}};
     for (const auto& [command, name] : dialogs) {
         window.actions()[command]->trigger();
-        const bool isByWorker = command == GoodFit || command == GantryAngles;   // what they show
+        const bool isByWorker = command == GoodFit || command == GantryAngles;   // workers compute the content
         QTest::qWait(isByWorker ? 4000 : 400);
         takeDialogs(window, QString::fromLatin1(name));
     }
@@ -178,7 +178,7 @@ void Gallery::showDialogs(ui::MainWindow& window)
     }
 }
 
-/// What only an accident opens.
+/// Shows the dialogs that open only after a problem.
 void Gallery::showRareDialogs(ui::MainWindow& window)
 {
     const QString home = QStringLiteral("/studies/2026-03");
@@ -275,14 +275,14 @@ void Gallery::showTrial(ui::MainWindow& window, app::CaseController& controller)
     controller.poses().blindTrial().abandon();
 }
 
-/// Several views, beside each other.
+/// Shows several views side by side.
 void Gallery::showViews(ui::MainWindow& window, app::CaseController& controller)
 {
     core::Case views = twoViewCase();
-    window.actions()[ui::Command::Nudge]->setChecked(false);   // which the trial has begun
+    window.actions()[ui::Command::Nudge]->setChecked(false);   // started by the blind trial
     controller.document().replace(views, {});
     window.actions()[ui::Command::SideBySide]->setChecked(true);
-    QTest::qWait(2000);   // small pictures and colours are made by workers
+    QTest::qWait(2000);   // workers compute thumbnails and colors
     showWindow(window, QStringLiteral("two_views"));
     for (core::View& view : views.views) {
         view.name = "A view with a name that is rather long for the room that it has";
@@ -311,7 +311,7 @@ void Gallery::showWindow(QWidget& window, const QString& name)
     QTest::qWait(150);
     take(window, name);
     QStringList clipped = clippedTexts(window);
-    if (!clipped.isEmpty()) {   // what lasts is a fault; on a busy machine a layout may come late
+    if (!clipped.isEmpty()) {   // only lasting clipping is an error; on a busy machine a layout may come late
         QTest::qWait(1000);
         clipped = clippedTexts(window);
     }

@@ -17,11 +17,11 @@ enum class Step;
 
 namespace angiopose::test {
 
-/// Takes pictures of the window, its panels and dialogs in one language and theme, and looks for what a user would
-/// frown at: words without room, and panels that show nothing.
+/// Takes screenshots of the window, its panels and dialogs in one language and theme, and looks for visible defects:
+/// clipped texts and empty panels.
 class Gallery {
 public:
-    /// `folder` empty: only looks, writes no pictures.
+    /// With an empty `folder`, only checks and writes no screenshots.
     Gallery(QString folder, QString language, QString theme);
 
     void run();
@@ -45,7 +45,7 @@ private:
     static void openScan(app::CaseController& controller, const QString& path);
     void measureSlices(app::CaseController& controller, const ui::SliceModel& slices);
     void showScan(ui::MainWindow& window, app::CaseController& controller);
-    void takeDialogs(QWidget& window, const QString& name);   ///< all that are open, and closes them
+    void takeDialogs(QWidget& window, const QString& name);   ///< all open dialogs; closes them
     void showWindow(QWidget& window, const QString& name);
     void showPanels(QWidget& window);
     void take(QWidget& widget, const QString& name);

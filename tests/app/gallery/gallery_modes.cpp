@@ -1,4 +1,4 @@
-// The states that commands and files lead to: modes with bars and captions, slices, boxes with a question.
+// The states that commands and files lead to: modes with bars and captions, slices, message boxes.
 #include "app/case_controller.h"
 #include "app/document/edit_case.h"
 #include "io/volume_file.h"
@@ -17,7 +17,7 @@
 
 namespace angiopose::test {
 
-/// Each switched on by itself, over the registered case.
+/// Shows each mode alone, on the registered case.
 void Gallery::showModes(ui::MainWindow& window)
 {
     using enum ui::Command;
@@ -43,7 +43,7 @@ void Gallery::showModes(ui::MainWindow& window)
     }
 }
 
-/// What is told and asked: a file that is not there, changes that were not saved, all that was told so far.
+/// Shows messages and questions: a missing file, unsaved changes, the message log.
 void Gallery::showQuestions(ui::MainWindow& window, app::CaseController& controller)
 {
     controller.open({QStringLiteral("/studies/2026-03/run-12.dcm")});
@@ -86,7 +86,7 @@ void Gallery::openScan(app::CaseController& controller, const QString& path)
     QTest::qWait(500);
 }
 
-/// A length, an angle and an area in the slices at the cross-hair.
+/// Measures a length, an angle and an area in the slices at the crosshair.
 void Gallery::measureSlices(app::CaseController& controller, const ui::SliceModel& slices)
 {
     using enum core::MeasurementKind;
@@ -105,7 +105,7 @@ void Gallery::measureSlices(app::CaseController& controller, const ui::SliceMode
         [] { return QStringLiteral("Measure"); }));
 }
 
-/// A scan being traced: slices in the middle, then in the corner.
+/// Shows a scan during tracing, with the slices first in the middle, then in the corner.
 void Gallery::showScan(ui::MainWindow& window, app::CaseController& controller)
 {
     const QTemporaryDir folder;
@@ -135,13 +135,13 @@ void Gallery::showScan(ui::MainWindow& window, app::CaseController& controller)
     window.resize(1440, 900);
 }
 
-/// The scan behind its vessels, in the layout of the step that traces, then by itself.
+/// Shows the scan behind its vessels, first in the layout of the tracing step, then alone.
 void Gallery::showScanIn3d(ui::MainWindow& window)
 {
     using enum ui::Command;
     window.actions()[ScanIn3d]->setChecked(true);
     goToStep(window, ui::Step::Vessels);
-    QTest::qWait(2500);   // made ready, cast and refined by workers
+    QTest::qWait(2500);   // workers prepare, render and refine it
     showWindow(window, QStringLiteral("step_tracing"));
     window.actions()[NextScanLook]->trigger();
     window.actions()[CornerOnly]->setChecked(true);
@@ -159,7 +159,7 @@ void Gallery::goToStep(ui::MainWindow& window, ui::Step step)
     QTest::qWait(100);
 }
 
-/// The window as it stands in each step of a registered case, and with both columns folded.
+/// Shows the window in each step of a registered case, and with both columns collapsed.
 void Gallery::showSteps(ui::MainWindow& window)
 {
     goToStep(window, ui::Step::Review);

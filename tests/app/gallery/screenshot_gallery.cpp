@@ -16,7 +16,7 @@ using namespace angiopose;
 
 namespace {
 
-/// The eye that looks for words without room must see them: a button as wide as half its word.
+/// Checks the detector of clipped texts itself: it must find a button that is half as wide as its text.
 bool seesClippedWords()
 {
     QWidget page;
@@ -29,8 +29,8 @@ bool seesClippedWords()
 
 }   // namespace
 
-// Pictures of every panel and of the whole window, in all languages and themes, at the scale of QT_SCALE_FACTOR; and a
-// test: fails when words have no room or a panel is empty.
+// Takes screenshots of every panel and of the whole window, in all languages and themes, at the scale of
+// QT_SCALE_FACTOR. Also a test: fails when a text is clipped or a panel is empty.
 int main(int argc, char** argv)
 {
     const QTemporaryDir home;

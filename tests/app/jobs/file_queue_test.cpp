@@ -52,7 +52,7 @@ TEST(FileQueue, FinishesWhatWasAskedForBeforeItGoes)
                 ++done;
                 return QString();
             },
-            [](const core::Result<QString>&) { FAIL() << "nobody is there to be told"; });
+            [](const core::Result<QString>&) { FAIL() << "nobody is left to be notified"; });
     }
     gate.release(3);
     queue.reset();

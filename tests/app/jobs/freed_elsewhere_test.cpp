@@ -9,7 +9,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Notes on which thread it goes.
+/// Records the thread on which it is destroyed.
 struct Witness {
     explicit Witness(std::atomic<QThread*>& goneOn) : goneOn_(goneOn) {}
     ~Witness() { goneOn_ = QThread::currentThread(); }

@@ -18,7 +18,7 @@ namespace {
 
 using Link = JobLink<int>;
 
-/// A job that writes down what it is told.
+/// A job that records its reports, results and errors.
 struct HeardJob {
     std::vector<int> reports;
     std::vector<std::string> found;
@@ -114,7 +114,7 @@ TEST(Job, IsDestroyedWithoutWaiting)
     {
         HeardJob heard;
         heard.job.start([&](Link&) -> core::Result<std::string> {
-            while (!isReleased) {   // deaf to Stop
+            while (!isReleased) {   // ignores the stop request
                 QThread::msleep(1);
             }
             hasEnded = true;

@@ -2,13 +2,13 @@
 #include <QCoreApplication>
 #include <QThreadPool>
 
-// Runs the job tests with an event loop but without any window, so that they can run under the thread sanitizer.
+// Runs the job tests with an event loop but without a window, for use with the thread sanitizer.
 int main(int argc, char** argv)
 {
     ::testing::InitGoogleTest(&argc, argv);
     const QCoreApplication application(argc, argv);
-    // Every task has a thread of its own: one that waits, or has just ended another, is handed the next by Qt, which is
-    // not instrumented, so that what the task holds would seem to be read without a lock.
+    // Every task gets a new thread. Qt, which is not instrumented, would hand the next task to a thread that is idle or
+    // has just finished; the sanitizer would then report the task's data as read without a lock.
     QThreadPool::globalInstance()->setExpiryTimeout(0);
     QThreadPool::globalInstance()->setMaxThreadCount(64);
     const int failures = RUN_ALL_TESTS();

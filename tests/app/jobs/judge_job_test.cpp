@@ -53,7 +53,7 @@ TEST(JudgeJob, AnswersTheNewestRequestLast)
 
     while (medians.size() < 2 && judged.wait(test::patienceMs)) {
     }
-    // The first was already under way, all between were replaced by the last.
+    // The first request was already running; the last one replaced all those between.
     ASSERT_EQ(medians.size(), 2U);
     EXPECT_GT(medians.front(), medians.back());
     EXPECT_LT(medians.back(), 1.0);

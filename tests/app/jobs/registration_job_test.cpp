@@ -14,7 +14,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Takes so long that nobody would wait for its end: only a stop ends it.
+/// A registration that takes far too long to wait for: only a stop request ends it.
 core::Case longRun()
 {
     core::Case values = test::caseOf(test::smallCase());
@@ -92,7 +92,7 @@ TEST(RegistrationJob, ReportsProgressOnTheThreadOfItsOwner)
 TEST(RegistrationJob, SaysThatItsPoseIsOfTheShownViewAndNeverFallsBack)
 {
     core::Case values = test::twoViewCase();
-    values.shownView = 1;   // neither the first nor registered together
+    values.shownView = 1;   // not the first view, and not part of a joint registration
     RegistrationJob job;
     int others = 0;
     double last = 0.0;

@@ -40,7 +40,7 @@ QString digestOf(const QByteArray& bytes)
     return QString::fromLatin1(QCryptographicHash::hash(bytes, QCryptographicHash::Sha1).toHex());
 }
 
-/// The panels, by the names that reports of differences use.
+/// The panels with the names used in reports of differences.
 std::vector<std::pair<QString, QWidget*>> panelsOf(ui::MainWindow& window)
 {
     return {
@@ -52,7 +52,8 @@ std::vector<std::pair<QString, QWidget*>> panelsOf(ui::MainWindow& window)
         {QStringLiteral("steps"), &window.steps()}};
 }
 
-/// The report as a page, which the PDF is printed from; pictures by what is in them, without the time it was made.
+/// The HTML report from which the PDF is printed, with images represented by their content and without the creation
+/// time.
 QStringList reportOf(app::CaseController& controller)
 {
     const auto target = controller.target().current();
@@ -74,7 +75,7 @@ QStringList reportOf(app::CaseController& controller)
     return parts;
 }
 
-/// The PNG byte by byte.
+/// The exported PNG, byte for byte.
 QString overlayOf(app::CaseController& controller, const QString& folder)
 {
     const QString path = folder + QStringLiteral("/overlay.png");
@@ -89,7 +90,7 @@ QString overlayOf(app::CaseController& controller, const QString& folder)
                                          : QStringLiteral("could not be exported: ") + refusal;
 }
 
-/// As of a list that was just filled: in the tree's order, from its beginning, with nothing under the mouse.
+/// Resets the branch list to the state after filling: tree order, scrolled to the top, no item under the pointer.
 void putBack(ui::BranchPanel& branches)
 {
     branches.findChild<QComboBox*>()->setCurrentIndex(0);
@@ -101,7 +102,7 @@ void putBack(ui::BranchPanel& branches)
 void putBack(app::WindowHost& host, const Switches& fresh, const QByteArray& layout)
 {
     ui::MainWindow& window = host.window();
-    QTest::keyClick(&window.angiogramView(), Qt::Key_Escape);   // looks at other poses end
+    QTest::keyClick(&window.angiogramView(), Qt::Key_Escape);   // ends previews of other poses
     for (QAction* action : window.QWidget::actions()) {
         const auto was = fresh.find(action->objectName());
         if (was != fresh.end() && action->isChecked() != was->second && (was->second || !action->actionGroup())) {
@@ -151,7 +152,7 @@ QStringList caseTextOf(const core::Case& session, const QString& folder)
     return linesOf(contentOf(path));
 }
 
-/// What lay under the pointer is of the moment.
+/// Clears the hover state of list rows, which is transient.
 void leaveRows(QWidget& panel)
 {
     for (const QAbstractItemView* list : panel.findChildren<QAbstractItemView*>()) {
@@ -166,7 +167,7 @@ CaseSight sightOf(app::WindowHost& host, const Switches& fresh, const QByteArray
     app::CaseController& controller = host.controller();
     const core::Case& session = controller.document().current();
     static const QRegularExpression ofTheCase(
-        QStringLiteral("^(?!angiopose::ui::StepButton\\|\\|Export\\|)"));   // written in this session, or not
+        QStringLiteral("^(?!angiopose::ui::StepButton\\|\\|Export\\|)"));   // depends on exports in this session
     CaseSight sight;
     sight.caseText = caseTextOf(session, folder);
     for (const auto& [name, panel] : panelsOf(host.window())) {
@@ -174,7 +175,7 @@ CaseSight sightOf(app::WindowHost& host, const Switches& fresh, const QByteArray
         leaveRows(*panel);
         sight.pictures[name] = panel->isVisible() ? panel->grab().toImage() : QImage();
     }
-    sight.pictures.erase(QStringLiteral("steps"));   // the step one is at, underlined, is of the moment
+    sight.pictures.erase(QStringLiteral("steps"));   // the underlined current step is transient
     sight.pictures[QStringLiteral("image")] = host.window().angiogramView().grab().toImage();
     sight.exports[QStringLiteral("overlay")] = {overlayOf(controller, folder)};
     sight.exports[QStringLiteral("report")] = reportOf(controller);

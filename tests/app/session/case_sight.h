@@ -10,31 +10,30 @@
 
 namespace angiopose::test {
 
-/// All that an open case says, shows and gives away. Without what is of the moment: notes, steps of undo, dates of
-/// writing.
+/// All texts, images and exports of an open case, without transient content such as notes, undo steps and write dates.
 struct CaseSight {
     QStringList caseText;   ///< lines of the case file
-    std::map<QString, QStringList> words;   ///< of each panel
-    std::map<QString, QStringList> exports;   ///< by lines; pictures as one word
-    std::map<QString, QImage> pictures;   ///< of each panel and of the image
+    std::map<QString, QStringList> words;   ///< texts of each panel
+    std::map<QString, QStringList> exports;   ///< line by line; an image as one entry
+    std::map<QString, QImage> pictures;   ///< screenshots of each panel and of the image
 };
 
-/// Which commands are switched on, by name.
+/// Checked state of the commands, by name.
 using Switches = std::map<QString, bool>;
 Switches switchesOf(ui::MainWindow& window);
 
-/// Lines of the case file as it would be saved now in `folder`, whose name does not matter: files that belong to a case
-/// are named after the case. One line of words where it cannot be saved.
+/// Lines of the case file that would be saved now in `folder`. The folder name does not matter because associated files
+/// are named after the case. A single line with the error if the case cannot be saved.
 QStringList caseTextOf(const core::Case& session, const QString& folder);
 
-/// Of a window at rest, which is first put back to how it shows a case that was just opened: `fresh` are its switches
-/// then, `layout` its places.
+/// Captures an idle window after resetting it to the state of a freshly opened case, with the checked commands `fresh`
+/// and the layout `layout`.
 CaseSight sightOf(app::WindowHost& host, const Switches& fresh, const QByteArray& layout, const QString& folder);
 
-/// In words, what is not the same; `folder` gets the pictures that differ.
+/// Describes all differences; writes the differing images to `folder`.
 QStringList differencesBetween(const CaseSight& before, const CaseSight& after, const QString& folder);
 
-/// The first line that is not the same, if any.
+/// The first line that differs, if any.
 QStringList differenceBetween(const QString& what, const QStringList& before, const QStringList& after);
 
 }   // namespace angiopose::test

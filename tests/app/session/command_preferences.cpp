@@ -12,8 +12,8 @@
 namespace angiopose::test {
 namespace {
 
-/// By the names in the settings: what ends the session, opens or closes a case, starts this program once more, or
-/// writes over the case that was opened.
+/// Setting names of the commands to avoid: those that quit, open or close a case, start another instance or overwrite
+/// the opened case.
 constexpr std::array leadingAway{"quit",       "open-", "open-dicom-folder-", "open-sample-case", "new-window",
                                  "close-case", "save"};
 
@@ -23,7 +23,7 @@ bool commandLeadsAway(const QAction& action)
                                [&](const char* name) { return action.objectName() == QLatin1String(name); });
 }
 
-/// Every command of the key sheet, by its key where it has one, else from the menu.
+/// Triggers any command of the shortcut list, by its shortcut if it has one, otherwise from the menu.
 QString command(Desk& desk)
 {
     const QList<QAction*> all = desk.window.QWidget::actions();
@@ -42,7 +42,7 @@ QString command(Desk& desk)
     return name;
 }
 
-/// The poses of the case: kept, switched, compared.
+/// Saves, switches and compares the snapshots of the case.
 QString handlePoses(Desk& desk)
 {
     static constexpr std::array commands{
@@ -61,7 +61,7 @@ QString saveAndExport(Desk& desk)
     return QStringLiteral("save and export");
 }
 
-/// As after a crash of an earlier session, whose copy is of the case that is open.
+/// Recovers a copy of the open case, as after a crash of an earlier session.
 QString recover(Desk& desk)
 {
     if (desk.controller.document().isInTrial() || desk.controller.isLoading()) {

@@ -10,12 +10,12 @@
 namespace angiopose::test {
 namespace {
 
-/// Keys that no command has: of modes, tools and lists. What is here twice is pressed twice as often.
+/// Keys of modes, tools and lists that are not shortcuts of commands. A key listed twice is pressed twice as often.
 constexpr std::array modeKeys{
     "Left", "Right", "Up",  "Down", "Shift+Left", "Ctrl+Right", "Alt+Up", "Alt+Left", "PgUp",   "Shift+PgDown", ",",
     ".",    "Home",  "End", "Esc",  "Esc",        "Return",     "Del",    "Ctrl+Z",   "Ctrl+Z", "Ctrl+Y",       "N"};
 
-/// Of the curve editor: what the left button does, and what ends a stroke.
+/// Keys of the curve editor: functions of the left button, and the end of a stroke.
 constexpr std::array curveKeys{"X", "E", "D", "C", "B", "L", "[", "]", "Return", "Backspace", "Esc"};
 
 QString pressModeKey(Desk& desk)
@@ -64,7 +64,7 @@ QString askForMenu(Desk& desk)
     return QStringLiteral("menu of image");
 }
 
-/// A few strokes with the curve editor, which stays open.
+/// Draws a few strokes with the curve editor, which stays open.
 QString drawCurves(Desk& desk)
 {
     ui::AngiogramView& view = desk.window.angiogramView();
@@ -83,7 +83,7 @@ QString drawCurves(Desk& desk)
     return QStringLiteral("edit curves");
 }
 
-/// Subtracted, and the mask moved: by hand or by keys.
+/// Subtracts the mask and shifts it with the mouse or the keyboard.
 QString shiftMask(Desk& desk)
 {
     ui::AngiogramView& view = desk.window.angiogramView();
@@ -97,7 +97,7 @@ QString shiftMask(Desk& desk)
     return QStringLiteral("move the mask");
 }
 
-/// Images beside the shown one, where there are any.
+/// Uses an image next to the shown one, if there is any.
 QString useOtherView(Desk& desk)
 {
     ui::SideBySide& images = desk.window.sideBySide();

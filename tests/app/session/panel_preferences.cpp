@@ -43,7 +43,7 @@ QString changeChoice(Desk& desk)
     return QStringLiteral("choose in ") + box->accessibleName();
 }
 
-/// Buttons whose click leads out of the window or throws the case away.
+/// Buttons that open something outside the window or discard the case.
 bool buttonLeadsAway(const QAbstractButton& button)
 {
     return button.text().contains(QStringLiteral("Open")) || button.text().contains(QStringLiteral("Quit"));
@@ -51,7 +51,7 @@ bool buttonLeadsAway(const QAbstractButton& button)
 
 void workInMenus(RandomHand& hand)
 {
-    static constexpr int maxMenus = 4;   // one may lead to the next
+    static constexpr int maxMenus = 4;   // one menu may open another
     for (int i = 0; i < maxMenus && QApplication::activePopupWidget(); ++i) {
         workIn(*QApplication::activePopupWidget(), hand);
     }
@@ -60,7 +60,7 @@ void workInMenus(RandomHand& hand)
     }
 }
 
-/// A click on a button with a menu (the one for what the menu bar has no room for) ends with the menu.
+/// A click on a button with a menu (the overflow button of the menu bar) returns only when the menu closes.
 bool holdsMenu(const QAbstractButton& button)
 {
     const auto* tool = qobject_cast<const QToolButton*>(&button);
@@ -85,7 +85,7 @@ QString clickButton(Desk& desk)
     return name;
 }
 
-/// Rows of kept poses, solutions, landmarks, values of the geometry, branches.
+/// Uses the rows of snapshots, solutions, landmarks, geometry values and branches.
 QString workInList(Desk& desk)
 {
     static constexpr std::array keys{Qt::Key_Down, Qt::Key_Up, Qt::Key_Home, Qt::Key_F2, Qt::Key_Space, Qt::Key_Delete};

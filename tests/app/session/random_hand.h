@@ -10,7 +10,7 @@
 
 namespace angiopose::test {
 
-/// The hand of a random user: draws by lot and makes real mouse and key events. The same seed draws alike.
+/// Generates random mouse and key events. The same seed generates the same sequence.
 class RandomHand {
 public:
     explicit RandomHand(std::uint64_t seed) : random_(seed) {}
@@ -29,13 +29,13 @@ public:
     void click(QWidget& widget, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers modifiers = {});
     void drag(QWidget& widget, Qt::MouseButton button, Qt::KeyboardModifiers modifiers = {});   ///< sometimes with Esc
     void wheel(QWidget& widget);
-    void askForMenu(QWidget& widget);   ///< a right click's menu event, without what else the button does
+    void askForMenu(QWidget& widget);   ///< sends only the context menu event of a right click
 
 private:
     std::mt19937_64 random_;
 };
 
-/// What of a window a user can reach now.
+/// The widgets of this type that a user can reach now.
 template <class Widget>
 std::vector<Widget*> usable(const QWidget& root)
 {

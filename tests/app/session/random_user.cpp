@@ -14,9 +14,9 @@
 namespace angiopose::test {
 namespace {
 
-constexpr int maxDialogs = 5;   // one may lead to the next
+constexpr int maxDialogs = 5;   // one dialog may open another
 
-/// The dialog or menu in front, if any.
+/// The frontmost dialog or menu, if any.
 QWidget* openDialog(const QWidget& window)
 {
     if (QWidget* popup = QApplication::activePopupWidget()) {
@@ -92,8 +92,8 @@ void RandomUser::closeDialogs()
     }
 }
 
-/// As it was at the start: sizes of views and words are no part of what is compared. Pictures of large views alone
-/// take tens of MiB.
+/// Restores the initial layout, language and theme: view sizes and language are not part of the comparison. The images
+/// of large views alone take tens of MiB.
 void RandomUser::putWindowBack()
 {
     using enum ui::Command;
@@ -120,11 +120,11 @@ bool RandomUser::comeToRest()
     host_.controller().registration().stop();
     host_.controller().poses().blindTrial().abandon();
     for (const app::LeftBehind& copy : app::Autosave::leftBehind()) {
-        app::Autosave::forget(copy);   // of the recoveries that were put off
+        app::Autosave::forget(copy);   // recoveries that were postponed
     }
     putWindowBack();
     const bool hasEnded = QTest::qWaitFor(isAtRest, patienceMs);
-    QTest::qWait(1000);   // judgements, subtracted runs and snapshots under way
+    QTest::qWait(1000);   // assessments, subtractions and snapshots in progress
     return hasEnded;
 }
 

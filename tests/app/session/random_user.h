@@ -5,14 +5,14 @@
 
 namespace angiopose::test {
 
-/// A user who does anything the window allows, in random order, by real mouse and key events. The same seed always
-/// makes the same choices.
+/// A user who performs any action the window allows, in random order, by real mouse and key events. The same seed
+/// always makes the same choices.
 class RandomUser {
 public:
     RandomUser(app::WindowHost& host, std::uint64_t seed);
 
-    void act();   ///< one action, some in the dialog it opened, and that closed again
-    /// Ends tools, runs and trials; whatever is computed for the case has arrived. False: something does not end.
+    void act();   ///< one action, including some in a dialog that it opens, which is then closed
+    /// Ends tools, registrations and trials and waits for all pending results. Returns false if something does not end.
     [[nodiscard]] bool comeToRest();
     const QString& lastAction() const { return last_; }
 
@@ -25,7 +25,7 @@ private:
     app::WindowHost& host_;
     RandomHand hand_;
     QString folder_;
-    QByteArray layout_;   ///< of the window as it was found
+    QByteArray layout_;   ///< initial layout of the window
     std::vector<ToolPreference> preferences_;
     int totalWeight_ = 0;
     QString last_;

@@ -25,7 +25,7 @@ void waitUntil(const char* what, const Condition& condition)
     }
 }
 
-/// Nothing is computed any more that could still change what is seen.
+/// Waits until nothing that could change the display is being computed.
 void settle(app::CaseController& controller)
 {
     waitUntil("rest", [&controller] { return !controller.isBusy() && !controller.target().isTracing(); });
@@ -58,7 +58,7 @@ QString savedIn(app::CaseController& controller, const QString& folder)
     return path;
 }
 
-/// To that place among the steps, by the key.
+/// Moves to that position in the undo stack with the shortcut of the command.
 void repeat(app::WindowHost& host, ui::Command command, int place)
 {
     constexpr int maxSteps = 1000;
@@ -76,7 +76,7 @@ void repeat(app::WindowHost& host, ui::Command command, int place)
     settle(host.controller());
 }
 
-/// One walk in a window of its own.
+/// One walk in its own window.
 class Walk {
 public:
     explicit Walk(const RandomWalk& plan) : plan_(plan)
@@ -87,7 +87,7 @@ public:
         layout_ = host_.window().layoutState();
     }
 
-    /// Tells how long it took to come so far.
+    /// Reports the time that the stage took.
     void tell(const char* stage)
     {
         if (plan_.reported) {
@@ -99,7 +99,7 @@ public:
 
     QStringList textIn(const char* name) { return caseTextOf(host_.controller().document().current(), folder(name)); }
 
-    /// Only what has words: Qt makes parts of its lists when they are first used.
+    /// Texts of the result panel, without empty entries: Qt creates parts of its lists on first use.
     QStringList wordsOfResult()
     {
         static const QRegularExpression withWords(QStringLiteral("^[^|]*\\|[^|]*\\|.*[^|]"));
@@ -118,7 +118,7 @@ public:
                 registerVessels(host_);
             }
         }
-        if (plan_.seed % 2 == 0) {   // else what was edited since is judged
+        if (plan_.seed % 2 == 0) {   // otherwise the edits since the registration are assessed
             registerVessels(host_);
         }
         if (!user.comeToRest()) {
@@ -144,15 +144,15 @@ public:
 
     void undoAll()
     {
-        end_ = host_.controller().document().undoStack().index();   // steps undone by then lie behind it
+        end_ = host_.controller().document().undoStack().index();   // steps undone before lie after it
         repeat(host_, ui::Command::Undo, 0);
     }
     void redoAll() { repeat(host_, ui::Command::Redo, end_); }
 
 private:
-    static constexpr int maxLooks = 10;   // what workers add may come late on a busy machine
+    static constexpr int maxLooks = 10;   // results of workers may come late on a busy machine
 
-    /// Seen twice alike.
+    /// Captures the window until two captures in a row are equal.
     CaseSight restingSight()
     {
         CaseSight sight = sightOf(host_, fresh_, layout_, folder("before"));
@@ -174,7 +174,7 @@ private:
     app::WindowHost host_;
     Switches fresh_;   ///< of a window that has just opened the case
     QByteArray layout_;
-    int end_ = 0;   ///< steps that were done when the walk was over
+    int end_ = 0;   ///< position in the undo stack at the end of the walk
 };
 
 }   // namespace

@@ -7,19 +7,19 @@
 
 namespace angiopose::test {
 
-/// A case that is opened, worked on at random, registered, saved and reopened in another window; then every step is
-/// undone, and done again.
+/// Opens a case, works on it at random, registers, saves and reopens it in another window, then undoes and redoes every
+/// step.
 struct RandomWalk {
-    QStringList files;   ///< what is opened
+    QStringList files;   ///< files to open
     std::uint64_t seed = 1;   ///< the same seed always makes the same choices
     int actions = 20;
-    QString folder;   ///< for what is written
-    std::function<void(const QString& action)> reported = {};   ///< what is done, as it is done
+    QString folder;   ///< folder for the written files
+    std::function<void(const QString& action)> reported = {};   ///< called for each action
 };
 
-/// What went differently: what differs between the window as it was left and as it is reopened, between the case at the
-/// start and after undoing everything, with what is told of the result, between what was saved and after doing
-/// everything again. Empty: nothing.
+/// Describes the unexpected differences: between the window before saving and after reopening; between the case at the
+/// start and after undoing everything, including the texts of the result; and between the saved case and the one after
+/// redoing everything. Empty if there are none.
 QStringList surprisesOf(const RandomWalk& walk);
 
 }   // namespace angiopose::test

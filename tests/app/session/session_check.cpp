@@ -26,7 +26,7 @@ QByteArrayList linesOf(const QString& path)
 
 QString differenceAfterReopening(app::CaseController& controller, const QString& folder)
 {
-    // Of one name, since the files that belong to a case are named after it.
+    // The same file name, because associated files are named after the case.
     const QString first = folder + QStringLiteral("/first/case.angiopose");
     const QString second = folder + QStringLiteral("/second/case.angiopose");
     if (!QDir(folder).mkpath(QStringLiteral("first")) || !QDir(folder).mkpath(QStringLiteral("second"))) {

@@ -10,31 +10,31 @@
 
 namespace angiopose::test {
 
-/// Where the random user sits.
+/// Everything that the random user works with.
 struct Desk {
     ui::MainWindow& window;
     app::CaseController& controller;
     RandomHand& hand;
-    QString folder;   ///< for what is written
+    QString folder;   ///< folder for the written files
 };
 
-/// One thing the user does, as often as its weight among all says. Gives back what was done, in words; empty: nothing,
-/// since there was nothing to do it with.
+/// One kind of user action, chosen in proportion to its weight. Returns a description of the action; empty if there was
+/// nothing to apply it to.
 struct ToolPreference {
     int weight;
     QString (*act)(Desk&);
 };
 
-/// On the angiogram: keys, drags, wheel, clicks, menus, drawing curves.
+/// Actions on the angiogram: keys, drags, wheel, clicks, menus, drawing curves.
 std::vector<ToolPreference> imagePreferences();
-/// In 3-D view, slices, branch list.
+/// Actions in the 3-D view, the slices and the branch list.
 std::vector<ToolPreference> vesselPreferences();
-/// In the columns: numbers, choices, buttons, lists, tables.
+/// Actions in the columns: numbers, choices, buttons, lists, tables.
 std::vector<ToolPreference> panelPreferences();
-/// Through menus and dialogs: every command, recovery, saving and exporting.
+/// Actions through menus and dialogs: every command, recovery, saving and exporting.
 std::vector<ToolPreference> commandPreferences();
 
-/// Some random acts in a dialog that is open: clicks, ticks, rows, words. What it led to may be another dialog.
+/// Performs some random actions in an open dialog: clicks, check boxes, rows, text. They may open another dialog.
 void workIn(QWidget& dialog, RandomHand& hand);
 
 }   // namespace angiopose::test

@@ -53,7 +53,7 @@ QString workInSlices(Desk& desk)
     return QStringLiteral("slices");
 }
 
-/// Slices beside the vessels or large in the middle, and what can be cut and joined where their cross-hair is.
+/// Shows slices beside the vessels or large in the middle, and cuts or joins branches at the crosshair.
 QString editTree(Desk& desk)
 {
     static constexpr std::array edits{

@@ -14,7 +14,7 @@
 namespace angiopose::test {
 namespace {
 
-/// Notes and times are of the session, recent cases of the settings.
+/// True for notes and times, which belong to the session, and recent cases, which belong to the settings.
 bool isOfTheSession(const QWidget& widget)
 {
     const QWidget* parent = widget.parentWidget();

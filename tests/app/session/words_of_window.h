@@ -6,8 +6,8 @@ class QWidget;
 
 namespace angiopose::test {
 
-/// All that a window and its parts say, with tool tips, names for screen readers, menus and choices, in the order in
-/// which they were made. Without what says how the session goes: notes of the strip, times of saving.
+/// All texts of a window and its parts, including tooltips, accessible names, menus and choices, in the order of
+/// creation. Omits the state of the session: notes of the strip and times of saving.
 QStringList wordsOf(const QWidget& window);
 
 }   // namespace angiopose::test

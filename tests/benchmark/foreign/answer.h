@@ -4,14 +4,14 @@
 
 namespace angiopose::benchmarks {
 
-/// What the default method says to a question.
+/// Result of the default method for a case.
 struct ForeignAnswer {
     ForeignError error;
     bool isTrusted = false;
     double timeMs = 0.0;
 };
 
-/// One that fails says why on stderr, and counts as far off and not trusted.
+/// Registers by the default method. A failure is reported on stderr and counts as far off and unreliable.
 ForeignAnswer ask(const ForeignCase& asked);
 
 }   // namespace angiopose::benchmarks

@@ -11,10 +11,11 @@ inline constexpr double sourceToPatientMm = 720.0;
 inline constexpr double pixelMm = 0.31;
 inline constexpr int imagePx = 960;
 
-/// Pinhole by hand, right-handed camera frame in mm to px: the project's projection is what is to be judged.
+/// Pinhole projection of a right-handed camera frame in mm to px, implemented independently because the project's
+/// projection is under test.
 Eigen::Vector2d pixelOf(const Eigen::Vector3d& inCamera);
 
-/// The same detector as the project is told it.
+/// The same detector in the project's representation.
 core::ProjectionCamera detectorCamera();
 
 bool isOnDetector(const Eigen::Vector2d& pixel);

@@ -17,7 +17,7 @@ std::vector<std::size_t> allOf(const RootedTree& tree)
 
 namespace {
 
-/// A subtree whose share of the tree's length lies in between; the nearest to it when none does.
+/// A random subtree whose share of the tree's length lies within the limits, or the closest to them if there is none.
 std::vector<std::size_t> territory(const RootedTree& tree, double least, double most, ForeignRandom& random)
 {
     const double whole = tree.lengthMm(allOf(tree));

@@ -11,7 +11,7 @@ namespace angiopose::benchmarks {
 /// Indices of all branches of a tree.
 std::vector<std::size_t> allOf(const RootedTree& tree);
 
-/// Indices of the branches that contrast fills in a scene, drawn at random where the scene leaves a choice.
+/// Indices of the opacified branches in a scene, drawn at random where the scene leaves a choice.
 std::vector<std::size_t> filledIn(const RootedTree& tree, ForeignScene scene, ForeignRandom& random);
 
 }   // namespace angiopose::benchmarks

@@ -5,21 +5,21 @@
 
 namespace angiopose::benchmarks {
 
-/// What the image shows of the tree, and how its points are handed over. The last four hold no right answer.
+/// The part of the tree that the image shows, and the form of its points. The last four have no right answer.
 enum class ForeignScene {
     WholeTree,
     OneTerritory,   ///< a subtree of a tenth to a half of the tree's length
-    TwoTerritories,   ///< two subtrees apart from each other
-    OneVessel,   ///< the way of the blood to one free end: what a catheter or wire shows, here on its axis
-    LeavesMissing,   ///< a fifth of the free ends not filled, foreign curves instead
-    ShuffledPoints,   ///< the whole tree, all points in one curve in any order
+    TwoTerritories,   ///< two separate subtrees
+    OneVessel,   ///< the path of the blood to one free end, as shown by a catheter or guidewire, here on the axis
+    LeavesMissing,   ///< a fifth of the free ends unopacified, foreign curves instead
+    ShuffledPoints,   ///< the whole tree, all points in one curve in random order
     SkeletonPixels,   ///< the whole tree, pixels row by row
-    ShuffledRows,   ///< the whole tree, each branch a curve with its points in any order
-    WideVessel,   ///< from the side: a carotid of 5 mm, half of the fine branches that leave it, fine vessels of others
-    OtherPatient,   ///< the image shows another tree whole
+    ShuffledRows,   ///< the whole tree, each branch a curve with its points in random order
+    WideVessel,   ///< lateral view: a 5 mm carotid, half of the thin branches that leave it, thin foreign vessels
+    OtherPatient,   ///< the image shows the whole tree of another patient
     OtherTerritory,   ///< … or one territory of it
-    Scribbles,   ///< … or two thousand short curves that are no vessels
-    LoosePoints,   ///< … or twenty thousand points all over it
+    Scribbles,   ///< … or two thousand short curves that are not vessels
+    LoosePoints,   ///< … or twenty thousand points spread over the image
 };
 
 struct NamedScene {

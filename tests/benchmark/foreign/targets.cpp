@@ -18,7 +18,7 @@ constexpr double rad = std::numbers::pi / 180.0;
 
 core::RigidTransform viewTurnedBy(double leftMost, double rightMost, const RootedTree& tree, ForeignRandom& random)
 {
-    // Looking from the front, the patient's head up; then turned as a C-arm is.
+    // Frontal view with the patient's head up, then rotated like a C-arm.
     Eigen::Matrix3d front;
     front << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0;
     const Eigen::Matrix3d turned =
@@ -36,7 +36,7 @@ core::RigidTransform drawnView(const RootedTree& tree, ForeignRandom& random)
     return viewTurnedBy(-90.0, 90.0, tree, random);
 }
 
-/// From either side, within 15°.
+/// A random lateral view from either side, within 15°.
 core::RigidTransform drawnSideView(const RootedTree& tree, ForeignRandom& random)
 {
     const double side = random.uniform() < 0.5 ? -90.0 : 90.0;
@@ -56,7 +56,7 @@ core::RigidTransform displacedStart(const core::RigidTransform& truth, const Eig
     return {rotation, truth * centroid + shift - rotation * centroid};
 }
 
-/// The gantry turned about the isocentre; `degrees` to the side.
+/// Rotation of the gantry about the isocenter by `degrees` to the side.
 core::RigidTransform turnedGantry(double degrees)
 {
     const Eigen::Vector3d isocenter(0.0, 0.0, sourceToPatientMm);
@@ -64,7 +64,7 @@ core::RigidTransform turnedGantry(double degrees)
     return {turn, isocenter - turn * isocenter};
 }
 
-/// What a header's rounding and a sagging gantry make of a pose.
+/// Perturbs a pose like the rounding of a header and a sagging gantry.
 core::RigidTransform misjudged(const core::RigidTransform& pose, const Eigen::Vector3d& centroid, ForeignRandom& random)
 {
     const Eigen::Vector3d turn(random.normal(), random.normal(), random.normal());
@@ -74,7 +74,8 @@ core::RigidTransform misjudged(const core::RigidTransform& pose, const Eigen::Ve
     return {rotation, pose * centroid + 0.75 * shift - rotation * centroid};
 }
 
-/// Of a carotid the image shows all, of what leaves it half, and vessels beside it that the tree does not have.
+/// Makes an image of a whole carotid, half of the branches that leave it, and foreign vessels next to it that the tree
+/// does not have.
 ForeignCase makeWideCase(const RootedTree& from, std::size_t tree, std::uint64_t trial)
 {
     constexpr int vesselsOfOthers = 8;

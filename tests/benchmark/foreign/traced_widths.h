@@ -8,20 +8,20 @@
 
 namespace angiopose::benchmarks {
 
-/// Where the filled vessels run and how wide the image shows them.
+/// Course of the opacified vessels and their widths in the image.
 struct WideLine {
     Pixels at;
     std::vector<double> radiusPx;
 
-    /// Of the vessel at a pixel; nothing beside the vessels.
+    /// Width of the vessel at a pixel; none outside the vessels.
     double widthAt(const Eigen::Vector2d& pixel) const;
 };
 
 WideLine wideLines(const RootedTree& shown, const std::vector<std::size_t>& filled,
                    const core::RigidTransform& cameraFromPatient);
 
-/// Widths as a tracer tells them: all of them too wide or too narrow by some share, each by another that neighbours
-/// have in common, none below a pixel and a half.
+/// Adds widths with the errors of a tracer: all too wide or too narrow by a common factor, each by a further one that
+/// is correlated between neighbors, none below 1.5 pixels.
 void addWidths(core::Centerline2d& target, const WideLine& lines, ForeignRandom random);
 
 }   // namespace angiopose::benchmarks

@@ -10,11 +10,11 @@
 namespace angiopose::benchmarks {
 namespace {
 
-constexpr double stepPx = 1.37;   // never the tree's own samples
+constexpr double stepPx = 1.37;   // differs from the sampling of the tree
 constexpr double jitterPx = 0.5;
 constexpr double jitterReachPx = 15.0;
 
-/// Every `stepPx` along a polyline, from a random phase on.
+/// Resamples a polyline every `stepPx`, with a random phase.
 Pixels walked(const Pixels& curve, ForeignRandom& random)
 {
     Pixels points;
@@ -38,7 +38,7 @@ void shuffle(Pixels& points, ForeignRandom& random)
     }
 }
 
-/// Row by row, each once: what is read from a mask.
+/// Pixels row by row, each once, as read from a mask.
 Pixels asPixels(const Pixels& points)
 {
     std::set<std::pair<double, double>> rows;

@@ -11,20 +11,20 @@ namespace angiopose::benchmarks {
 
 using Pixels = std::vector<Eigen::Vector2d>;
 
-/// A polyline as a tracer leaves it: off by what neighbours share, rounded to pixels, cut at the image's edges.
+/// A polyline as traced: with errors correlated between neighbors, rounded to pixels, cut at the image's edges.
 Pixels traced(const Pixels& curve, ForeignRandom& random);
 
-/// A vessel that the tree does not have, as it runs.
+/// A random curve of a vessel that the tree does not have.
 Pixels foreignCurve(ForeignRandom& random);
 
-/// The filled branches of a tree as traced in a view, a curve each.
+/// Traces the opacified branches of a tree in a view, one curve per branch.
 std::vector<Pixels> seen(const RootedTree& shown, const std::vector<std::size_t>& filled,
                          const core::RigidTransform& cameraFromPatient, ForeignRandom& random);
 
-/// Short wriggling curves, or points one by one.
+/// Short wriggling curves or single points, depending on the scene.
 std::vector<Pixels> noVessels(ForeignScene scene, ForeignRandom& random);
 
-/// The curves in the order and form that a scene asks for; empty ones are left out.
+/// Puts the curves into the order and form that the scene requires; omits empty ones.
 core::Centerline2d handedOver(std::vector<Pixels> curves, ForeignScene scene, ForeignRandom& random);
 
 }   // namespace angiopose::benchmarks

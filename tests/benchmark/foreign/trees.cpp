@@ -13,11 +13,11 @@
 namespace angiopose::benchmarks {
 namespace {
 
-constexpr double voxelMm = 0.4;   // usual for time-of-flight MRA; upstream does not record it
-constexpr double inflowBelowVoxels = 15.0;   // the arteries of the neck enter at the lower face
+constexpr double voxelMm = 0.4;   // typical of time-of-flight MRA; not recorded with the data
+constexpr double inflowBelowVoxels = 15.0;   // the neck arteries enter at the lower face
 constexpr double inflowRadiusVoxels = 2.5;
 constexpr double pointSpacingMm = 0.9;
-constexpr double maxBow = 2.0;   // of the chord's length
+constexpr double maxBow = 2.0;   // multiple of the chord's length
 
 using Row = ArteryGraph::Row;
 
@@ -30,7 +30,7 @@ double lengthOf(const std::vector<Eigen::Vector3d>& points)
     return length;
 }
 
-/// A curve from one place to another that swings out at random until it has the length.
+/// A curve between two points that bows out at random until it has the given length.
 class Bow {
 public:
     Bow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, ForeignRandom& random) : from_(from), chord_(to - from)
@@ -90,7 +90,7 @@ Eigen::Vector3d placeMm(const ArteryGraph& graph, std::size_t node)
     return voxelMm * Eigen::Vector3d(graph.nodes[node][1], graph.nodes[node][2], graph.nodes[node][3]);
 }
 
-/// How far every node lies from where blood flows in, along the vessels, and through which edge it is reached.
+/// Distance of every node from the inflow, along the vessels, and the edge through which it is reached.
 struct Flow {
     std::vector<double> distance;
     std::vector<int> through;
@@ -113,7 +113,7 @@ struct Flow {
         const auto isCutOff = [](double way) { return std::isinf(way); };
         for (auto piece = std::ranges::find_if(distance, isCutOff); piece != distance.end();
              piece = std::ranges::find_if(distance, isCutOff)) {
-            *piece = 0.0;   // a piece of its own
+            *piece = 0.0;   // a separate component
             spread(graph);
         }
     }
@@ -241,7 +241,7 @@ std::vector<RootedTree> cerebralTrees(const std::string& folder)
         if (graph.edges.empty()) {
             return {};
         }
-        std::erase_if(graph.edges, [](const Row& edge) { return edge[0] == edge[1]; });   // loops without a course
+        std::erase_if(graph.edges, [](const Row& edge) { return edge[0] == edge[1]; });   // loops have no course
         ForeignRandom random(static_cast<std::uint64_t>(patient));
         trees.push_back(rooted(graph, random));
     }

@@ -5,12 +5,12 @@
 namespace angiopose::benchmarks {
 namespace {
 
-constexpr double maxWideMm = 120.0;   // of length
+constexpr double maxWideMm = 120.0;   // maximum length
 constexpr double minWideMm = 60.0;
 constexpr double radiusAtInflowMm = 2.5;
 constexpr double radiusAtEndMm = 2.0;
 constexpr double finestMm = 0.4;
-constexpr double minFineMm = 0.8;   // the widest of what is fine
+constexpr double minFineMm = 0.8;   // maximum radius of the thin branches
 
 double radiusOf(const RootedTree& tree, std::size_t branch)
 {
@@ -18,7 +18,7 @@ double radiusOf(const RootedTree& tree, std::size_t branch)
     return radii.empty() ? 0.0 : radii.front();
 }
 
-/// From an inflow on, always the widest branch, of equals the one that feeds the longest tree.
+/// Follows the widest branch from an inflow; of equally wide ones, the one that feeds the longest subtree.
 std::vector<std::size_t> widestWay(const RootedTree& tree, std::size_t inflow)
 {
     std::vector<std::size_t> way{inflow};
@@ -41,7 +41,7 @@ std::vector<std::size_t> widestWay(const RootedTree& tree, std::size_t inflow)
     return way;
 }
 
-/// The way that is nearest to the length wanted, of those long enough the widest.
+/// The path closest to the wanted length; of those that are long enough, the widest.
 std::vector<std::size_t> wideVesselOf(const RootedTree& tree)
 {
     std::vector<std::size_t> best;

@@ -49,7 +49,7 @@ TEST(CaseViews, ShowAnotherAndKeepWhatBelongsToTheVessels)
     EXPECT_EQ(shown.shown().imageFile.path, "/images/5.dcm");
     EXPECT_EQ(shown.shown().frame, 4);
     EXPECT_EQ(shown.shown().cameraFromPatient.translation.z(), 650.0);
-    EXPECT_TRUE(shown.shown().caseFile.path.empty());   // it stands in this case now
+    EXPECT_TRUE(shown.shown().caseFile.path.empty());   // the view belongs to this case now
     EXPECT_EQ(shown.title, "both");
     EXPECT_EQ(shown.vessels.excludedBranchIds, std::vector<int>{4});
     EXPECT_EQ(shown.options.maxIterations, 17);

@@ -32,13 +32,13 @@ View viewAt(double primaryDeg, double secondaryDeg)
     cArm.secondaryAngleDeg = {secondaryDeg, Origin::User, ""};
     Angiogram angiogram;
     angiogram.frames.assign(3, ImageF(64, 64));
-    angiogram.gantry.table = TablePosition{{0.0, 0.0, 0.0}};   // it stands
+    angiogram.gantry.table = TablePosition{{0.0, 0.0, 0.0}};   // the table does not move
     view.angiogram = std::make_shared<const Angiogram>(std::move(angiogram));
     view.cameraFromPatient = startPoseOf(view, vessels).value();
     return view;
 }
 
-/// Feet first, angles as the header has them.
+/// A view of a patient positioned feet first, with the angles from the header.
 View viewOfFeetFirst()
 {
     View view = viewAt(20.0, 10.0);
@@ -70,7 +70,7 @@ TEST(JointInputs, PutTheOtherViewWhereTheGantrysTurnLeads)
 {
     std::vector<View> views{viewAt(-30.0, 0.0), viewAt(45.0, 20.0)};
     views[0].cameraFromPatient.translation += Eigen::Vector3d(5.0, -3.0, 12.0);
-    views[1].cameraFromPatient = {};   // what it was before does not matter
+    views[1].cameraFromPatient = {};   // the previous pose does not matter
     const auto inputs = jointInputsOf(views, vessels, targets);
     ASSERT_TRUE(inputs) << inputs.error().message;
     const RigidTransform between =
@@ -88,7 +88,7 @@ TEST(JointInputs, TakeTheGantryForTheGeometryEvenWhereTheVesselsHaveTheirOwnAxes
         startPoseOf(views[1], vessels).value() * startPoseOf(views[0], vessels).value().inverse();
     const RigidTransform ownAxes{expSo3({0.3, -1.1, 0.7}), {40.0, -5.0, 300.0}};
     for (View& view : views) {
-        // where somebody guessed the vessels to be
+        // A guessed pose of the vessels.
         view.initialCameraFromPatient = startPoseOf(viewAt(3.0, 4.0), vessels).value() * ownAxes;
         view.cameraFromPatient = *view.initialCameraFromPatient;
     }

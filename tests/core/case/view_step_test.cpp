@@ -24,7 +24,7 @@ Sourced<double> knownFromHeader(double value)
     return {value, Origin::Header, ""};
 }
 
-/// A view as the header of a room tells it; `table`: where the isocenter lies in the patient.
+/// A view as defined by the header of a room; `table`: position of the isocenter in the patient.
 View roomView(double primaryDeg, std::optional<Eigen::Vector3d> table, double objectMm = 700.0)
 {
     View view;
@@ -64,7 +64,7 @@ TEST(StartPose, HasTheVesselsInTheObjectPlaneAndTurnsAboutTheIsocenter)
     EXPECT_NEAR((view.cameraFromPatient * centroid - Eigen::Vector3d(0, 0, 700)).norm(), 0.0, 1e-9);
     View run = view;
     changeRun(run, [](Angiogram& angiogram) { angiogram.gantry.angleIncrementsDeg = {{0, 0}, {90, 0}, {180, 0}}; });
-    // The isocenter stays where it is; the vessels, 50 mm nearer to the source, do not.
+    // The isocenter keeps its place; the vessels, 50 mm closer to the source, do not.
     const View turned = withFrame(run, 2);
     const Eigen::Vector3d isocenter = view.cameraFromPatient.inverse() * Eigen::Vector3d(0, 0, 750);
     EXPECT_NEAR((turned.cameraFromPatient * isocenter - Eigen::Vector3d(0, 0, 750)).norm(), 0.0, 1e-9);
@@ -91,7 +91,7 @@ TEST(StepToView, WithoutATableOnlyTheTurnIsKnown)
     View first = roomView(-30.0, {}), view = roomView(45.0, {}, 820.0);
     first.cameraFromPatient.translation += Eigen::Vector3d(5.0, -3.0, 12.0);
     for (const bool isHalfKnown : {false, true}) {
-        if (isHalfKnown) {   // the other view's table counts from elsewhere
+        if (isHalfKnown) {   // the other view's table has a different origin
             changeRun(first, [](Angiogram& run) {
                 run.gantry.table = TablePosition{{0, 0, 0}, TablePosition::Tags::Siemens};
             });

@@ -9,7 +9,7 @@ namespace {
 
 using namespace core;
 
-/// A hundred runs of which `lost` end 8 px from the nearest vessels, the others `goodPx`.
+/// Adds a hundred runs, of which `lost` end 8 px from the nearest vessels and the others `goodPx`.
 void addRuns(const std::string& method, int lost, double goodPx, RunSet& runs)
 {
     for (int i = 0; i < 100; ++i) {
@@ -18,7 +18,7 @@ void addRuns(const std::string& method, int lost, double goodPx, RunSet& runs)
         run.method = method;
         run.trial = static_cast<std::uint64_t>(i);
         run.closestMeanPx = i < lost ? 8.0 : goodPx;
-        run.meanPx = i < lost ? 60.0 : goodPx;   // to the true partners
+        run.meanPx = i < lost ? 60.0 : goodPx;   // distance to the true correspondences
         run.meanMm = 0.4 * run.meanPx;
         run.startMeanPx = 50.0;
         runs.runs.push_back(run);
@@ -46,12 +46,12 @@ TEST(AsPublishedTables, CompareWhatThePaperMeasures)
     EXPECT_EQ(table.rows[0].cells[0], "dt-icp");
     EXPECT_EQ(table.rows[0].cells[1].substr(0, 4), "54.0");
     EXPECT_EQ(table.rows[0].cells[2], "1.82");   // 0.4 mm/px × (54 × 8 + 46 × 0.5) px / 100
-    // Published 1.80 and 3.49, 6.65 for the 75th and 95th percentile; here both are 3.2.
+    // Published 1.80, and 3.49 and 6.65 for the 75th and 95th percentiles; here both percentiles are 3.2.
     EXPECT_EQ(table.rows[0].cells.back(), "no: p95");
     EXPECT_TRUE(table.rows[1].isPublished);
     EXPECT_EQ(table.rows[2].cells.back(), "no: GFR, mean, p75, p95");
     EXPECT_EQ(table.rows[4].cells[1].substr(0, 3), "8.0");
-    EXPECT_EQ(table.rows[4].cells.back(), "no: p75");   // much better than published does not reproduce it either
+    EXPECT_EQ(table.rows[4].cells.back(), "no: p75");   // a result much better than published is no reproduction either
 }
 
 TEST(AsPublishedTables, SayWhyOfEveryMethodTheyShow)

@@ -14,7 +14,7 @@ constexpr std::size_t alongRows = 0;
 constexpr std::size_t depth = 2;
 constexpr std::size_t roll = 5;
 
-/// A reading whose tree lies `shift` from where it was before the trial, rolled about the ray.
+/// A reading whose tree lies `shift` from its position before the trial, rolled about the ray.
 ObserverReading reading(const std::string& observer, const std::string& image, const Eigen::Vector3d& shift,
                         double rollDeg = 0.0)
 {

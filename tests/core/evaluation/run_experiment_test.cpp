@@ -23,7 +23,7 @@ ExperimentPlan smallPlan(std::string_view protocol, const std::string& condition
     return plan;
 }
 
-/// The same runs to the last bit, times aside.
+/// Expects the same runs to the last bit, except for times.
 void expectSameRuns(const RunSet& a, const RunSet& b)
 {
     ASSERT_EQ(a.runs.size(), b.runs.size());
@@ -64,7 +64,7 @@ TEST(RunExperiment, MergedShardsAreTheWholeToTheLastBit)
     const auto together = merged(parts);
     ASSERT_TRUE(together) << together.error().message;
     expectSameRuns(whole.runs, together.value());
-    parts.push_back(parts.front());   // a part given twice changes nothing
+    parts.push_back(parts.front());   // duplicate parts change nothing
     expectSameRuns(whole.runs, merged(parts).value());
 }
 
@@ -95,7 +95,7 @@ TEST(RunExperiment, StopsAndKeepsFinishedTrials)
     EXPECT_GE(stopped.runs.runs.size(), 6u);
     EXPECT_LT(stopped.runs.runs.size(), 50u);
     for (std::size_t k = 0; k < stopped.runs.runs.size(); k += 2) {
-        EXPECT_EQ(stopped.runs.runs[k].trial, stopped.runs.runs[k + 1].trial);   // both methods or none
+        EXPECT_EQ(stopped.runs.runs[k].trial, stopped.runs.runs[k + 1].trial);   // both methods or neither
     }
 }
 
@@ -105,7 +105,7 @@ TEST(RunExperiment, CountsAnUnusableTrialAsAFailureAtTheStart)
     empty.prepare = [](std::size_t condition, std::uint64_t seed) -> TrialMaker {
         return [maker = findProtocol("toy")->prepare(condition, seed)](std::uint64_t number) {
             Trial trial = maker(number);
-            trial.input.target = {};   // what a failed tracing leaves
+            trial.input.target = {};   // as after a failed tracing
             return trial;
         };
     };
@@ -118,7 +118,7 @@ TEST(RunExperiment, CountsAnUnusableTrialAsAFailureAtTheStart)
     EXPECT_EQ(runs.runs.front().meanPx, runs.runs.front().startMeanPx);
 }
 
-// From the square as printed no pose follows: whatever method laid it onto its line, its pose is not trusted.
+// The printed square does not determine a pose: whichever method matches it to its line, the pose is unreliable.
 TEST(TablesOf, TheSquareAsPrintedIsDoubtedInEveryRun)
 {
     ExperimentPlan plan = smallPlan("toy", "a-44,a-84", 3);
@@ -207,7 +207,7 @@ TEST(TablesOf, SayWhichBinsOfTheCaptureRangeWereNotRun)
         }
     }
     const ResultTable table = tableOf(tablesOf(runs), "capture-range-degraded");
-    EXPECT_EQ(table.rows[0].cells[1], "≥ 2");   // 3–4 succeeds, but what is below it is not known
+    EXPECT_EQ(table.rows[0].cells[1], "≥ 2");   // 3–4 succeeds, but the range below it was not run
     EXPECT_EQ(table.rows.size(), 4u);
     EXPECT_TRUE(table.notes.back().starts_with("Not run: 2-3, 4-5")) << table.notes.back();
 }
@@ -228,7 +228,7 @@ TEST(TablesOf, CountsWhichMethodsStandInThePublishedOrder)
     EXPECT_NE(table.notes.back().find("2 of 3 pairs"), std::string::npos) << table.notes.back();
     const auto nees = std::find(table.columns.begin(), table.columns.end(), "NEES") - table.columns.begin();
     EXPECT_EQ(table.rows[2].cells[static_cast<std::size_t>(nees)], table.rows[0].cells[static_cast<std::size_t>(nees)]);
-    EXPECT_NE(table.rows[2].cells[static_cast<std::size_t>(nees)], "–");   // of failures, too
+    EXPECT_NE(table.rows[2].cells[static_cast<std::size_t>(nees)], "–");   // also for failures
 }
 
 TEST(TablesOf, LaysOutTheAblation)

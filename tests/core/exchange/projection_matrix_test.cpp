@@ -1,6 +1,6 @@
 #include "core/exchange/projection_matrix.h"
 
-#include "core/messages/says_exchange.h"
+#include "core/messages/messages.h"
 #include "core/support/random.h"
 
 #include <gtest/gtest.h>
@@ -58,15 +58,15 @@ TEST(ProjectionMatrix, RefusesSkewAndWhatIsNoCamera)
     Eigen::Matrix3d K = intrinsicMatrix(standard);
     K(0, 1) = 3.0;
     const ProjectionMatrix skewed = K * somePose.matrix().topRows<3>();
-    EXPECT_TRUE(sightFromProjection(skewed).error().message.is(says::projectionSkewed));
+    EXPECT_TRUE(sightFromProjection(skewed).error().message.is(messages::projectionSkewed));
     EXPECT_TRUE(
-        sightFromIntrinsics(K, somePose.rotation, somePose.translation).error().message.is(says::projectionSkewed));
+        sightFromIntrinsics(K, somePose.rotation, somePose.translation).error().message.is(messages::projectionSkewed));
 
     ProjectionMatrix flat = projectionMatrix({standard, somePose});
     flat.row(1) = 2.0 * flat.row(0);
-    EXPECT_TRUE(sightFromProjection(flat).error().message.is(says::projectionDegenerate));
+    EXPECT_TRUE(sightFromProjection(flat).error().message.is(messages::projectionDegenerate));
     flat(0, 0) = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_TRUE(sightFromProjection(flat).error().message.is(says::projectionNotFinite));
+    EXPECT_TRUE(sightFromProjection(flat).error().message.is(messages::projectionNotFinite));
 }
 
 TEST(ProjectionMatrix, IntrinsicsStayToTheLastBit)
@@ -79,7 +79,7 @@ TEST(ProjectionMatrix, IntrinsicsStayToTheLastBit)
     EXPECT_EQ(found.value().camera.cy, standard.cy);
 }
 
-/// A mirror in R and a negative fy are other ways to write the same projection.
+/// A reflection in R or a negative fy are other representations of the same projection.
 TEST(ProjectionMatrix, MirrorsAndHalfTurnsOfIntrinsicsProjectTheSame)
 {
     const Eigen::Vector3d point(31.0, -12.0, 45.0);
@@ -104,10 +104,10 @@ TEST(ProjectionMatrix, RoundedRotationsAreMadeRotationsAndScaledOnesRefused)
     EXPECT_TRUE(isRigid(found.value().cameraFromPatient, 1e-12));
     EXPECT_TRUE(sightFromIntrinsics(intrinsicMatrix(standard), 1.01 * somePose.rotation, somePose.translation)
                     .error()
-                    .message.is(says::projectionNoRotation));
+                    .message.is(messages::projectionNoRotation));
     EXPECT_TRUE(sightFromIntrinsics(intrinsicMatrix(standard).transpose(), somePose.rotation, somePose.translation)
                     .error()
-                    .message.is(says::projectionIntrinsics));
+                    .message.is(messages::projectionIntrinsics));
 }
 
 }   // namespace

@@ -12,8 +12,9 @@ namespace {
 
 using namespace core;
 
-/// The projection of xReg as its own sources have it (perspective transform of its camera model): world points through
-/// the extrinsic matrix, z measured from the source, through the intrinsic matrix, divided by the third coordinate.
+/// The projection of xReg according to its source code (perspective transform of its camera model): applies the
+/// extrinsic matrix to world points, measures z from the source, applies the intrinsic matrix and divides by the third
+/// coordinate.
 Eigen::Vector2d pixelOfXreg(const XregCamera& camera, const RigidTransform& volumeFromWorld,
                             const Eigen::Vector3d& point)
 {
@@ -28,8 +29,8 @@ Eigen::Vector2d pixelOfXreg(const XregCamera& camera, const RigidTransform& volu
     return {index(0) / index(2), index(1) / index(2)};
 }
 
-/// A camera as xReg sets it up from a header: principal point in the middle of the image, negative focal lengths where
-/// the detector is at negative z.
+/// A camera as xReg sets it up from a header: principal point at the center of the image, negative focal lengths if the
+/// detector is at negative z.
 XregCamera cameraOf(XregFrame frame)
 {
     XregCamera camera;
@@ -46,7 +47,7 @@ XregCamera cameraOf(XregFrame frame)
     return camera;
 }
 
-/// Where the patient is in the camera's frame: 700 mm from the source.
+/// Pose of the patient in the camera frame, 700 mm from the source.
 RigidTransform patientIn(XregFrame frame)
 {
     const double z = frame == XregFrame::DetectorAtNegativeZ   ? -700.0
@@ -107,7 +108,7 @@ TEST(XregCameraOfOurs, IsTheSameProjectionForEitherDisplay)
         }
         EXPECT_NEAR(theirs.columnSpacingMm * 2281.0, 1000.0, 1e-9);
         EXPECT_EQ(theirs.intrinsic(0, 0), ours.fx);
-        EXPECT_EQ(theirs.intrinsic(1, 1) < 0.0, fx < 0.0);   // both negative, or both positive, as xReg has them
+        EXPECT_EQ(theirs.intrinsic(1, 1) < 0.0, fx < 0.0);   // both negative or both positive, as in xReg
     }
 }
 

@@ -22,7 +22,7 @@ CArm cArmAt(double primaryDeg, double secondaryDeg)
     return cArm;
 }
 
-/// Where a patient point (LPS mm, relative to the isocentre) lands, relative to the image centre: right and up, px.
+/// Projection of a patient point (LPS mm, relative to the isocenter), relative to the image center: right and up, px.
 Eigen::Vector2d onScreen(const CArm& cArm, const Eigen::Vector3d& offset)
 {
     const Eigen::Vector3d isocenter(12.0, -200.0, 900.0);
@@ -43,7 +43,7 @@ TEST(CArm, FrontalViewShowsPatientLeftOnTheRightAndHeadUp)
     EXPECT_TRUE(onScreen(cArm, left).isApprox(Eigen::Vector2d(expected, 0.0), 1e-9));
     EXPECT_TRUE(onScreen(cArm, head).isApprox(Eigen::Vector2d(0.0, expected), 1e-9));
     EXPECT_LT(onScreen(cArm, posterior).norm(), 1e-9);
-    EXPECT_DOUBLE_EQ((cameraFromPatient(cArm, {0, 0, 0}).value() * left).x(), -10.0);   // hand check of §5.3
+    EXPECT_DOUBLE_EQ((cameraFromPatient(cArm, {0, 0, 0}).value() * left).x(), -10.0);   // manual check of §5.3
 }
 
 TEST(CArm, LateralViewFromTheLeftShowsPosteriorOnTheRight)
@@ -60,7 +60,7 @@ TEST(CArm, CranialViewPutsTheDetectorTowardsTheHead)
     EXPECT_GT(detectorDirection(0.0, 30.0).z(), 0.49);
     const CArm cArm = cArmAt(0.0, 30.0);
     EXPECT_GT(onScreen(cArm, head).y(), 10.0);
-    EXPECT_GT(onScreen(cArm, posterior).y(), 5.0);   // looking down from the head: posterior moves up
+    EXPECT_GT(onScreen(cArm, posterior).y(), 5.0);   // view from the head down: posterior moves up
     EXPECT_GT(onScreen(cArm, left).x(), 10.0);
 }
 
@@ -69,7 +69,7 @@ TEST(CArm, ObliqueViewKeepsHeadUpAndLeftRight)
     const CArm cArm = cArmAt(-30.0, 20.0);
     EXPECT_GT(onScreen(cArm, head).y(), 10.0);
     EXPECT_GT(onScreen(cArm, left).x(), 10.0);
-    EXPECT_LT(detectorDirection(-30.0, 20.0).x(), 0.0);   // RAO: towards the patient's right
+    EXPECT_LT(detectorDirection(-30.0, 20.0).x(), 0.0);   // RAO: toward the patient's right
 }
 
 TEST(CArm, PoseIsAlwaysAProperRotation)
@@ -86,7 +86,7 @@ TEST(CArm, RollTurnsTheImageClockwise)
 {
     CArm cArm = cArmAt(0.0, 0.0);
     cArm.rollDeg = {90.0, Origin::User, ""};
-    EXPECT_GT(onScreen(cArm, head).x(), 10.0);   // up goes to the right
+    EXPECT_GT(onScreen(cArm, head).x(), 10.0);   // up becomes right
     EXPECT_LT(onScreen(cArm, left).y(), -10.0);
     cArm.mirrored = {true, Origin::User, ""};
     EXPECT_GT(onScreen(cArm, head).x(), 10.0);

@@ -10,7 +10,7 @@
 namespace angiopose::core {
 namespace {
 
-/// A camera at `angleDeg` about the patient's long axis, 750 mm from the origin, as C-arms stand.
+/// A camera at `angleDeg` about the patient's long axis, 750 mm from the origin, as with C-arms.
 Sight sightAt(double angleDeg, double fx = -2200.0)
 {
     Sight sight{{fx, 2150.0, 250.0, 260.0, 512, 500}, {}};
@@ -57,7 +57,7 @@ TEST(EpipolarLine, PassesThroughThePointThatIsSeenInBoth)
     EXPECT_GT(seen, 150);
 }
 
-/// The same line by the textbook: x'ᵀ F x = 0 with F = K'⁻ᵀ [t]× R K⁻¹.
+/// Compares with the textbook formula x'ᵀ F x = 0 with F = K'⁻ᵀ [t]× R K⁻¹.
 TEST(EpipolarLine, IsThatOfTheFundamentalMatrix)
 {
     const Sight first = sightAt(0.0);

@@ -1,5 +1,5 @@
 #include "core/geometry/geometry_checks.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ GantryHeader agreeing()
 
 const Eigen::Vector2i size(512, 512);
 
-/// The one sentence that a single wrong value leads to.
+/// The only message that a single wrong value causes.
 std::string onlySentence(const CArm& cArm, const GantryHeader& header)
 {
     const auto found = findContradictions(cArm, header, size);
@@ -40,7 +40,7 @@ std::string onlySentence(const CArm& cArm, const GantryHeader& header)
     return found.empty() ? "" : found.front().text();
 }
 
-/// A value that is wrong, and a word of what is said about it.
+/// A wrong value, and a word of the message about it.
 struct Wrong {
     const char* word;
     void (*spoil)(CArm&, GantryHeader&);
@@ -142,7 +142,7 @@ TEST(GeometryChecks, AskForEverythingThatIsMissing)
     CArm cArm = usual();
     cArm.rowSpacingMm = {};
     ASSERT_EQ(findMissing(cArm).size(), 1U);
-    EXPECT_TRUE(findMissing(cArm).front().is(says::askSpacing));
+    EXPECT_TRUE(findMissing(cArm).front().is(messages::askSpacing));
 }
 
 }   // namespace angiopose::core

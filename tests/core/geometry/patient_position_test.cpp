@@ -18,7 +18,7 @@ constexpr std::array allPositions{PatientPosition::HFS,  PatientPosition::HFP, P
 const Eigen::Vector3d towardsLeft(1.0, 0.0, 0.0);
 const Eigen::Vector3d towardsBack(0.0, 1.0, 0.0);
 const Eigen::Vector3d towardsHead(0.0, 0.0, 1.0);
-const Eigen::Vector3d floorward = towardsBack;   // of the table: who lies supine has the back on it
+const Eigen::Vector3d floorward = towardsBack;   // down, at the table; the back of a supine patient lies on it
 
 CArm cArmAt(double primaryDeg, double secondaryDeg, double rollDeg, bool mirrored)
 {

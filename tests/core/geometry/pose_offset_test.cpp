@@ -65,7 +65,7 @@ TEST(PoseOffset, RollIsClockwiseOnScreen)
         ProjectionCamera camera = squareCamera;
         camera.fx = fx;
         const RigidTransform reference = poseAtAngles(0.0, 0.0);
-        const Eigen::Vector3d above = pivot + Eigen::Vector3d(0.0, 0.0, 20.0);   // head: up on screen
+        const Eigen::Vector3d above = pivot + Eigen::Vector3d(0.0, 0.0, 20.0);   // head: up on the screen
         const Eigen::Vector2d after =
             *project(camera, applyOffset(reference, {.rollDeg = 90.0}, pivot, camera) * above);
         EXPECT_GT(after.x(), camera.cx + 10.0);

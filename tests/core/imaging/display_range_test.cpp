@@ -58,7 +58,7 @@ TEST(DisplayRange, OfTheVesselsEndsAtTheBackground)
     ImageF image(100, 100, 100.0F);
     for (int y = 0; y < 100; ++y) {
         image.at(40, y) = 60.0F;
-        image.at(70, y) = 180.0F;   // a catheter, the other way
+        image.at(70, y) = 180.0F;   // a catheter, which is brighter than the background
     }
     const DisplayRange dark = vesselRange(image, Polarity::VesselsDark);
     EXPECT_EQ(dark.low, 60.0);

@@ -42,10 +42,10 @@ double insideMm3(const VoxelMask& mask)
 TEST(FillSurface, HoldsTheVolumeOfTheTube)
 {
     const double polygonArea = 0.5 * 48 * 25.0 * std::sin(2.0 * std::numbers::pi / 48);
-    for (const bool isClosed : {true, false}) {   // the open ends of a vessel are closed by the other axes
+    for (const bool isClosed : {true, false}) {   // the other axes close the open ends of a vessel
         const SurfaceMesh mesh = tubeMesh(5.0, 40.0, isClosed);
         EXPECT_EQ(checkMesh(mesh).isClosed(), isClosed);
-        const auto mask = fillSurface(mesh, 0.23);   // no multiple of it is the radius
+        const auto mask = fillSurface(mesh, 0.23);   // the radius is not a multiple of it
         ASSERT_TRUE(mask) << mask.error().message;
         EXPECT_NEAR(insideMm3(mask.value()), polygonArea * 40.0, 0.02 * polygonArea * 40.0);
     }

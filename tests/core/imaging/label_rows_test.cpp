@@ -28,7 +28,7 @@ TEST(LabelRows, NumberLabelsByTheirPlaceInTheList)
 TEST(LabelRows, TheMiddleLiesInTheLabel)
 {
     LabelVolume image(geometryOf(9, 9, 3));
-    for (int i = 0; i < 9; ++i) {   // a horseshoe, open at the right
+    for (int i = 0; i < 9; ++i) {   // a U shape, open on the right
         for (int j = 0; j < 9; ++j) {
             image.at(i, j, 1) = i == 0 || j == 0 || j == 8 ? 5 : 0;
         }

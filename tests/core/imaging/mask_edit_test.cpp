@@ -16,7 +16,7 @@ VolumeGeometry unequalVoxels()
     VolumeGeometry geometry;
     geometry.size = {40, 30, 20};
     geometry.spacingMm = {0.5, 1.0, 2.0};
-    geometry.direction << -1, 0, 0, 0, 1, 0, 0, 0, 1;   // mirrored
+    geometry.direction << -1, 0, 0, 0, 1, 0, 0, 0, 1;   // mirrored x axis
     geometry.originInPatient = {10.0, -15.0, -20.0};
     return geometry;
 }
@@ -86,7 +86,7 @@ TEST(MaskEdit, ADiscStaysInItsSliceAlongItsPath)
     EXPECT_NEAR(box.lowInPatient.x(), -7.25, 0.51);
 }
 
-/// All voxels that lie within the radius of a step, one by one.
+/// Number of voxels within the radius of a brush step, tested one by one.
 std::size_t withinStep(const VoxelMask& mask, double radiusMm, const BrushStep& step)
 {
     std::size_t count = 0;

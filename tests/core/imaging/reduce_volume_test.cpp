@@ -5,7 +5,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Each voxel's value tells its place.
+/// A volume whose voxel values encode the voxel positions.
 Volume numbered(const Eigen::Vector3i& size, const Eigen::Vector3d& spacingMm)
 {
     VolumeGeometry geometry;
@@ -30,7 +30,7 @@ TEST(ReduceVolume, TakesTheMeanOfBlocksAndKeepsTheirPlace)
     const Volume volume = numbered({8, 8, 4}, {1, 1, 2});
     const auto half = reduced(volume, voxelsIn(volume.geometry, {}), 4 * 4 * 4, always);
     ASSERT_TRUE(half);
-    EXPECT_EQ(half->geometry.size, Eigen::Vector3i(4, 4, 4));   // slices are as thick as that already
+    EXPECT_EQ(half->geometry.size, Eigen::Vector3i(4, 4, 4));   // the slice spacing already has that size
     EXPECT_EQ(half->geometry.spacingMm, Eigen::Vector3d(2, 2, 2));
     EXPECT_EQ(half->geometry.originInPatient, Eigen::Vector3d(10.5, 20.5, 30));
     EXPECT_NEAR(half->at(1, 2, 3), 2.5 + 450 + 3000, 0.5);

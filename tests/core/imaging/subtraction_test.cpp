@@ -14,7 +14,7 @@ namespace {
 using core::ImageF;
 using core::PixelRelation;
 
-/// Counts behind a body with structure of a few px, seen after a shift.
+/// Photon counts behind a body with structures of a few px, shifted.
 ImageF body(const Eigen::Vector2d& shift, double noise, std::uint64_t seed)
 {
     ImageF field(200, 160);
@@ -34,7 +34,7 @@ ImageF body(const Eigen::Vector2d& shift, double noise, std::uint64_t seed)
     return counts;
 }
 
-/// The same with a vessel that lets 60 % through.
+/// Adds a vessel with a transmission of 60 %.
 ImageF withVessel(ImageF counts)
 {
     const ImageF shadow =

@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Values that tell where in the patient a voxel lies: 100 z + 10 y + x, spacing 1 × 2 × 3 mm.
+/// A volume whose values encode the voxel positions in the patient: 100 z + 10 y + x, spacing 1 × 2 × 3 mm.
 Volume placedVolume()
 {
     VolumeGeometry geometry;
@@ -40,22 +40,22 @@ TEST(VolumeSlice, LooksFromTheFeetTheFrontAndTheLeft)
     ASSERT_EQ(axial.width, 5);
     ASSERT_EQ(axial.height, 4);
     const auto fromFeet = sliceValues(volume, axial);
-    EXPECT_EQ(pixel(axial, fromFeet, 0, 0), 100.0F);   // right front corner of the patient at the top left
+    EXPECT_EQ(pixel(axial, fromFeet, 0, 0), 100.0F);   // the patient's right front corner is at the top left
     EXPECT_EQ(pixel(axial, fromFeet, 4, 0), 104.0F);   // the patient's left is on the right
-    EXPECT_EQ(pixel(axial, fromFeet, 0, 3), 130.0F);   // the back is below
+    EXPECT_EQ(pixel(axial, fromFeet, 0, 3), 130.0F);   // posterior is at the bottom
 
     const SliceGrid coronal = sliceThrough(volume.geometry, BodyPlane::Coronal, {-8.2, 21.9, 503.4});
     ASSERT_EQ(coronal.width, 5);
     ASSERT_EQ(coronal.height, 3);
     const auto fromFront = sliceValues(volume, coronal);
-    EXPECT_EQ(pixel(coronal, fromFront, 0, 0), 210.0F);   // the head is above
+    EXPECT_EQ(pixel(coronal, fromFront, 0, 0), 210.0F);   // the head is at the top
     EXPECT_EQ(pixel(coronal, fromFront, 4, 2), 14.0F);
 
     const SliceGrid sagittal = sliceThrough(volume.geometry, BodyPlane::Sagittal, point);
     ASSERT_EQ(sagittal.width, 4);
     ASSERT_EQ(sagittal.height, 3);
     const auto fromLeft = sliceValues(volume, sagittal);
-    EXPECT_EQ(pixel(sagittal, fromLeft, 0, 0), 202.0F);   // the front is on the left
+    EXPECT_EQ(pixel(sagittal, fromLeft, 0, 0), 202.0F);   // anterior is on the left
     EXPECT_EQ(pixel(sagittal, fromLeft, 3, 2), 32.0F);
 }
 
@@ -113,12 +113,12 @@ TEST(VolumeSlice, CutsAnObliqueVolumeAlongThePatient)
                     continue;
                 }
                 ++inside;
-                // half a voxel beyond the outermost centres the value of the rim goes on
+                // Up to half a voxel beyond the outermost centers, the border value is extended.
                 EXPECT_NEAR(value, ramp(grid.pointAt({column, row})), 3.0);
             }
         }
         EXPECT_GT(inside, grid.width * grid.height / 3);
-        EXPECT_LT(inside, grid.width * grid.height);   // the corners lie outside
+        EXPECT_LT(inside, grid.width * grid.height);   // the corners are outside
         EXPECT_NEAR(pixel(grid, values, grid.width / 2, grid.height / 2),
                     ramp(grid.pointAt({grid.width / 2, grid.height / 2})), 0.11);
     }

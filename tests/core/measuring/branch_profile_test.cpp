@@ -1,6 +1,6 @@
 #include "core/measuring/branch_profile.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/tracing/volume/trace_vessels.h"
 #include "tests/support/drawn_tubes.h"
 
@@ -12,7 +12,7 @@
 namespace angiopose::core {
 namespace {
 
-/// 60 mm along x, a point each millimetre.
+/// A branch of 60 mm along x, with one point per millimeter.
 VesselBranch straight(const std::function<double(double)>& diameterAt)
 {
     VesselBranch branch{3, "", {}, {}, 0};
@@ -52,7 +52,7 @@ TEST(BranchProfile, ASmoothTaperIsItsOwnReference)
 TEST(BranchProfile, FindsAStenosisOfATaperingVessel)
 {
     for (const double depth : {0.3, 0.5, 0.8}) {
-        const auto lesion = [depth](double arc) {   // 12 mm long, deepest at 35 mm
+        const auto lesion = [depth](double arc) {   // 12 mm long, most severe at 35 mm
             return std::abs(arc - 35.0) < 6.0 ? depth * 0.5 * (1.0 + std::cos((arc - 35.0) * std::numbers::pi / 6.0))
                                               : 0.0;
         };
@@ -80,7 +80,7 @@ TEST(BranchProfile, ALongLesionAndAnAneurysmAreNoReference)
     EXPECT_NEAR(*wide.value().greatestDiameterMm, 6.0, 1e-9);
 }
 
-/// Bifurcations take their share of the width: 6 to 2 mm over 160 mm, in steps.
+/// Each bifurcation reduces the diameter: from 6 to 2 mm over 160 mm, in steps.
 TEST(BranchProfile, AVesselThatGivesOffBranchesHasNoStenosisAtItsEnd)
 {
     VesselBranch branch{3, "", {}, {}, 0};
@@ -129,7 +129,7 @@ TEST(BranchProfile, WithoutRadiiItSaysSoAndMeasuresTheRest)
     EXPECT_FALSE(profile.value().narrowing);
     EXPECT_TRUE(std::isnan(profile.value().samples[10].diameterMm));
     ASSERT_EQ(profile.value().doubts.size(), 1U);
-    EXPECT_TRUE(profile.value().doubts[0].is(says::profileNoRadii));
+    EXPECT_TRUE(profile.value().doubts[0].is(messages::profileNoRadii));
 
     branch = straight([](double) { return 3.0; });
     branch.radiusMm[20] = std::nan("");
@@ -150,8 +150,8 @@ TEST(BranchProfile, BranchesWithoutLengthAreRefused)
     EXPECT_FALSE(tiny.value().narrowing) << "nothing to compare with";
 }
 
-/// Of a tube that leaves a trunk, oblique to the grid, traced in a simulated scan: what its samples are off, away from
-/// trunk and tip.
+/// Diameter errors of the samples of a tube, away from its trunk and tip. The tube leaves a trunk, oblique to the grid,
+/// and is traced in a simulated scan.
 std::vector<double> errorsOfTracedTubeMm(double diameterMm, double voxelMm)
 {
     const test::Tube trunk{{-28, 0, -30}, {-28, 0, 30}, 10.0};

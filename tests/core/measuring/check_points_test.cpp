@@ -1,6 +1,6 @@
 #include "core/measuring/check_points.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Cholesky>
@@ -10,7 +10,7 @@
 namespace angiopose::core {
 namespace {
 
-/// A bent vessel in two views 90° apart, and a check point on it that is seen where it is.
+/// A curved vessel in two views 90° apart, with a target point on it that is marked at its true position.
 struct Checked {
     Checked()
     {
@@ -41,7 +41,7 @@ struct Checked {
     Case session;
 };
 
-/// A covariance that no two steps share.
+/// A covariance with a different value for every pair of steps.
 Matrix6d someCovariance(double scale)
 {
     Matrix6d root;
@@ -70,14 +70,14 @@ TEST(CheckPoints, TheErrorIsTheShiftThatWasImposed)
     EXPECT_NEAR(checked.views[1].error.value().mm, 0.0, 1e-9);
     EXPECT_FALSE(checked.views[0].claimed) << "no run found this pose";
     const Messages reported = sentencesOf(checked.views[0]);
-    EXPECT_TRUE(reported.back().is(says::checkNothingClaimed));
+    EXPECT_TRUE(reported.back().is(messages::checkNothingClaimed));
     EXPECT_EQ(labelOf(checked, 0)->text(), "5.0 mm off");
 }
 
 TEST(CheckPoints, TwoViewsTellTheErrorInSpace)
 {
     Checked seen;
-    const Eigen::Vector3d shift(2.0, -1.0, 2.0);   // 3 mm of the vessels against both cameras
+    const Eigen::Vector3d shift(2.0, -1.0, 2.0);   // moves the vessels by 3 mm relative to both cameras
     for (std::size_t k = 0; k < 2; ++k) {
         seen.session.views[k].sightings[0].pixel = seen.seenAt(k, seen.mark().pointInPatient + shift);
     }
@@ -89,18 +89,18 @@ TEST(CheckPoints, TwoViewsTellTheErrorInSpace)
     EXPECT_GT(checked.meeting.value().angleDeg, 80.0);
     EXPECT_EQ(checked.meetingViews, (std::vector<std::size_t>{0, 1}));
 
-    seen.session.views[1].sightings[0].pixel += Eigen::Vector2d(0.0, 20.0);   // the rays do not meet any more
+    seen.session.views[1].sightings[0].pixel += Eigen::Vector2d(0.0, 20.0);   // the rays no longer meet
     EXPECT_GT(seen.checked().meeting.value().raysApartMm, 0.5);
 }
 
-TEST(CheckPoints, NoErrorInSpaceWhereDepthCannotBeTold)
+TEST(CheckPoints, NoErrorInSpaceWhereDepthCannotBeReported)
 {
     Checked seen;
     seen.session.views[1].cameraFromPatient = seen.session.views[0].cameraFromPatient;
     seen.session.views[1].cameraFromPatient.translation.x() += 10.0;
-    EXPECT_TRUE(seen.checked().meeting.error().message.is(says::checkRaysAlike));
+    EXPECT_TRUE(seen.checked().meeting.error().message.is(messages::checkRaysAlike));
     seen.session.views[1].sightings.clear();
-    EXPECT_TRUE(seen.checked().meeting.error().message.is(says::checkNeedsTwoViews));
+    EXPECT_TRUE(seen.checked().meeting.error().message.is(messages::checkNeedsTwoViews));
     seen.session.views[0].sightings.clear();
     EXPECT_TRUE(seen.checked().views.empty());
     EXPECT_FALSE(labelOf(seen.checked(), 0));
@@ -110,12 +110,12 @@ TEST(CheckPoints, ThePoseIsOfOneFrame)
 {
     Checked seen;
     seen.session.views[0].sightings[0].frame = 2;
-    EXPECT_TRUE(seen.checked().views[0].error.error().message.is(says::checkOtherFrame));
+    EXPECT_TRUE(seen.checked().views[0].error.error().message.is(messages::checkOtherFrame));
     EXPECT_FALSE(seen.checked().meeting);
     seen.session.views[0].sightings.push_back({7, {100.0, 100.0}, 1});
     EXPECT_TRUE(seen.checked().views[0].error) << "of several frames the one of the pose counts";
     seen.session.views[0].cameraFromPatient.translation.z() = -700.0;
-    EXPECT_TRUE(seen.checked().views[0].error.error().message.is(says::checkBehindSource));
+    EXPECT_TRUE(seen.checked().views[0].error.error().message.is(messages::checkBehindSource));
 }
 
 TEST(CheckPoints, WhatIsClaimedIsWhatRandomPosesDo)
@@ -151,7 +151,7 @@ TEST(CheckPoints, WhatIsClaimedIsWhatRandomPosesDo)
     EXPECT_GT(claimed.inPlaneMm, 1e-3);
     EXPECT_NEAR(std::sqrt(inPlane) / claimed.inPlaneMm, 1.0, 0.02);
     EXPECT_NEAR(std::sqrt(inSpace) / claimed.spaceMm, 1.0, 0.02);
-    EXPECT_TRUE(sentencesOf(seen.checked().views[0])[1].is(says::checkClaimed));
+    EXPECT_TRUE(sentencesOf(seen.checked().views[0])[1].is(messages::checkClaimed));
 }
 
 TEST(CheckPoints, APoseLookedAtForAWhileHasNoClaim)

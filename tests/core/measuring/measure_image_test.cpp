@@ -1,6 +1,6 @@
 #include "core/measuring/measure_image.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include <gtest/gtest.h>
 #include <limits>
@@ -62,7 +62,7 @@ TEST(MeasureImage, LengthsAreThoseOfThePlaneTheyLieIn)
 
 TEST(MeasureImage, ALengthAtTheVesselsIsThatOfWhatLiesThere)
 {
-    const Seen seen;   // the vessel itself: 20 mm long
+    const Seen seen;   // contains the vessel, which is 20 mm long
     const auto camera = cameraOf(seen.view).value();
     std::vector<Eigen::Vector2d> ends;
     for (const Eigen::Vector3d& point : seen.tree.branches[0].pointsInPatient) {
@@ -79,7 +79,7 @@ TEST(MeasureImage, AnglesKnowTheShapeOfPixels)
     EXPECT_NEAR(seen.value(Angle, atVessels, pixels), std::atan2(0.2, 0.4) * 180.0 / std::numbers::pi, 1e-9);
     EXPECT_NEAR(seen.value(Angle, inPixels, {{10, 0}, {0, 0}, {-10, 0}}), 180.0, 1e-9);
     const auto pixelAngle = seen.measure(Angle, inPixels, pixels).value();
-    EXPECT_TRUE(isAmong(basisOf(pixelAngle, Angle, {seen.view, &seen.tree}), says::measureSquarePixels));
+    EXPECT_TRUE(isAmong(basisOf(pixelAngle, Angle, {seen.view, &seen.tree}), messages::measureSquarePixels));
 }
 
 TEST(MeasureImage, AreasOfOutlinesInEitherSense)
@@ -100,11 +100,11 @@ TEST(MeasureImage, WhatMeansNothingIsSaidNotInvented)
         EXPECT_FALSE(measured);
         return measured ? Message::verbatim("a number") : measured.error().message;
     };
-    EXPECT_TRUE(why(Area, {{0, 0}, {10, 10}, {10, 0}, {0, 10}}).is(says::measureCrossed));
-    EXPECT_TRUE(why(Area, {{0, 0}, {10, 10}}).is(says::measurePoints));
-    EXPECT_TRUE(why(Length, {{0, 0}}).is(says::measurePoints));
-    EXPECT_TRUE(why(Angle, {{0, 0}, {0, 0}, {1, 1}}).is(says::measureAngleOpen));
-    EXPECT_TRUE(why(Length, {{0, 0}, {std::nan(""), 1}}).is(says::measureNotFinite));
+    EXPECT_TRUE(why(Area, {{0, 0}, {10, 10}, {10, 0}, {0, 10}}).is(messages::measureCrossed));
+    EXPECT_TRUE(why(Area, {{0, 0}, {10, 10}}).is(messages::measurePoints));
+    EXPECT_TRUE(why(Length, {{0, 0}}).is(messages::measurePoints));
+    EXPECT_TRUE(why(Angle, {{0, 0}, {0, 0}, {1, 1}}).is(messages::measureAngleOpen));
+    EXPECT_TRUE(why(Length, {{0, 0}, {std::nan(""), 1}}).is(messages::measureNotFinite));
 }
 
 TEST(MeasureImage, WithoutSpacingOrPoseThereAreNoMillimeters)
@@ -114,10 +114,10 @@ TEST(MeasureImage, WithoutSpacingOrPoseThereAreNoMillimeters)
     EXPECT_EQ(bestPlaneOf({seen.view, &seen.tree}), atVessels);
     EXPECT_EQ(bestPlaneOf({seen.view, nullptr}), atDetector);
     seen.view.cameraFromPatient.translation.z() = -800.0;
-    EXPECT_TRUE(seen.measure(Length, atVessels, line).error().message.is(says::measureBehindSource));
+    EXPECT_TRUE(seen.measure(Length, atVessels, line).error().message.is(messages::measureBehindSource));
     EXPECT_EQ(bestPlaneOf({seen.view, &seen.tree}), atDetector);
     seen.view.geometry.cArm.rowSpacingMm = {};
-    EXPECT_TRUE(seen.measure(Length, atDetector, line).error().message.is(says::measureNeedsSpacing));
+    EXPECT_TRUE(seen.measure(Length, atDetector, line).error().message.is(messages::measureNeedsSpacing));
     EXPECT_FALSE(seen.measure(Length, atVessels, line));
     EXPECT_EQ(bestPlaneOf({seen.view, &seen.tree}), inPixels);
     EXPECT_NEAR(seen.value(Length, inPixels, line), 10.0, 1e-12);
@@ -132,23 +132,23 @@ TEST(MeasureImage, SaysWhereTheScaleComesFrom)
     const auto basis = [&] {
         return basisOf(seen.measure(Length, atVessels, line).value(), Length, {seen.view, &seen.tree});
     };
-    EXPECT_TRUE(isAmong(basis(), says::measureDepthUnchecked)) << "no run found this pose";
-    EXPECT_FALSE(isAmong(basis(), says::measureScaleAssumed));
+    EXPECT_TRUE(isAmong(basis(), messages::measureDepthUnchecked)) << "no run found this pose";
+    EXPECT_FALSE(isAmong(basis(), messages::measureScaleAssumed));
     seen.view.geometry.cArm.sourceToDetectorMm.origin = Origin::Assumed;
-    EXPECT_TRUE(isAmong(basis(), says::measureScaleAssumed));
+    EXPECT_TRUE(isAmong(basis(), messages::measureScaleAssumed));
     const auto measured = seen.measure(Length, atVessels, line).value();
     EXPECT_EQ(labelOf(measured, Length).text(), "2.7 mm at the vessels (scale assumed)");
     EXPECT_EQ(labelOf(seen.measure(Length, atDetector, line).value(), Length).text(), "4.0 mm at the detector");
     EXPECT_EQ(labelOf(seen.measure(Length, inPixels, line).value(), Length).text(), "10.0 px");
 
     seen.view.geometry.cArm.sourceToDetectorMm.origin = Origin::User;
-    EXPECT_TRUE(isAmong(basis(), says::measureScaleTyped));
+    EXPECT_TRUE(isAmong(basis(), messages::measureScaleTyped));
     seen.view.result.emplace();
     seen.view.result->trustworthy = false;
     seen.view.result->uncertainty.depthMm = 8.0;
-    EXPECT_TRUE(isAmong(basis(), says::measurePoseDoubtful));
+    EXPECT_TRUE(isAmong(basis(), messages::measurePoseDoubtful));
     const Messages found = basis();
-    const auto spread = std::ranges::find_if(found, [](const Message& m) { return m.is(says::measureDepthSpread); });
+    const auto spread = std::ranges::find_if(found, [](const Message& m) { return m.is(messages::measureDepthSpread); });
     ASSERT_NE(spread, found.end());
     EXPECT_EQ(spread->text(), "Their depth is known to ±8.0 mm (1-σ): ±1.0 % of the length.");
 }
@@ -162,14 +162,14 @@ TEST(MeasureImage, APoseLookedAtForAWhileHasNoRunBehindIt)
     const MeasuredView preview{seen.view, &seen.tree, nearer};
     const auto measured = measureImage({Length, atVessels, {{0, 0}, {10, 0}}, 0, ""}, preview).value();
     EXPECT_NEAR(measured.value.value, 10.0 * 0.4 * 400.0 / 1200.0, 1e-12);
-    EXPECT_TRUE(isAmong(basisOf(measured, Length, preview), says::measureDepthUnchecked));
+    EXPECT_TRUE(isAmong(basisOf(measured, Length, preview), messages::measureDepthUnchecked));
 }
 
 TEST(MeasureImage, ATypedScaleHoldsWhereNothingElseIsKnown)
 {
     Seen seen;
     const std::vector<Eigen::Vector2d> line{{0, 0}, {30, 40}};
-    EXPECT_TRUE(seen.measure(Length, MeasurementPlane::Typed, line).error().message.is(says::measureNeedsTypedScale));
+    EXPECT_TRUE(seen.measure(Length, MeasurementPlane::Typed, line).error().message.is(messages::measureNeedsTypedScale));
     seen.view.typedMmPerPx = 0.2;
     EXPECT_NEAR(seen.value(Length, MeasurementPlane::Typed, line), 10.0, 1e-12);
     EXPECT_NEAR(seen.value(Area, MeasurementPlane::Typed, {{0, 0}, {10, 0}, {10, 10}, {0, 10}}), 4.0, 1e-12);
@@ -178,7 +178,7 @@ TEST(MeasureImage, ATypedScaleHoldsWhereNothingElseIsKnown)
     const auto measured = seen.measure(Length, MeasurementPlane::Typed, line).value();
     EXPECT_EQ(labelOf(measured, Length).text(), "10.0 mm by the typed scale");
     const Messages basis = basisOf(measured, Length, {seen.view, nullptr});
-    EXPECT_TRUE(isAmong(basis, says::measureBasisTyped));
+    EXPECT_TRUE(isAmong(basis, messages::measureBasisTyped));
     EXPECT_EQ(basis.size(), 1U);
     seen.view.typedMmPerPx = -1.0;
     EXPECT_FALSE(seen.measure(Length, MeasurementPlane::Typed, line));

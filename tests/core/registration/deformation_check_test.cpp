@@ -1,6 +1,6 @@
 #include "core/registration/deformation_check.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/register_views.h"
 #include "core/registration/registration.h"
 #include "tests/support/clean_case.h"
@@ -12,7 +12,7 @@
 namespace angiopose::core {
 namespace {
 
-/// One view of a tree whose part below its centroid was moved across the ray.
+/// One view of a tree whose part below the centroid was moved across the ray by `byMm`.
 RegistrationInput halfMoved(const test::CleanCase& clean, double byMm)
 {
     const double middle = centroidInPatient(clean.tree).z();
@@ -65,8 +65,8 @@ TEST(DeformationDoubt, AHalfThatMovedShakesTrust)
     EXPECT_NE(result.deformed->verdict, DeformationVerdict::Rigid);
     EXPECT_FALSE(result.trustworthy);
     const Message* said =
-        find(result.warnings, result.deformed->verdict == DeformationVerdict::Deformed ? says::deformationRigidOff
-                                                                                       : says::deformationMayBeOff);
+        find(result.warnings, result.deformed->verdict == DeformationVerdict::Deformed ? messages::deformationRigidOff
+                                                                                       : messages::deformationMayBeOff);
     ASSERT_NE(said, nullptr);
     EXPECT_EQ(said->severity(), Severity::Warning);
     EXPECT_GT(std::get<Quantity>(said->arguments()[1]).value, 3.0) << said->text();
@@ -90,7 +90,7 @@ TEST(DeformationDoubt, StoppedWhileDeformationIsNotTrusted)
     EXPECT_EQ(stopped.cameraFromPatient.matrix(), toTheEnd.cameraFromPatient.matrix());
     EXPECT_EQ(stopped.stopReason, StopReason::StoppedByUser);
     EXPECT_FALSE(stopped.trustworthy);
-    const Message* said = find(stopped.warnings, says::deformationStopped);
+    const Message* said = find(stopped.warnings, messages::deformationStopped);
     ASSERT_NE(said, nullptr);
     EXPECT_EQ(said->severity(), Severity::Warning);
 }

@@ -10,7 +10,7 @@
 namespace angiopose::core {
 namespace {
 
-/// A run in which the vessels breathe and sway to and fro.
+/// A run in which the vessels sway back and forth with respiration.
 struct SwayingRun {
     VesselTree treeAt(int frame) const
     {
@@ -45,7 +45,7 @@ struct SwayingRun {
         return std::make_shared<const DeformableResult>(deformVessels(std::span(&view, 1)).value());
     }
 
-    /// Mean distance across the rays from where the vessels are.
+    /// Mean distance across the rays from the true vessel positions, mm.
     double errorMm(const VesselTree& found, const RigidTransform& pose, int frame) const
     {
         const VesselTree truth = treeAt(frame);

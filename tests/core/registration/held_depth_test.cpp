@@ -1,6 +1,6 @@
 #include "core/registration/held_depth.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/judging/pose_shift.h"
 #include "core/registration/registration.h"
 #include "tests/support/clean_case.h"
@@ -11,7 +11,7 @@
 namespace angiopose::core {
 namespace {
 
-/// One straight vessel across the rays: the image does not tell how deep it lies. The start is 40 mm too deep.
+/// One straight vessel across the rays, whose depth the image does not determine. The initial pose is 40 mm too deep.
 RegistrationInput straightVessel()
 {
     RegistrationInput input;
@@ -41,7 +41,7 @@ TEST(HeldDepth, AnUnseenDepthStaysAtTheStartAndTheSentenceSaysSo)
     const RegistrationProblem problem = makeProblem(input, {}).value();
     EXPECT_LT(std::abs(depthShiftMm(problem, result.cameraFromPatient)), 2.5);
     EXPECT_TRUE(
-        std::ranges::any_of(result.warnings, [](const Message& each) { return each.is(says::trustDepthUnknown); }));
+        std::ranges::any_of(result.warnings, [](const Message& each) { return each.is(messages::trustDepthUnknown); }));
 }
 
 TEST(HeldDepth, APoseThatLeftTheStartIsSaidToHaveLeftIt)
@@ -52,7 +52,7 @@ TEST(HeldDepth, APoseThatLeftTheStartIsSaidToHaveLeftIt)
     const RegistrationResult result = evaluatePose(input, deeper).value();
     ASSERT_FALSE(result.uncertainty.observed[5]);
     EXPECT_TRUE(
-        std::ranges::any_of(result.warnings, [](const Message& each) { return each.is(says::trustDepthMoved); }));
+        std::ranges::any_of(result.warnings, [](const Message& each) { return each.is(messages::trustDepthMoved); }));
 }
 
 TEST(HeldDepth, ADepthThatTheImageTellsIsLeftAlone)

@@ -1,4 +1,4 @@
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/registration.h"
 #include "tests/support/clean_case.h"
 
@@ -11,9 +11,9 @@ namespace {
 
 using Move = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
 
-constexpr double lastPixel = 1023.0;   // column and row of the clean case's images
+constexpr double lastPixel = 1023.0;   // last column and row of the clean case's images
 
-/// A tree and its image, which was stored otherwise.
+/// A tree and its image, stored in another orientation by `stored`.
 RegistrationInput inputOf(const Move& stored)
 {
     const test::CleanCase clean(3);
@@ -25,7 +25,7 @@ RegistrationInput inputOf(const Move& stored)
     return input;
 }
 
-/// What is said of it.
+/// Result of registering to the image stored in that orientation.
 RegistrationResult resultOf(const Move& stored)
 {
     return registerVessels(inputOf(stored)).value();
@@ -45,10 +45,10 @@ TEST(ImageOrientationCheck, NamesAMirroredImage)
 {
     const auto leftRight = resultOf(leftToRight);
     EXPECT_FALSE(leftRight.trustworthy);
-    EXPECT_TRUE(isSaid(leftRight, says::frameMirroredLeftRight));
+    EXPECT_TRUE(isSaid(leftRight, messages::frameMirroredLeftRight));
     const auto upDown = resultOf([](const Eigen::Vector2d& at) { return Eigen::Vector2d(at.x(), lastPixel - at.y()); });
     EXPECT_FALSE(upDown.trustworthy);
-    EXPECT_TRUE(isSaid(upDown, says::frameMirroredUpDown));
+    EXPECT_TRUE(isSaid(upDown, messages::frameMirroredUpDown));
 }
 
 TEST(ImageOrientationCheck, NamesAMirroredImageThoughBranchesWereChosen)
@@ -57,12 +57,12 @@ TEST(ImageOrientationCheck, NamesAMirroredImageThoughBranchesWereChosen)
     input.auxiliaryBranchIds = {input.tree.branches[1].id};
     const RegistrationResult result = registerVessels(input).value();
     EXPECT_FALSE(result.trustworthy);
-    EXPECT_TRUE(isSaid(result, says::frameMirroredLeftRight));
+    EXPECT_TRUE(isSaid(result, messages::frameMirroredLeftRight));
 }
 
 TEST(ImageOrientationCheck, IsStoppedWhereTheFitIsDone)
 {
-    // After the fit its last report is repeated while other frames are looked at.
+    // After the fit, its last progress report is repeated while the other orientations are checked.
     int last = 0;
     int asked = 0;
     const auto stopAfterTheFit = [&](const IterationReport& report) {
@@ -74,20 +74,20 @@ TEST(ImageOrientationCheck, IsStoppedWhereTheFitIsDone)
     EXPECT_EQ(asked, 1) << "nobody is asked again once stopped";
     EXPECT_EQ(result.stopReason, StopReason::StoppedByUser);
     EXPECT_FALSE(result.trustworthy);
-    EXPECT_FALSE(isSaid(result, says::frameMirroredLeftRight));
+    EXPECT_FALSE(isSaid(result, messages::frameMirroredLeftRight));
 }
 
 TEST(ImageOrientationCheck, NamesATurnedImageUnlessItIsFoundTurned)
 {
-    // Right goes down: clockwise.
+    // Right becomes down: a clockwise turn.
     const auto turned = resultOf([](const Eigen::Vector2d& at) { return Eigen::Vector2d(lastPixel - at.y(), at.x()); });
-    EXPECT_TRUE(turned.trustworthy || isSaid(turned, says::frameTurnedClockwise));
+    EXPECT_TRUE(turned.trustworthy || isSaid(turned, messages::frameTurnedClockwise));
     const auto around =
         resultOf([](const Eigen::Vector2d& at) { return Eigen::Vector2d(lastPixel - at.x(), lastPixel - at.y()); });
-    EXPECT_TRUE(around.trustworthy || isSaid(around, says::frameUpsideDown));
+    EXPECT_TRUE(around.trustworthy || isSaid(around, messages::frameUpsideDown));
 }
 
-/// A patient who lies feet first, and a device that counts angles as if nobody did.
+/// A patient lying feet first, with a device that counts the angles as if the patient were lying head first.
 TEST(ImageOrientationCheck, NamesAnglesCountedFromTheTable)
 {
     const TableReading reading{PatientPosition::FFS, {-10.0, 5.0, 180.0}, patientFromTable(PatientPosition::FFS)};
@@ -97,11 +97,11 @@ TEST(ImageOrientationCheck, NamesAnglesCountedFromTheTable)
         input.initialCameraFromPatient * RigidTransform{reading.turn, pivot - reading.turn * pivot};
     const RegistrationResult unknown = registerVessels(input).value();
     EXPECT_FALSE(unknown.trustworthy);
-    EXPECT_FALSE(isSaid(unknown, says::frameCountedFromTable));
-    input.tableReading = reading;   // its own inverse
+    EXPECT_FALSE(isSaid(unknown, messages::frameCountedFromTable));
+    input.tableReading = reading;   // the reading is its own inverse
     const RegistrationResult result = registerVessels(input).value();
     EXPECT_FALSE(result.trustworthy);
-    ASSERT_TRUE(isSaid(result, says::frameCountedFromTable));
+    ASSERT_TRUE(isSaid(result, messages::frameCountedFromTable));
     EXPECT_NE(result.warnings.front().text().find("LAO/RAO -10.0°, CRA/CAU 5.0°, roll 180.0°"), std::string::npos)
         << result.warnings.front().text();
 }

@@ -7,13 +7,13 @@
 
 using namespace angiopose;
 
-// What stays as it is when degrees of freedom are locked, whatever the method.
+// Quantities that stay fixed when degrees of freedom are locked, for every method.
 
 namespace {
 
 using namespace core;
 
-/// A small tree and its exact projections; the start is wrong in some degrees of freedom only.
+/// A small tree with its exact projections and an initial pose that is wrong in some degrees of freedom only.
 struct LockedCase {
     explicit LockedCase(std::uint64_t seed) : tree(simulateTree(seed, {10, 120.0, 3.0, 2.0}))
     {
@@ -86,7 +86,7 @@ TEST_P(LockedAxes, KeepTheirValueExactly)
     EXPECT_NEAR(after.rightMm, before.rightMm, 1e-9);
     EXPECT_GT(std::abs(after.upMm - before.upMm) + std::abs(after.rollDeg - before.rollDeg), 0.05);
     const PoseUncertainty& uncertainty = result.value().uncertainty;
-    EXPECT_LT(uncertainty.depthMm, 0.01);   // certain at the pivot, a little beside the mean of the points
+    EXPECT_LT(uncertainty.depthMm, 0.01);   // certain at the pivot, which is slightly off the mean of the points
     EXPECT_TRUE(uncertainty.observed[5]);
     EXPECT_GT(uncertainty.covariance(4, 4), 0.0);
 }
@@ -125,7 +125,7 @@ std::vector<std::string_view> allMethodIds()
 {
     std::vector<std::string_view> ids;
     for (const MethodInfo& method : methodInfos()) {
-        if (method.id != "wire") {   // wants one line, not a tree: wire_test.cpp
+        if (method.id != "wire") {   // requires one line, not a tree: see wire_test.cpp
             ids.push_back(method.id);
         }
     }

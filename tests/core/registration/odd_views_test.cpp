@@ -10,7 +10,7 @@
 namespace angiopose::core {
 namespace {
 
-/// A view of a small tree as it may come: empty, of one point, unmatched, short, cut off, or of another size.
+/// A random view of a small tree: empty, with a single point, unmatched, short, truncated or of another size.
 class OddViews {
 public:
     explicit OddViews(std::uint64_t seed)
@@ -81,14 +81,15 @@ private:
     VesselTree tree_;
 };
 
-/// 12, or as many as the environment asks for.
+/// Number of test rounds: 12, or the number set in the environment.
 std::uint64_t runCount()
 {
     const char* asked = std::getenv("ANGIOPOSE_ODD_VIEWS");
     return asked ? std::stoull(asked) : 12;
 }
 
-// Meant for the address sanitizer: whatever the views hold, a joint run ends with a pose of each view, or says why not.
+// Intended for the address sanitizer: whatever the views contain, a joint registration returns a pose for each view or
+// an error.
 TEST(OddViews, EndWithAPoseOfEachViewOrAnError)
 {
     std::uint64_t refused = 0;

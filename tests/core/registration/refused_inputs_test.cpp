@@ -76,7 +76,7 @@ TEST(RegisterVessels, NamesWhatMakesAnInputUnusable)
     EXPECT_NE(reasonFor(input).find("a radius that is negative"), std::string::npos);
     input = good;
     input.initialCameraFromPatient.translation -=
-        input.initialCameraFromPatient * centroidInPatient(input.tree);   // the source amid the vessels
+        input.initialCameraFromPatient * centroidInPatient(input.tree);   // the source inside the vessels
     EXPECT_NE(reasonFor(input).find("at or behind the X-ray source"), std::string::npos);
     input = good;
     input.target.curves.clear();

@@ -5,7 +5,7 @@
 #include "tests/support/clean_case.h"
 #include "tests/support/matchers.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/simulation/grow_tree.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 namespace angiopose::core {
 namespace {
 
-/// About 0.7 px of noise that neighbours share, on the curves of 80 % of the branches.
+/// About 0.7 px of noise, correlated between neighbors, on the curves of 80 % of the branches.
 Centerline2d traced(const Centerline2d& exact, CounterRandom& random)
 {
     Centerline2d result;
@@ -38,7 +38,7 @@ Centerline2d traced(const Centerline2d& exact, CounterRandom& random)
     return result;
 }
 
-constexpr double idealErrorPx = 0.05;   // of targets without noise; lines see no partners (ALGORITHMS §7)
+constexpr double idealErrorPx = 0.05;   // for noise-free targets; line-based methods use no point partners (ALGORITHMS §7)
 
 TEST(RegisterVessels, RecoversKnownPoseFromNearbyStart)
 {
@@ -89,7 +89,7 @@ TEST(RegisterVessels, TrustsATreeThatRunsAlongTheVesselsThoughMostLiesOutside)
     test::CleanCase clean(2);
     CounterRandom random(5);
     clean.target = traced(clean.target, random);
-    clean.camera.width = 480;   // keeps the left side
+    clean.camera.width = 480;   // keeps the left part of the image
     const auto isOutside = [](const Eigen::Vector2d& point) { return point.x() > 479.0; };
     const std::size_t whole = clean.target.pointCount();
     for (Curve2d& curve : clean.target.curves) {
@@ -103,7 +103,7 @@ TEST(RegisterVessels, TrustsATreeThatRunsAlongTheVesselsThoughMostLiesOutside)
     EXPECT_TRUE(result.value().trustworthy) << result.value().warnings.front();
 }
 
-/// The tree flattened into a plane that holds the source: all of it is one upright line in the image.
+/// The tree flattened into a plane through the source, so that its projection is one vertical line.
 test::CleanCase seenEdgeOn(std::uint64_t seed)
 {
     test::CleanCase clean(seed);
@@ -132,7 +132,7 @@ TEST(RegisterVessels, KnowsThatVesselsSeenEdgeOnMaySlideAlongTheirLine)
         EXPECT_LT(result.value().probabilityWithin2Mm.value_or(0.0), 0.8) << "tree " << seed;
         EXPECT_FALSE(result.value().uncertainty.observed[4]) << "tree " << seed;
         EXPECT_GT(result.value().uncertainty.inPlaneMm, 3.0) << "tree " << seed;
-        EXPECT_EQ(std::ranges::count(result.value().warnings, says::trustShiftUncertain()), 1) << "tree " << seed;
+        EXPECT_EQ(std::ranges::count(result.value().warnings, messages::trustShiftUncertain()), 1) << "tree " << seed;
     }
 }
 
@@ -147,7 +147,7 @@ TEST(RegisterVessels, DoesNotCallAFullTreeASinglePathBesideItsVessels)
                 const auto judged = evaluatePose(clean.from(clean.truth), nudged);
                 ASSERT_TRUE(judged);
                 EXPECT_FALSE(judged.value().trustworthy) << "tree " << seed << ", " << asideMm << " mm";
-                EXPECT_EQ(std::ranges::count(judged.value().warnings, says::trustSinglePath()), 0)
+                EXPECT_EQ(std::ranges::count(judged.value().warnings, messages::trustSinglePath()), 0)
                     << "tree " << seed << ", " << asideMm << " mm";
                 EXPECT_FALSE(judged.value().warnings.empty());
             }
@@ -183,17 +183,17 @@ TEST(RegisterVessels, TrustsASinglePathOnlyWhereItsWidthShowsLumen)
     };
     VesselTree alone = clean.tree;
     alone.branches = {trunk};
-    for (const double deviceMm : {0.0, 1.0}) {   // not known; a catheter's
+    for (const double deviceMm : {0.0, 1.0}) {   // unknown, or the diameter of a catheter
         const RegistrationResult path = registered(alone, [deviceMm](double) { return deviceMm; });
         EXPECT_FALSE(path.trustworthy);
-        EXPECT_EQ(std::ranges::count(path.warnings, says::trustSinglePath()), 1);
+        EXPECT_EQ(std::ranges::count(path.warnings, messages::trustSinglePath()), 1);
     }
     const RegistrationResult vessel = registered(alone, [](double radiusMm) { return 0.9 * radiusMm; });
     EXPECT_TRUE(vessel.signs.isLumen);
-    EXPECT_EQ(std::ranges::count(vessel.warnings, says::trustSinglePath()), 0);
+    EXPECT_EQ(std::ranges::count(vessel.warnings, messages::trustSinglePath()), 0);
     const RegistrationResult whole = registered(clean.tree, [](double) { return 0.0; });
     EXPECT_TRUE(whole.trustworthy);
-    EXPECT_EQ(std::ranges::count(whole.warnings, says::trustSinglePath()), 0);
+    EXPECT_EQ(std::ranges::count(whole.warnings, messages::trustSinglePath()), 0);
 }
 
 TEST(RegisterVessels, PriorDoesNotPullVisibly)
@@ -205,7 +205,7 @@ TEST(RegisterVessels, PriorDoesNotPullVisibly)
     const auto result = registerVessels(input);
     ASSERT_TRUE(result);
 
-    // How far the prior moves the minimum of the image's own cost, ALGORITHMS §6.6 a.
+    // Distance by which the prior shifts the minimum of the image's own cost (ALGORITHMS §6.6 a).
     const RegistrationProblem problem = makeProblem(input, {}).value();
     const TargetLines target(problem.target, problem.camera);
     const CentroidPose pose = aboutCentroid(result.value().cameraFromPatient, problem.tree.centroid);
@@ -280,7 +280,7 @@ TEST(RegisterVessels, StopKeepsTheBestPoseAtEveryStage)
     }
 }
 
-/// Two like trees side by side, one of them moved away; the image shows two vessels where either may lie.
+/// Two identical trees side by side, one of them moved away; the image shows two vessels that either tree could match.
 struct TwinScene {
     ProjectionCamera camera{-1877.0, 1877.0, 255.5, 255.5, 512, 512};
     RigidTransform truth;
@@ -304,7 +304,7 @@ struct TwinScene {
 
 TEST(RegisterVessels, ChosenBranchesDecideBetweenLikePoses)
 {
-    // Only one of two like halves is filled: the other half of the tree would fit as well.
+    // Only one of two identical halves is opacified; the other half of the tree would fit equally well.
     const TwinScene scene;
     RegistrationInput input;
     input.tree = scene.tree;
@@ -327,12 +327,13 @@ TEST(RegisterVessels, ChosenBranchesDecideBetweenLikePoses)
     EXPECT_NEAR(shift.x(), -60.0, 3.0);
 }
 
-/// The note on what chosen branches did: their median distance, the same in the fit of all, degrees and mm between.
+/// Arguments of the note on the effect of the subset: its median distance, the same in the fit of all branches, and the
+/// degrees and mm between the two poses.
 std::vector<double> effectOfChoice(const RegistrationResult& result)
 {
     std::vector<double> numbers;
     for (const Message& message : result.warnings) {
-        if (message.is(says::chosenBranchesFitted)) {
+        if (message.is(messages::chosenBranchesFitted)) {
             for (const MessageArgument& argument : message.arguments()) {
                 numbers.push_back(std::get<Quantity>(argument).value);
             }
@@ -347,7 +348,7 @@ TEST(RegisterVessels, ChosenBranchesOfDeformedVesselsFitBetterAndItIsSaid)
     Curve2d& curve = *std::ranges::max_element(clean.target.curves, {}, [](const Curve2d& each) {
         return (each.pointsPx.back() - each.pointsPx.front()).norm();
     });
-    const int moved = curve.id;   // lies 6 px aside of where the others have it
+    const int moved = curve.id;   // 6 px off the position given by the others
     const Eigen::Vector2d along = (curve.pointsPx.back() - curve.pointsPx.front()).normalized();
     for (Eigen::Vector2d& point : curve.pointsPx) {
         point += 6.0 * Eigen::Vector2d(-along.y(), along.x());
@@ -393,7 +394,7 @@ TEST(RegisterVessels, ChosenBranchesOfRigidVesselsChangeNothing)
     EXPECT_LT(effect[3], 0.5);
 }
 
-/// Ids of the branches fed through the one that feeds the most, the trunk apart.
+/// Ids of the branches fed through the branch with the largest territory, not counting the trunk.
 std::set<int> largestTerritory(const GrownTree& grown)
 {
     std::set<int> largest;
@@ -451,7 +452,7 @@ TEST(RegisterVessels, PutsPointsInOrderThatCameInNone)
     EXPECT_LT(meanErrorPx(clean, result.value().cameraFromPatient), 1.0);
     EXPECT_TRUE(result.value().trustworthy);
     ASSERT_FALSE(result.value().warnings.empty());
-    EXPECT_TRUE(result.value().warnings.front().is(says::targetReordered));
+    EXPECT_TRUE(result.value().warnings.front().is(messages::targetReordered));
 }
 
 TEST(RegisterVessels, ExcludedBranchesAreNotUsed)

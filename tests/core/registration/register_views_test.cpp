@@ -13,7 +13,7 @@
 namespace angiopose::core {
 namespace {
 
-/// A tree in two views, the second one turned by 70° about the tree; targets of noisy points.
+/// A tree in two views, the second rotated by 70° about the tree, with noisy target points.
 struct TwoViews {
     TwoViews()
     {
@@ -27,7 +27,8 @@ struct TwoViews {
         }
     }
 
-    /// Starts that keep the views' geometry but are off by `step` in the first view (about its centroid).
+    /// Sets initial poses that keep the geometry between the views but are off by `step` in the first view (about its
+    /// centroid).
     void startOff(const Vector6d& step)
     {
         const Eigen::Vector3d centroid = centroidInPatient(clean.tree);
@@ -75,7 +76,7 @@ TEST(JointAlignment, StackedGradientIsThatOfTheSum)
     correction << 0.02, -0.03, 0.01, 2.0, 1.0, -3.0;
     const JointPose joint{aboutCentroid(two.truth[0], centroid), {Vector6d::Zero(), correction}};
 
-    // Views that wish to be somewhere else: cost |W (pose ⊖ wish)|² has gradient W² step at the pose itself.
+    // Each view prefers another pose: the cost |W (pose ⊖ wish)|² has the gradient W² step at the pose itself.
     const auto costAt = [&](const JointPose& at, std::vector<NormalEquations>& perView) {
         double cost = 0.0;
         perView.clear();
@@ -184,7 +185,7 @@ TEST(RegisterViews, AStopEndsTheJointRefinementAtOnce)
     EXPECT_EQ(result.value().views.front().stopReason, StopReason::StoppedByUser);
 }
 
-// A step is as long as what it moves, in whichever view: a refused turn is not a step that has settled.
+// The length of a step is that of the motion it causes in any view: a rejected rotation does not count as converged.
 TEST(JointSolve, CountsTurnsAsMotion)
 {
     for (const Eigen::Index parameter : {1, 7, 9}) {
@@ -210,7 +211,7 @@ TEST(RegisterViews, NamesWhatIsWrong)
     EXPECT_NE(registerViews(two.inputs, {}, called).error().message.text().find("View 1"), std::string::npos);
 }
 
-/// The table travelled, and nobody says how far: the turn alone is known.
+/// The table moved by an unknown distance; only the rotation is known.
 TEST(RegisterViews, FindsTheSecondViewWhereverTheTableLeftIt)
 {
     TwoViews two;

@@ -1,4 +1,4 @@
-// The toy square of ALGORITHMS §4.1: point-to-point methods lock one tooth off on its evenly spaced points.
+// The toy square of ALGORITHMS §4.1: point-to-point methods lock in one tooth off on its evenly spaced points.
 #include "core/evaluation/trial/projection_error.h"
 #include "core/registration/registration.h"
 #include "core/simulation/simulated_case.h"
@@ -13,7 +13,7 @@ namespace angiopose::core {
 namespace {
 
 struct ToySquare {
-    /// `segments` per edge; every edge is a branch.
+    /// Square with `segments` segments per edge; every edge is a branch.
     explicit ToySquare(int segments)
     {
         const std::array<Eigen::Vector3d, 4> corners{Eigen::Vector3d(5.0, 0.0, 10.0), Eigen::Vector3d(10.0, 0.0, 10.0),
@@ -30,7 +30,8 @@ struct ToySquare {
         options.pointSpacingMm = std::max(0.2, 5.0 / segments);
     }
 
-    /// Seen from `pose`, started off by one unit in a random direction and `turn` (rad) about the source.
+    /// Error after registering the projection from `pose`, starting off by one unit in a random direction and `turn`
+    /// (rad) about the source.
     double errorPx(const RigidTransform& pose, double turn, CounterRandom& random)
     {
         const auto direction = [&random] {
@@ -51,7 +52,7 @@ struct ToySquare {
     RegistrationOptions options;
 };
 
-/// Variant T-B: tilted by 30° so that the square is seen as one.
+/// Variant T-B: tilted by 30° so that the projection is unambiguously a square.
 RigidTransform tilted()
 {
     const Eigen::Matrix3d turn = expSo3({30.0 * radiansPerDegree, 0.0, 0.0});

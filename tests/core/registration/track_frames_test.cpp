@@ -12,7 +12,7 @@ namespace {
 
 constexpr double framesPerBreath = 60.0;
 
-/// A run in which the tree breathes: 10 mm up and down and 3° of tilt, seen with jittered points.
+/// A run in which the tree moves with respiration, 10 mm up and down and 3° of tilt, with jittered points.
 struct BreathingRun {
     RigidTransform truthAt(int frame) const
     {
@@ -69,7 +69,7 @@ TEST(FrameTracker, SearchesAfterAJump)
     }
     const Eigen::Vector3d centroid = centroidInPatient(run.clean.tree);
     Vector6d jump = Vector6d::Zero();
-    jump[3] = 30.0;   // the table
+    jump[3] = 30.0;   // a table movement
     run.clean.truth = cameraFromPatient(moved(aboutCentroid(run.clean.truth, centroid), jump), centroid);
     for (int frame = 6; frame <= 8; ++frame) {
         const auto tracked = tracker.next(run.targetAt(frame));
@@ -110,7 +110,7 @@ TEST(FrameTracker, SaysWhenTheVesselsAreGoneAndFindsThemAgain)
     for (int frame = 1; frame <= 3; ++frame) {
         ASSERT_TRUE(tracker.next(run.targetAt(frame)));
     }
-    Centerline2d wire;   // the contrast has washed out, a wire is left
+    Centerline2d wire;   // the contrast agent has washed out and only a wire remains
     wire.curves.push_back({1, {}, {}});
     for (int i = 0; i < 300; ++i) {
         wire.curves.back().pointsPx.emplace_back(100.0 + i, 900.0 - 0.2 * i);

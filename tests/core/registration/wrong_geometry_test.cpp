@@ -1,4 +1,4 @@
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/pose/centroid_pose.h"
 #include "core/registration/register_views.h"
 #include "core/simulation/degrade_target.h"
@@ -13,7 +13,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double inside95 = 12.592;   // χ² of six degrees of freedom
+constexpr double inside95 = 12.592;   // 95 % quantile of χ² with six degrees of freedom
 const CameraSpread headerSpread{0.029, 8.0};
 
 RegistrationInput noisyInput(const test::CleanCase& clean, const RigidTransform& truth, std::uint64_t seed)
@@ -29,7 +29,7 @@ void stretchFocalLength(RegistrationInput& input, double factor)
     input.camera.fy *= factor;
 }
 
-/// Squared error over covariance.
+/// Squared error normalized by the covariance (Mahalanobis distance).
 double normalizedError(const test::CleanCase& clean, const RigidTransform& truth, const RigidTransform& pose,
                        const Matrix6d& covariance)
 {
@@ -65,7 +65,7 @@ TEST(WrongGeometry, TheDepthIsAsUncertainAsTheFocalLength)
 {
     const test::CleanCase clean(3);
     RegistrationInput input = noisyInput(clean, clean.truth, 5);
-    input.cameraSpread = {0.005, 0.0};   // less than one view tells by itself
+    input.cameraSpread = {0.005, 0.0};   // smaller than what a single view can determine
     const RegistrationResult result = registerVessels(input).value();
     const double depthMm = (result.cameraFromPatient * centroidInPatient(clean.tree)).z();
     EXPECT_NEAR(result.uncertainty.depthMm, 0.005 * depthMm, 0.1 * 0.005 * depthMm);
@@ -92,7 +92,7 @@ TEST(WrongGeometry, OptionsOverruleWhereTheValuesComeFrom)
     ASSERT_TRUE(given.camera.has_value());
 }
 
-/// Two views 60° apart of one gantry whose distance is told wrongly.
+/// Two views 60° apart from one gantry whose distance is wrong by `factor`.
 MultiViewResult twoViews(double factor)
 {
     const test::CleanCase clean(3);

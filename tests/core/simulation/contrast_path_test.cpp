@@ -44,7 +44,7 @@ TEST(ContrastPath, ATubeAcrossTheRayHasTheChordProfile)
 
 TEST(ContrastPath, ATubeTiltedTowardsTheRayLooksDenser)
 {
-    const double tilt = std::numbers::pi / 3.0;   // 60° out of the detector plane: path length doubles
+    const double tilt = std::numbers::pi / 3.0;   // 60° out of the detector plane doubles the path length
     const Eigen::Vector3d half(20.0 * std::cos(tilt), 0.0, 20.0 * std::sin(tilt));
     const Eigen::Vector3d center(0.0, 0.0, depthMm);
     const ImageF image = filledThickness(tubePath(center - half, center + half, 1.5));

@@ -29,7 +29,7 @@ TEST(DeformTree, MovesPointsByTheAskedDeviationAndNeighborsAlike)
         }
     }
     EXPECT_NEAR(std::sqrt(squares / count), 2.0, 0.3);
-    // A Gaussian process with length 40 mm changes by σ/40 per mm.
+    // A Gaussian process with a correlation length of 40 mm changes by σ/40 per mm.
     EXPECT_NEAR(std::sqrt(neighborSquares / count), 2.0 / 40.0, 0.02);
 }
 

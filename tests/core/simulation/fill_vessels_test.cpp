@@ -25,7 +25,7 @@ TEST(FillVessels, NoFilledBranchHangsOnAnEmptyOne)
         const GrownTree grown = growTree(seed, {});
         CounterRandom random(seed);
         const FilledVessels vessels = fillVessels(grown, {.missingBranchShare = 0.4}, random);
-        EXPECT_EQ(vessels.missingBranchIds.size(), 10u);   // 0.4 of 24
+        EXPECT_EQ(vessels.missingBranchIds.size(), 10u);   // 0.4 of 24 branches
         const std::set<int> visible = idSetOf(vessels.visible);
         for (std::size_t b = 1; b < grown.tree.branches.size(); ++b) {
             const auto parent = static_cast<std::size_t>(grown.takeoffs[b].parentIndex);

@@ -18,8 +18,8 @@ RigidTransform somePose()
 }
 
 struct Spread {
-    Eigen::Vector3d rotationDeg = Eigen::Vector3d::Zero();   ///< rms per camera axis
-    Eigen::Vector3d centroidMm = Eigen::Vector3d::Zero();   ///< rms per camera axis
+    Eigen::Vector3d rotationDeg = Eigen::Vector3d::Zero();   ///< RMS per camera axis
+    Eigen::Vector3d centroidMm = Eigen::Vector3d::Zero();   ///< RMS per camera axis
 };
 
 template <class Perturb>

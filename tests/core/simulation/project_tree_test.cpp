@@ -28,7 +28,7 @@ TEST(ProjectTree, GivesOneCurvePerBranchWithThePixelsOfItsPoints)
     }
 }
 
-/// Of the nearest point of the curve, not only of its vertices.
+/// Distance to the nearest point on the curve, not only to its vertices, px.
 double distancePx(const Curve2d& curve, const Eigen::Vector2d& place)
 {
     double nearest = std::numeric_limits<double>::infinity();
@@ -53,7 +53,7 @@ TEST(ProjectCurves, LieOnTheSameCurvesAndHaveNoPartners)
         const auto& points = again.curves[c].pointsPx;
         for (std::size_t i = 1; i + 1 < points.size(); ++i) {
             EXPECT_LT(distancePx(own.curves[c], points[i]), 1e-6);
-            EXPECT_NEAR((points[i] - points[i - 1]).norm(), 1.0, 0.4);   // across a bend it is less
+            EXPECT_NEAR((points[i] - points[i - 1]).norm(), 1.0, 0.4);   // less across a sharp curve
             ++asked;
             partners += std::ranges::any_of(own.curves[c].pointsPx, [&](const Eigen::Vector2d& point) {
                 return (point - points[i]).norm() < 1e-3;
@@ -62,7 +62,7 @@ TEST(ProjectCurves, LieOnTheSameCurvesAndHaveNoPartners)
         EXPECT_LT((points.front() - own.curves[c].pointsPx.front()).norm(), 1e-9);
     }
     EXPECT_GT(asked, 2000u);
-    EXPECT_LT(partners, asked / 200);   // by chance
+    EXPECT_LT(partners, asked / 200);   // coincidental partners
 }
 
 TEST(ProjectTree, LeavesOutPointsBehindTheSource)

@@ -15,7 +15,7 @@ using namespace core;
 
 constexpr double midGray = 2048.0;
 
-/// Vessels alone: no noise, motion, catheter, extra vessels or shutter.
+/// Vessels only: no noise, motion, catheter, extra vessels or shutter.
 DsaOptions cleanDsa()
 {
     DsaOptions options;
@@ -57,7 +57,7 @@ float bilinear(const ImageF& image, const Eigen::Vector2d& pixel)
            fy * ((1 - fx) * image.at(x, y + 1) + fx * image.at(x + 1, y + 1));
 }
 
-/// Signed distance from a centreline point to the centre of darkness across it.
+/// Signed distance from a centerline point to the darkest point across the vessel.
 double ridgeOffset(const ImageF& image, const Eigen::Vector2d& pixel, const Eigen::Vector2d& tangent, double reachPx)
 {
     const Eigen::Vector2d normal(-tangent.y(), tangent.x());
@@ -114,7 +114,7 @@ TEST(SimulateCase, MissingBranchesAreInvisibleAndTheOthersShow)
 {
     const SimulatedCase simulated = simulateCase(5, {}, cleanDsa());
     const ImageF& frame = simulated.angiogram.frames.front();
-    ASSERT_EQ(simulated.missingBranchIds.size(), 5u);   // 0.2 of 24
+    ASSERT_EQ(simulated.missingBranchIds.size(), 5u);   // 0.2 of 24 branches
     const Centerline2d all = projectTree(simulated.tree, simulated.camera, simulated.trueCameraFromPatient);
     int checkedMissing = 0;
     int dark = 0;
@@ -132,7 +132,7 @@ TEST(SimulateCase, MissingBranchesAreInvisibleAndTheOthersShow)
                 dark += bilinear(frame, pixel) < midGray - 30.0 ? 1 : 0;
             } else if (distanceToOthers(simulated.trueTarget, -1, pixel) > 10.0) {
                 ++checkedMissing;
-                // Scatter from the filled vessels lifts their surroundings a little.
+                // Scatter from the opacified vessels slightly brightens their surroundings.
                 EXPECT_NEAR(bilinear(frame, pixel), midGray, 25.0);
             }
         }
@@ -165,7 +165,7 @@ TEST(SimulateCase, LooksLikeAnExportedRun)
     }
 }
 
-TEST(SimulateCase, TheFullestFrameShowsMoreVesselThanTheFirstAndTheLast)
+TEST(SimulateCase, ThePeakFrameShowsMoreVesselThanTheFirstAndTheLast)
 {
     DsaOptions options = cleanDsa();
     options.frameCount = 8;
@@ -185,13 +185,13 @@ TEST(SimulateCase, TheContrastMediumKeepsToItsTiming)
 {
     DsaOptions options = cleanDsa();
     options.frameCount = 6;
-    options.timing.firstS = 0.9;   // the run begins late, and ends before the contrast medium goes
+    options.timing.firstS = 0.9;   // the run starts late and ends before the contrast agent washes out
     options.timing.injectionS = 10.0;
-    EXPECT_GE(simulateCase(2, {}, options).angiogram.suggestedFrame, 1);   // filled by then
+    EXPECT_GE(simulateCase(2, {}, options).angiogram.suggestedFrame, 1);   // opacified by then
     options.timing.firstS = 10.5;
-    EXPECT_EQ(simulateCase(2, {}, options).angiogram.suggestedFrame, 0);   // it only goes
+    EXPECT_EQ(simulateCase(2, {}, options).angiogram.suggestedFrame, 0);   // washout only
     options.timing = {.firstS = 0.0, .runS = 0.6, .fillingS = 3.0};
-    EXPECT_EQ(simulateCase(2, {}, options).angiogram.suggestedFrame, 5);   // it only comes
+    EXPECT_EQ(simulateCase(2, {}, options).angiogram.suggestedFrame, 5);   // wash-in only
     EXPECT_EQ(simulateCase(2, {}, options).angiogram.frameTimeMs, 100.0);
 }
 
@@ -224,7 +224,7 @@ TEST(SimulateCase, NoiseFollowsThePhotonCount)
         DsaOptions options = cleanDsa();
         options.photonCount = photons;
         const ImageF frame = simulateCase(8, {}, options).angiogram.frames.front();
-        double squares = 0.0;   // of differences along the top rows, where no vessel is
+        double squares = 0.0;   // squared differences along the top rows, where there is no vessel
         for (int x = 2; x < frame.width; ++x) {
             squares += std::pow(frame.at(x, 2) - frame.at(x - 2, 2), 2) / 2.0;
         }
@@ -256,12 +256,12 @@ TEST(SimulateCase, StartsWhereAHeaderWouldPutIt)
         lateral += error.head<2>().squaredNorm() / 2.0;
         depth += error.z() * error.z();
     }
-    EXPECT_NEAR(std::sqrt(angles / cases) * 180.0 / std::numbers::pi, std::sqrt(3.0), 0.35);   // three axes of 1°
+    EXPECT_NEAR(std::sqrt(angles / cases) * 180.0 / std::numbers::pi, std::sqrt(3.0), 0.35);   // 1° about each of three axes
     EXPECT_NEAR(std::sqrt(lateral / cases), 15.0, 3.0);
     EXPECT_NEAR(std::sqrt(depth / cases), 30.0, 7.0);
 }
 
-/// The curve's places at every fortieth of its length: as many, however it is sampled.
+/// Points at every fortieth of the curve's length, the same number for any sampling.
 std::vector<Eigen::Vector2d> inEvenShares(const Curve2d& curve)
 {
     return resampled(Centerline2d{{curve}}, curve.lengthPx() / 40.0).curves.front().pointsPx;

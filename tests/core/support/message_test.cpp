@@ -1,7 +1,7 @@
 #include "core/support/message.h"
 
 #include "core/messages/catalog.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/support/result.h"
 
 #include <gtest/gtest.h>
@@ -18,26 +18,26 @@ concept TakesArguments = requires(const Kind& kind, const Arguments&... argument
     kind(arguments...);
 };
 
-// A wrong number of arguments does not compile.
-static_assert(TakesArguments<decltype(says::noSuchBranch), int>);
-static_assert(!TakesArguments<decltype(says::noSuchBranch)>);
-static_assert(!TakesArguments<decltype(says::noSuchBranch), int, int>);
+// A wrong number of arguments must not compile.
+static_assert(TakesArguments<decltype(messages::noSuchBranch), int>);
+static_assert(!TakesArguments<decltype(messages::noSuchBranch)>);
+static_assert(!TakesArguments<decltype(messages::noSuchBranch), int, int>);
 static_assert(placesIn("%1 of %2 are within 5 %.") == 2);
 
 TEST(Message, SaysItsArgumentsInEnglish)
 {
-    EXPECT_EQ(says::noSuchBranch(7).text(), "The vessel tree has no branch 7.");
-    EXPECT_EQ(says::trustBetterAside(inMm(2.44, 1)).text(), "The vessels fit better 2.4 mm aside.");
-    EXPECT_EQ(says::trustOutsideImage(Quantity{31.2, 0, "%"}).text(),
+    EXPECT_EQ(messages::noSuchBranch(7).text(), "The vessel tree has no branch 7.");
+    EXPECT_EQ(messages::trustBetterAside(inMm(2.44, 1)).text(), "The vessels fit better 2.4 mm aside.");
+    EXPECT_EQ(messages::trustOutsideImage(Quantity{31.2, 0, "%"}).text(),
               "Only 31 % of the vessel tree lies inside the image.");
-    EXPECT_EQ(says::noSuchMethod("guess", std::vector<std::string>{"angiopose", "dt-icp"}).text(),
+    EXPECT_EQ(messages::noSuchMethod("guess", std::vector<std::string>{"angiopose", "dt-icp"}).text(),
               "There is no method 'guess'. Choose one of: angiopose, dt-icp.");
 }
 
 TEST(Message, HoldsOtherMessages)
 {
-    const Message inner = says::noSuchBranch(7);
-    const Message outer = says::inView(2, inner);
+    const Message inner = messages::noSuchBranch(7);
+    const Message outer = messages::inView(2, inner);
 
     EXPECT_EQ(outer.text(), "View 2: The vessel tree has no branch 7.");
     EXPECT_EQ(std::get<Messages>(outer.arguments()[1]).front(), inner);
@@ -45,15 +45,15 @@ TEST(Message, HoldsOtherMessages)
 
 TEST(Message, IsToldByItsIdWhateverItSays)
 {
-    EXPECT_TRUE(says::noSuchBranch(7).is(says::noSuchBranch));
-    EXPECT_FALSE(says::noSuchBranch(7).is(says::branchTwice));
-    EXPECT_EQ(says::noSuchBranch(7).id(), "tree.no-such-branch");
-    EXPECT_NE(says::noSuchBranch(7), says::noSuchBranch(8));
+    EXPECT_TRUE(messages::noSuchBranch(7).is(messages::noSuchBranch));
+    EXPECT_FALSE(messages::noSuchBranch(7).is(messages::branchTwice));
+    EXPECT_EQ(messages::noSuchBranch(7).id(), "tree.no-such-branch");
+    EXPECT_NE(messages::noSuchBranch(7), messages::noSuchBranch(8));
 }
 
 TEST(Message, NamesWhatItIsAboutOuterFirst)
 {
-    EXPECT_EQ(says::volumeEmpty().about("vessel").about("a.angiopose").text(),
+    EXPECT_EQ(messages::volumeEmpty().about("vessel").about("a.angiopose").text(),
               "a.angiopose: vessel: The volume is empty. Choose another series or file.");
 }
 
@@ -66,8 +66,8 @@ TEST(Message, KeepsPercentSignsThatAreNoPlaces)
 
 TEST(Result, TellsStopFromErrors)
 {
-    const Result<int> stopped = Stopped{says::tracingStopped()};
-    const Result<int> failed = Error(says::volumeEmpty());
+    const Result<int> stopped = Stopped{messages::tracingStopped()};
+    const Result<int> failed = Error(messages::volumeEmpty());
 
     EXPECT_TRUE(stopped.isStopped());
     EXPECT_EQ(stopped.error().message.severity(), Severity::Note);

@@ -31,7 +31,7 @@ TEST(ParallelFor, WorkOfAHelperThatThrowsReachesTheCaller)
 TEST(ParallelFor, StopLeavesTheRestUndone)
 {
     const auto work = [](std::size_t) { std::this_thread::sleep_for(std::chrono::microseconds(200)); };
-    EXPECT_FALSE(parallelFor(1000, 2, work, [](double) { return false; }));   // long before the other thread is done
+    EXPECT_FALSE(parallelFor(1000, 2, work, [](double) { return false; }));   // long before the other thread finishes
     EXPECT_TRUE(parallelFor(
         10, 2, [](std::size_t) {}, [](double) { return true; }));
 }

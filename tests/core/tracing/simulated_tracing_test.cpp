@@ -6,7 +6,7 @@ using namespace angiopose;
 
 namespace {
 
-/// The table `tracing_table --simulated` in small: the aims are means over many runs.
+/// A small version of the table `tracing_table --simulated`, whose targets are means over many runs.
 TEST(SimulatedTracing, FindsVisibleVesselsAndLittleElse)
 {
     core::DsaOptions dsa;

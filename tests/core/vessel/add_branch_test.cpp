@@ -1,6 +1,6 @@
 #include "core/vessel/add_branch.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 using namespace core;
 
-/// Straight along x, 3 mm wide.
+/// A straight trunk along x, 3 mm wide.
 VesselTree trunk(int generation = 0)
 {
     VesselTree tree;
@@ -23,7 +23,7 @@ VesselTree trunk(int generation = 0)
     return tree;
 }
 
-/// Along the trunk's edge from x = 15 to 20, then away along y to 20 mm.
+/// A branch along the trunk's edge from x = 15 to 20, then away from it along y to 20 mm.
 VesselBranch leaving()
 {
     VesselBranch branch;
@@ -78,7 +78,7 @@ TEST(AddBranch, RefusesWhatRunsInsideAltogether)
     inside.pointsInPatient = {{5.0, 1.0, 0.0}, {10.0, 1.0, 0.0}, {15.0, 1.0, 0.0}};
     const auto refused = withBranch(trunk(), inside);
     ASSERT_FALSE(refused);
-    EXPECT_TRUE(refused.error().message.is(says::branchRunsInside));
+    EXPECT_TRUE(refused.error().message.is(messages::branchRunsInside));
 }
 
 TEST(AddBranch, BridgesTwoBranchesAndBelongsToTheOneNearerTheRoot)

@@ -16,7 +16,7 @@ Points shuffled(Points points)
     return points;
 }
 
-/// Largest step from a point of a curve to the next.
+/// Largest step between consecutive points of a curve.
 double longestStep(const Centerline2d& centerline)
 {
     double longest = 0.0;
@@ -55,7 +55,7 @@ TEST(ChainPoints, CutsAtForksAndBetweenPieces)
     }
     const Centerline2d chained = chainPoints(shuffled(points));
     EXPECT_EQ(points.size(), chained.pointCount());
-    EXPECT_EQ(4U, chained.curves.size());   // three arms, one with the fork; the other piece
+    EXPECT_EQ(4U, chained.curves.size());   // three arms, one including the bifurcation, plus the separate piece
     EXPECT_LE(longestStep(chained), 1.5);
 }
 

@@ -25,7 +25,7 @@ VesselBranch straightBranch(int id, const Eigen::Vector3d& from, const Eigen::Ve
     return branch;
 }
 
-/// A trunk along z with two branches to the sides, one of which branches again.
+/// A trunk along z with two side branches, one of which branches again.
 VesselTree smallTree()
 {
     VesselTree tree;
@@ -61,7 +61,7 @@ TEST(EditTree, PrunesShortAndThinEndBranches)
 {
     EXPECT_EQ(idsInOrder(core::pruned(smallTree(), 10.0, 0.0).value()), (std::vector<int>{1, 4, 6}));
     EXPECT_EQ(idsInOrder(core::pruned(smallTree(), 0.0, 1.8).value()), (std::vector<int>{1, 4}));
-    // Branch 4 is thin but carries branch 9 until that is gone.
+    // Branch 4 is thin but supports branch 9 until that is removed.
     EXPECT_EQ(idsInOrder(core::pruned(smallTree(), 0.0, 3.0).value()), (std::vector<int>{1}));
     EXPECT_FALSE(core::pruned(smallTree(), 100.0, 0.0));
     EXPECT_EQ(idsInOrder(core::pruned(smallTree(), 0.0, 0.0).value()), idsInOrder(smallTree()));
@@ -198,9 +198,9 @@ TEST(TreeGaps, SeesNoneInAWholeTree)
 TEST(TreeGaps, AdvisesToMendABrokenVessel)
 {
     VesselTree tree = smallTree();
-    tree.branches.push_back(straightBranch(12, {36, 0.5, 20}, {50, 1, 20}, 1.8));   // goes on where branch 4 ends
-    tree.branches.push_back(straightBranch(13, {0, 9, 50}, {0, 30, 50}, 1.0));   // left the trunk
-    tree.branches.push_back(straightBranch(14, {0, 200, 0}, {0, 230, 0}, 1.0));   // of something else
+    tree.branches.push_back(straightBranch(12, {36, 0.5, 20}, {50, 1, 20}, 1.8));   // continues where branch 4 ends
+    tree.branches.push_back(straightBranch(13, {0, 9, 50}, {0, 30, 50}, 1.0));   // detached from the trunk
+    tree.branches.push_back(straightBranch(14, {0, 200, 0}, {0, 230, 0}, 1.0));   // part of another structure
     const std::vector<core::TreeGap> gaps = core::findGaps(tree);
     ASSERT_EQ(gaps.size(), 2U);
     EXPECT_EQ(gaps[0].fromBranchId + gaps[0].toBranchId, 4 + 12);
@@ -229,7 +229,7 @@ TEST(TreeGaps, AreClosedByJoiningEndsOrLeadingOnToASide)
         tree = whole.value();
     }
     EXPECT_EQ(core::pieceCount(tree), 1);
-    EXPECT_EQ(tree.branches.size(), smallTree().branches.size() + 1);   // one joined, one led on
+    EXPECT_EQ(tree.branches.size(), smallTree().branches.size() + 1);   // one pair is joined, branch 13 is extended to the trunk
     EXPECT_NEAR(tree.find(13)->pointsInPatient.front().y(), 0.0, 1e-9);
     EXPECT_EQ(tree.find(13)->radiusMm.size(), tree.find(13)->pointsInPatient.size());
     EXPECT_TRUE(core::findGaps(tree).empty());

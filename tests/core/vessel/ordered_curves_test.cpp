@@ -11,7 +11,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
-/// A vessel that winds, in whole pixels as a skeleton has them.
+/// A winding vessel in whole pixels, as from a skeleton.
 Points windingPixels()
 {
     Points pixels;

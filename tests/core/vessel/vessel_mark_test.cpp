@@ -37,7 +37,7 @@ TEST(VesselMark, ProjectsAsTheOutlineOfItsDisc)
     const RigidTransform patientFromCamera = pose.inverse();
     const std::vector<Eigen::Vector3d> points = ringPoints(ring, 72);
     ASSERT_EQ(points.size(), 72U);
-    for (const Eigen::Vector3d& point : points) {   // back along each pixel's ray onto the plane of the ring
+    for (const Eigen::Vector3d& point : points) {   // back-projected along each pixel's ray onto the plane of the ring
         const auto pixel = project(camera, pose * point);
         ASSERT_TRUE(pixel);
         const Eigen::Vector3d way = patientFromCamera.rotation * rayThroughPixel(camera, *pixel);

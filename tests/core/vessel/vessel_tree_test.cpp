@@ -100,7 +100,7 @@ TEST(VesselTree, ExcludedBranchesAreGone)
     EXPECT_EQ(rest.find(2), nullptr);
 }
 
-/// Two points along x.
+/// A branch of two points along x.
 core::VesselTree stretch(double length, double radius)
 {
     core::VesselBranch branch;
@@ -115,7 +115,7 @@ TEST(VesselTree, DoubtsLengthsAndWidthsThatNoVesselsHave)
     EXPECT_DOUBLE_EQ(core::acrossMm(stretch(120.0, 1.5)), 120.0);
     EXPECT_TRUE(core::isUsualSize(stretch(120.0, 1.5)));
     EXPECT_FALSE(core::isUsualSize(stretch(0.12, 0.0015))) << "metres";
-    EXPECT_FALSE(core::isUsualSize(stretch(12.0, 0.1))) << "centimetres, told by the width alone";
+    EXPECT_FALSE(core::isUsualSize(stretch(12.0, 0.1))) << "centimeters, recognized by the width alone";
     EXPECT_FALSE(core::isUsualSize(stretch(120000.0, 1500.0))) << "micrometres";
     core::VesselTree bare = stretch(120.0, 1.5);
     bare.branches[0].radiusMm.clear();

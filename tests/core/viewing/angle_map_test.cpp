@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-/// A view whose gantry stands at the given angles, the tree's centroid in the isocentre.
+/// A view at the given gantry angles, with the tree's centroid at the isocenter.
 View viewAt(const VesselTree& tree, double primaryDeg, double secondaryDeg)
 {
     View view;
@@ -45,8 +45,7 @@ TEST(AngleMap, LooksFromTheSideAtAVesselThatRunsForwards)
 
 TEST(AngleMap, LooksCranialAtAVesselThatTiltsBackwards)
 {
-    // Upwards and back by 30°: a detector above it looks at its full length from CAU or CRA 30°, and no other side
-    // does.
+    // A vessel directed upward and 30° backward: only a detector above it at CAU or CRA 30° shows its full length.
     const VesselTree tree = straightTree({0.0, std::sin(0.5236), std::cos(0.5236)});
     const AngleMap map = mapOf(tree, 1, viewAt(tree, 0.0, 0.0), {{-10.0, 10.0}, {-40.0, 40.0}, 2.5, 1});
     EXPECT_NEAR(map.best.front().angles.secondaryDeg, 30.0, 1.0);
@@ -55,7 +54,7 @@ TEST(AngleMap, LooksCranialAtAVesselThatTiltsBackwards)
 
 TEST(AngleMap, FollowsThePoseAndNotWhereTheVesselsWereDrawn)
 {
-    // The patient lies turned by 25° about the long axis: so do the best angles.
+    // The patient is rotated by 25° about the long axis, and the best angles rotate with the patient.
     const VesselTree tree = straightTree(Eigen::Vector3d::UnitX());
     View view = viewAt(tree, 0.0, 0.0);
     const double turn = 25.0 * std::numbers::pi / 180.0;

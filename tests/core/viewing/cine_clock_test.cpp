@@ -34,7 +34,7 @@ TEST(CineClock, LeavesFramesOutRatherThanBeingLate)
     CineClock clock({0, 9}, CineOrder::Loop, 50.0);
     clock.start(0, 1000.0);
     EXPECT_EQ(clock.frameAt(1049.0), 0);
-    EXPECT_EQ(clock.frameAt(1374.0), 7);   // nobody asked for 325 ms
+    EXPECT_EQ(clock.frameAt(1374.0), 7);   // after 325 ms without a request
     EXPECT_NEAR(clock.untilNextMs(1374.0), 26.0, 1e-9);
 }
 

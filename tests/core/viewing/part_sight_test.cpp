@@ -13,14 +13,14 @@ VesselBranch straight(int id, const Eigen::Vector3d& from, const Eigen::Vector3d
     return {id, "", {from, to}, {2.0, 2.0}, -1};
 }
 
-/// From 10 m in front of the patient (a nearly parallel beam), turned by `deg` about the patient's long axis.
+/// A pose 10 m in front of the patient (a nearly parallel beam), rotated by `deg` about the patient's long axis.
 RigidTransform fromTheFront(double deg = 0.0)
 {
     const double turn = deg * std::numbers::pi / 180.0;
     Eigen::Matrix3d rotation;
-    rotation << -std::cos(turn), -std::sin(turn), 0.0,   // camera x: to the patient's right
-        0.0, 0.0, -1.0,   // camera y: to the feet
-        std::sin(turn), -std::cos(turn), 0.0;   // camera z: to the front
+    rotation << -std::cos(turn), -std::sin(turn), 0.0,   // camera x: toward the patient's right
+        0.0, 0.0, -1.0,   // camera y: toward the feet
+        std::sin(turn), -std::cos(turn), 0.0;   // camera z: toward the front
     return {rotation, {0.0, 0.0, 10000.0}};
 }
 

@@ -13,14 +13,14 @@
 namespace angiopose::core {
 namespace {
 
-/// A run of vessels that lie bent in all of its frames, traced and registered.
+/// A run of vessels that are deformed in all of its frames, traced and registered.
 Case registeredRun(double deformedStdMm)
 {
     DsaOptions dsa;
     dsa.nonRigidStdMm = deformedStdMm;
     dsa.missingBranchShare = dsa.extraBranchShare = dsa.catheterProbability = dsa.shutterProbability = 0.0;
     Case values = test::caseOf(simulateCase(5, {}, dsa));
-    values.shown().target.centerline = nullptr;   // traced, frame by frame
+    values.shown().target.centerline = nullptr;   // traced for each frame
     const auto registered = registerCase(values, {}, {});
     EXPECT_TRUE(registered);
     return registered.value().session;
@@ -44,7 +44,7 @@ TEST(FollowFrames, FollowsDeformedVesselsDeformed)
     session.shown().followed = followedFrom(session.shown().frame, frames.value());
     for (const FollowedFrame& each : frames.value()) {
         const auto known = knownDeformation(session.shown(), session.vessels, each.tracked.cameraFromPatient);
-        ASSERT_TRUE(known) << each.frame;   // frames that were lost may share a pose
+        ASSERT_TRUE(known) << each.frame;   // lost frames may share a pose
         EXPECT_TRUE(known->cameraFromPatient.matrix().isApprox(each.deformed->cameraFromPatient.matrix()))
             << each.frame;
         const View there = withFrame(session.shown(), each.frame);
@@ -55,7 +55,7 @@ TEST(FollowFrames, FollowsDeformedVesselsDeformed)
     EXPECT_FALSE(session.shown().followed.frames) << "another pose may follow from it";
 }
 
-/// Things that stand still where the vessels lie agree with their pose in frames without contrast agent too.
+/// Stationary objects at the vessels' positions match their pose even in frames without contrast agent.
 TEST(FollowFrames, DoesNotTrustWhatStandsStillWithoutContrast)
 {
     DsaOptions dsa;

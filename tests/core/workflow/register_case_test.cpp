@@ -4,7 +4,7 @@
 
 #include "core/geometry/angle_units.h"
 #include "core/geometry/rigid_transform.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "tests/support/simulated_views.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(RegisterCase, TellsOfEachViewAndItsProgressNeverFalls)
     const auto run = registerCase(values, {}, [&](const WorkReport& report) {
         hasFallen = hasFallen || report.fraction < last;
         last = report.fraction;
-        if (report.iteration) {   // its pose is one of that view: the tree is in front of its camera
+        if (report.iteration) {   // the pose belongs to that view: the tree is in front of its camera
             views.insert(report.view);
             const RigidTransform& pose = report.iteration->cameraFromPatient;
             EXPECT_LT((pose.translation - values.views[report.view].cameraFromPatient.translation).norm(), 150.0);
@@ -72,16 +72,16 @@ TEST(RegisterCase, CallsTheViewsByTheirPlaceWhicheverIsShown)
 {
     Case values = test::twoViewCase();
     Eigen::Matrix3d& start = values.views[0].initialCameraFromPatient->rotation;
-    start = expSo3({0.0, 5.0 * radiansPerDegree, 0.0}) * start;   // the geometry between the views is wrong now
+    start = expSo3({0.0, 5.0 * radiansPerDegree, 0.0}) * start;   // the geometry between the views is now wrong
     for (std::size_t shown : {0, 1}) {
         values.shownView = shown;
         const auto run = registerCase(values);
         ASSERT_TRUE(run) << run.error().message;
         const std::string other =
-            shown == 0 ? "view 2" : "view 1";   // its geometry is told relative to the shown one's
+            shown == 0 ? "view 2" : "view 1";   // its geometry is reported relative to the shown one
         const Messages& warnings = run.value().joint->warnings;
         EXPECT_TRUE(std::ranges::any_of(warnings, [&](const Message& warning) {
-            return warning.id() == says::viewFarFromHeader(1).id() && warning.text().find(other) != std::string::npos;
+            return warning.id() == messages::viewFarFromHeader(1).id() && warning.text().find(other) != std::string::npos;
         })) << shown;
     }
 }
@@ -137,7 +137,7 @@ TEST(RegisterCase, TrustsNoViewWhereTheViewsAreNotTrustedTogether)
     }
 }
 
-/// The case with targets as noisy as traced ones: without noise every depth is certain.
+/// The case with targets as noisy as traced ones; without noise, every depth would be certain.
 Case withNoise(Case values)
 {
     CounterRandom random(3);
@@ -165,7 +165,7 @@ TEST(RegisterCase, TakesOneViewAloneWhereThatIsWanted)
     EXPECT_GT(alone.value().result().uncertainty.depthMm, together.value().result().uncertainty.depthMm);
 }
 
-/// The source said to be farther away than it is.
+/// The case with the source assumed to be farther away than it is.
 Case withFarSource(Case values, double factor)
 {
     for (View& view : values.views) {
@@ -242,7 +242,7 @@ TEST(RegisterCase, HearsStopInEveryView)
 {
     const Case values = test::twoViewCase();
     const auto stopped = registerCase(values, {}, [](const WorkReport&) { return Verdict::Stop; });
-    EXPECT_TRUE(stopped.isStopped());   // before there was any pose
+    EXPECT_TRUE(stopped.isStopped());   // before any pose exists
     for (const std::size_t view : {0U, 1U}) {
         int late = 0;
         bool isSaid = false;
@@ -286,7 +286,7 @@ TEST(RegisterCase, DeformationsTheVesselsWhereTheOptionAsksForIt)
     ASSERT_TRUE(run) << run.error().message;
     EXPECT_TRUE(hasDeformed);
     ASSERT_TRUE(run.value().result().deformed);
-    for (const View& view : run.value().session.views) {   // each has it with its own view as the first
+    for (const View& view : run.value().session.views) {   // each stores it with its own view as the first
         ASSERT_TRUE(view.result->deformed);
         EXPECT_TRUE(isOf(*values.vessels.tree, *view.result->deformed));
         ASSERT_EQ(view.result->deformed->viewPoses.size(), 2u);
@@ -299,7 +299,7 @@ TEST(RegisterCase, DeformationsTheVesselsWhereTheOptionAsksForIt)
     rigid.options.deformation = Deformation::Off;
     EXPECT_FALSE(registerCase(rigid, {}).value().result().deformed);
 
-    // Stopped while bending: the rigid pose stays, untrusted, for it was not looked at to the end.
+    // Stopped during the deformation: the rigid pose is kept but marked not reliable, because its check was incomplete.
     const auto stopped = registerCase(values, plan, [](const WorkReport& report) {
         return report.stage == "bending" ? Verdict::Stop : Verdict::Continue;
     });
@@ -308,7 +308,7 @@ TEST(RegisterCase, DeformationsTheVesselsWhereTheOptionAsksForIt)
     EXPECT_FALSE(stopped.value().result().trustworthy);
     EXPECT_EQ(stopped.value().result().deformed->stopReason, StopReason::StoppedByUser);
 
-    // Stopped before: not begun.
+    // Stopped earlier: the deformation was not started.
     const auto early = registerCase(
         values, plan, [](const WorkReport& report) { return report.iteration ? Verdict::Stop : Verdict::Continue; });
     ASSERT_TRUE(early);

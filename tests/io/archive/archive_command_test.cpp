@@ -10,7 +10,7 @@
 namespace angiopose::test {
 namespace {
 
-/// The command with a list of archives of its own.
+/// Runs the command with its own list of archives.
 ProgramOutcome runArchive(const TemporaryFolder& folder, std::vector<std::string> arguments)
 {
     arguments.insert(arguments.begin(), "archive");

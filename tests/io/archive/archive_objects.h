@@ -16,7 +16,8 @@ namespace angiopose::test {
 
 inline constexpr const char* studyUid = "2.25.4711";
 
-/// A run by this program's own writer of elements, with the UIDs that it is told: number `index` of a series.
+/// A DICOM object with a run, written by this program's element writer with the given UIDs: number `index` of the
+/// series.
 inline std::string objectText(int index, const std::string& seriesUid, int side = 64, int frames = 1)
 {
     std::vector<std::uint16_t> pixels;
@@ -60,7 +61,7 @@ inline std::string objectText(int index, const std::string& seriesUid, int side 
     return text ? text.value() : std::string();
 }
 
-/// `count` of them as files.
+/// Writes `count` objects as files.
 inline std::vector<std::string> writeObjects(const TemporaryFolder& folder, const std::string& seriesUid, int count,
                                              int side = 64)
 {
@@ -72,7 +73,7 @@ inline std::vector<std::string> writeObjects(const TemporaryFolder& folder, cons
     return files;
 }
 
-/// Names of all files below a folder that are no whole objects: what must never be left.
+/// Names of all files below a folder that are incomplete objects; there must never be any.
 inline std::vector<std::string> halfFiles(const std::string& folder)
 {
     std::vector<std::string> found;
@@ -99,7 +100,7 @@ private:
     std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
-/// The node's name, the problem and a remedy, in no more than ten seconds.
+/// Expects the node's name, the problem and a remedy in the message, within ten seconds.
 inline void expectFailure(const core::Error& error, const core::MessageEntry& expected, const Stopwatch& watch)
 {
     EXPECT_TRUE(error.message.is(expected)) << error.message.text();

@@ -5,9 +5,7 @@
 #include "io/angiogram_file.h"
 #include "io/archive/dimse/get_series.h"
 #include "io/archive/store/cache.h"
-#include "io/messages/says.h"
-#include "io/messages/says_archive.h"
-#include "io/messages/says_keeping.h"
+#include "io/messages/messages.h"
 
 #include <signal.h>
 #include <sys/resource.h>
@@ -17,7 +15,7 @@ namespace {
 
 using io::ArchiveWay;
 
-/// One archive for the whole suite: it takes seconds to start.
+/// One archive for the whole suite, because it takes seconds to start.
 class ArchiveExchange : public testing::Test {
 protected:
     static void SetUpTestSuite() { orthanc_ = std::make_unique<Orthanc>(); }
@@ -42,7 +40,7 @@ protected:
         return node;
     }
 
-    /// A series that the archive holds after this.
+    /// Sends a series that the archive then stores.
     std::vector<std::string> sent(const std::string& seriesUid, int count, int side = 64)
     {
         auto files = writeObjects(folder_, seriesUid, count, side);
@@ -62,7 +60,7 @@ protected:
     static inline std::unique_ptr<Orthanc> orthanc_;
 };
 
-/// Every object of the sent ones lies in the store with the same pixels and UIDs.
+/// Expects every sent object in the store with the same pixels and UIDs.
 void expectSame(const std::vector<std::string>& files, const std::string& folder)
 {
     for (const std::string& file : files) {
@@ -138,7 +136,7 @@ TEST_F(ArchiveExchange, FindsTheSameBothWays)
     query.modality = "XA";
     query.level = io::ArchiveLevel::Series;
     for (const ArchiveWay way : {ArchiveWay::Dimse, ArchiveWay::Web}) {
-        query.patientName = way == ArchiveWay::Web ? "M" : "Müll";   // this Orthanc takes queries by URL as Latin-1
+        query.patientName = way == ArchiveWay::Web ? "M" : "Müll";   // this Orthanc expects URL queries in Latin-1
         const auto matches = io::findInArchive(node(), way, query);
         ASSERT_TRUE(matches) << matches.error().message.text();
         const auto& found = matches.value().found;
@@ -190,7 +188,7 @@ TEST_F(ArchiveExchange, WrongTitleIsSaid)
     const Stopwatch watch;
     const auto echoed = io::echoArchive(wrong, ArchiveWay::Dimse);
     ASSERT_FALSE(echoed);
-    expectFailure(echoed.error(), io::says::archiveUnknownTitle, watch);
+    expectFailure(echoed.error(), io::messages::archiveUnknownTitle, watch);
     EXPECT_NE(echoed.error().message.text().find("pacs"), std::string::npos);
 }
 
@@ -202,11 +200,11 @@ TEST_F(ArchiveExchange, UnknownCertificateIsRefused)
     const Stopwatch watch;
     const auto web = io::echoArchive(stranger, ArchiveWay::Web);
     ASSERT_FALSE(web);
-    expectFailure(web.error(), io::says::archiveTlsRefused, watch);
-    stranger.isTls = true;   // at a port without TLS
+    expectFailure(web.error(), io::messages::archiveTlsRefused, watch);
+    stranger.isTls = true;   // on a port without TLS
     const auto dimse = io::echoArchive(stranger, ArchiveWay::Dimse);
     ASSERT_FALSE(dimse);
-    expectFailure(dimse.error(), io::says::archiveTlsRefused, watch);
+    expectFailure(dimse.error(), io::messages::archiveTlsRefused, watch);
 }
 
 TEST_F(ArchiveExchange, CutTransferLeavesWholeObjectsOnly)
@@ -221,7 +219,7 @@ TEST_F(ArchiveExchange, CutTransferLeavesWholeObjectsOnly)
     const Stopwatch watch;
     const auto report = io::retrieveFromArchive(cut, ArchiveWay::Dimse, {studyUid, {series}}, store, {});
     ASSERT_TRUE(report.end);
-    expectFailure(*report.end, io::says::archiveBroken, watch);
+    expectFailure(*report.end, io::messages::archiveBroken, watch);
     EXPECT_GT(report.transferred, 0u);
     EXPECT_LT(report.transferred, 6u);
     EXPECT_TRUE(halfFiles(into).empty());
@@ -276,13 +274,13 @@ TEST_F(ArchiveExchange, TooLargeObjectIsNotKept)
         const std::string into = folder_.file(way == ArchiveWay::Web ? "large-web" : "large-dimse");
         const auto report = retrieved(way, series, openStore(into, 20'000));
         ASSERT_TRUE(report.end);
-        EXPECT_TRUE(report.end->message.is(io::says::archiveObjectTooLarge)) << report.end->message.text();
+        EXPECT_TRUE(report.end->message.is(io::messages::archiveObjectTooLarge)) << report.end->message.text();
         EXPECT_EQ(report.transferred, 0u);
         EXPECT_TRUE(halfFiles(into).empty());
     }
 }
 
-/// No file of this process may grow beyond so many bytes, as on a full disk.
+/// Limits the size of every file of this process, as on a full disk.
 class FullDisk {
 public:
     explicit FullDisk(rlim_t bytes)
@@ -311,7 +309,7 @@ TEST_F(ArchiveExchange, FullDiskIsSaid)
         const FullDisk full(30'000);
         const auto report = retrieved(way, series, store);
         ASSERT_TRUE(report.end);
-        expectFailure(*report.end, io::says::fileBeyondLimit, watch);
+        expectFailure(*report.end, io::messages::fileBeyondLimit, watch);
         EXPECT_EQ(report.transferred, 0u);
         EXPECT_TRUE(halfFiles(into).empty());
     }
@@ -337,7 +335,7 @@ TEST_F(ArchiveExchange, CacheDropsTheLongestUnusedFirst)
     const io::StoreLimit tiny{40'000, io::StoreLimit::WhenFull::DropOldest};
     const auto report = io::retrieveFromArchive(node(), ArchiveWay::Dimse, {studyUid, {"2.25.4711.31"}}, store, tiny);
     ASSERT_TRUE(report.end);
-    EXPECT_TRUE(report.end->message.is(io::says::archiveCacheTooSmall));
+    EXPECT_TRUE(report.end->message.is(io::messages::archiveCacheTooSmall));
 }
 
 TEST_F(ArchiveExchange, DuplicateIsSentWithoutHarm)
@@ -360,7 +358,7 @@ TEST_F(ArchiveExchange, WhatIsNoWholeObjectIsNotSent)
     const auto report = io::sendToArchive(node(), ArchiveWay::Dimse, {cut, other});
     EXPECT_EQ(report.failed, 2u);
     EXPECT_EQ(report.transferred, 0u);
-    EXPECT_TRUE(report.problems.at(0).is(io::says::archiveNotSendable));
+    EXPECT_TRUE(report.problems.at(0).is(io::messages::archiveNotSendable));
 }
 
 }   // namespace

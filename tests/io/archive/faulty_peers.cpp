@@ -38,7 +38,7 @@ bool isReadable(int handle, int milliseconds)
     return ::poll(&waited, 1, milliseconds) > 0;
 }
 
-/// Whether there is more to pass; counts what went.
+/// Passes one block on, at most `room` bytes, and subtracts its size; returns false when there is nothing more to pass.
 bool passBlock(int from, int to, std::size_t& room)
 {
     std::array<char, 4096> block{};

@@ -7,7 +7,7 @@
 
 namespace angiopose::test {
 
-/// A port that takes connections and never says a word.
+/// A port that accepts connections and never sends anything.
 class SilentPeer {
 public:
     SilentPeer();
@@ -21,7 +21,7 @@ private:
     int port_;
 };
 
-/// A port whose queue is full: what asks for a connection gets no answer, as from a host that swallows packets.
+/// A port with a full queue: connection requests get no answer, as from a host that drops packets.
 class SwallowingPeer {
 public:
     SwallowingPeer();
@@ -36,7 +36,7 @@ private:
     std::vector<int> waiting_;
 };
 
-/// Passes bytes on to another port; after so many from there it cuts the connection, or lets it hang.
+/// Proxy to another port that cuts the connection, or lets it hang, after a given number of bytes from there.
 class CuttingProxy {
 public:
     enum class AtEnd { Cut, Hang };
@@ -46,7 +46,7 @@ public:
     CuttingProxy& operator=(const CuttingProxy&) = delete;
     int port() const { return port_; }
 
-    /// From now on without cutting.
+    /// Stops cutting connections from now on.
     void heal() { isHealed_ = true; }
 
 private:

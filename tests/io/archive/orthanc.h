@@ -10,18 +10,18 @@
 
 namespace angiopose::test {
 
-/// A port of this computer that nobody listens on.
+/// A local port that nothing listens on.
 int freePort();
 
-/// A certificate of localhost with its key, as files of a folder; nothing where openssl is not installed.
+/// A certificate for localhost with its key, as files of a folder; empty if openssl is not installed.
 struct TestCertificate {
     std::string certificateFile;
     std::string keyFile;
 };
 std::optional<TestCertificate> makeCertificate(const TemporaryFolder& folder, const std::string& name);
 
-/// A real archive of its own, empty at first: DIMSE in the clear, DICOMweb over HTTPS by a proxy, because HTTPS crashes
-/// Debian's Orthanc 1.10.1 itself. Ends with the test.
+/// A separate real archive, empty at first: unencrypted DIMSE, and DICOMweb over HTTPS through a proxy, because HTTPS
+/// crashes Debian's Orthanc 1.10.1 itself. Ends with the test.
 class Orthanc {
 public:
     Orthanc();
@@ -33,7 +33,7 @@ public:
     const std::string& whyNot() const { return whyNot_; }
 
     int dicomPort() const { return dicomPort_; }
-    int movePort() const { return movePort_; }   ///< where it finds "ANGIOPOSE"
+    int movePort() const { return movePort_; }   ///< port where it expects "ANGIOPOSE" as move destination
     std::string webUrl() const
     {
         return "https://localhost:" + std::to_string(proxy_ ? proxy_->port() : 0) + "/dicom-web";

@@ -3,7 +3,7 @@
 #include "tests/io/archive/orthanc.h"
 
 #include "io/archive/dimse/receiver.h"
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 
 #include <algorithm>
 #include <atomic>
@@ -16,7 +16,7 @@ namespace {
 using io::ArchiveWay;
 using namespace std::string_literals;
 
-/// A receiving port beside the test, into a folder of its own.
+/// A receiving port that runs during the test and stores into its own folder.
 class ServedPort {
 public:
     explicit ServedPort(io::ReceiverOptions options, const io::StoreLimit& limit = {},
@@ -56,12 +56,12 @@ public:
         return node;
     }
 
-    core::Messages heard() const   ///< so far
+    core::Messages heard() const   ///< messages so far
     {
         const std::lock_guard lock(hearing_);
         return heard_;
     }
-    const io::TransferReport& report() const { return report_; }   ///< after `finish`
+    const io::TransferReport& report() const { return report_; }   ///< valid after `finish`
     const std::string& root() const { return store_.root(); }
     const std::optional<core::Error>& failure() const { return receiver_->failure(); }
 
@@ -96,7 +96,7 @@ TEST(ArchiveReceiver, TakesWhatIsPushed)
         const std::string came = readText(std::filesystem::path(port.root()) / studyUid / "2.25.4711.41" /
                                           std::filesystem::path(file).filename());
         const std::string sent = readText(file);
-        const std::size_t dataset = sent.find("\x08\0\x05\0"s);   // behind the header, which is the receiver's own
+        const std::size_t dataset = sent.find("\x08\0\x05\0"s);   // after the file header, which the receiver writes itself
         ASSERT_NE(dataset, std::string::npos);
         EXPECT_TRUE(came.ends_with(std::string_view(sent).substr(dataset))) << file;
     }
@@ -114,7 +114,7 @@ TEST(ArchiveReceiver, KeepsTheFirstOfTwoWithOneUid)
     port.finish();
     EXPECT_EQ(port.report().transferred, 1u);
     EXPECT_EQ(port.report().failed, 1u);
-    EXPECT_TRUE(port.report().problems.at(0).is(io::says::archiveObjectDiffers));
+    EXPECT_TRUE(port.report().problems.at(0).is(io::messages::archiveObjectDiffers));
 }
 
 TEST(ArchiveReceiver, TurnsStrangersAway)
@@ -124,14 +124,14 @@ TEST(ArchiveReceiver, TurnsStrangersAway)
     ServedPort port(options);
     const auto stranger = io::echoArchive(port.node(), ArchiveWay::Dimse);
     ASSERT_FALSE(stranger);
-    EXPECT_TRUE(stranger.error().message.is(io::says::archiveTitleNotAllowed)) << stranger.error().message.text();
+    EXPECT_TRUE(stranger.error().message.is(io::messages::archiveTitleNotAllowed)) << stranger.error().message.text();
     io::ArchiveNode known = port.node();
     known.ownTitle = "MODALITY";
     EXPECT_TRUE(io::echoArchive(known, ArchiveWay::Dimse));
     known.title = "SOMEBODY";
     const auto miscalled = io::echoArchive(known, ArchiveWay::Dimse);
     ASSERT_FALSE(miscalled);
-    EXPECT_TRUE(miscalled.error().message.is(io::says::archiveUnknownTitle));
+    EXPECT_TRUE(miscalled.error().message.is(io::messages::archiveUnknownTitle));
 }
 
 TEST(ArchiveReceiver, TellsOfThoseTurnedAwayAsItHappens)
@@ -148,7 +148,7 @@ TEST(ArchiveReceiver, TellsOfThoseTurnedAwayAsItHappens)
     ASSERT_EQ(heard.size(), 2u) << "while it serves";
     EXPECT_EQ(heard[0].text(),
               "127.0.0.1 (AE title ANGIOPOSE) was turned away: it is not on the list of those that may call.");
-    EXPECT_TRUE(heard[1].is(io::says::archiveCalledOtherwise)) << heard[1].text();
+    EXPECT_TRUE(heard[1].is(io::messages::archiveCalledOtherwise)) << heard[1].text();
 }
 
 TEST(ArchiveReceiver, OptionsAreChecked)
@@ -157,11 +157,11 @@ TEST(ArchiveReceiver, OptionsAreChecked)
     EXPECT_TRUE(io::checkReceiver(options));
     options.titles = {"A TITLE OF MORE THAN 16"};
     ASSERT_FALSE(io::checkReceiver(options));
-    EXPECT_TRUE(io::checkReceiver(options).error().message.is(io::says::archiveBadTitle));
+    EXPECT_TRUE(io::checkReceiver(options).error().message.is(io::messages::archiveBadTitle));
     options.titles.clear();
     options.isTls = true;
     ASSERT_FALSE(io::checkReceiver(options));
-    EXPECT_TRUE(io::checkReceiver(options).error().message.is(io::says::archivePortUnsecured));
+    EXPECT_TRUE(io::checkReceiver(options).error().message.is(io::messages::archivePortUnsecured));
 }
 
 TEST(ArchiveReceiver, TurnsStrangeHostsAway)
@@ -196,7 +196,7 @@ TEST(ArchiveReceiver, EndsWhenItsFolderIsFull)
     EXPECT_EQ(report.transferred, 1u);
     port.finish();
     ASSERT_TRUE(port.failure());
-    EXPECT_TRUE(port.failure()->message.is(io::says::archiveCacheTooSmall));
+    EXPECT_TRUE(port.failure()->message.is(io::messages::archiveCacheTooSmall));
     EXPECT_EQ(port.report().transferred, 1u);
 }
 
@@ -207,7 +207,7 @@ TEST(ArchiveReceiver, TakenPortIsSaid)
     options.port = peer.port();
     const auto listening = io::Receiver::listen(options);
     ASSERT_FALSE(listening);
-    EXPECT_TRUE(listening.error().message.is(io::says::archivePortTaken));
+    EXPECT_TRUE(listening.error().message.is(io::messages::archivePortTaken));
 }
 
 TEST(ArchiveReceiver, SpeaksTlsWithKnownCertificatesOnly)
@@ -239,7 +239,7 @@ TEST(ArchiveReceiver, SpeaksTlsWithKnownCertificatesOnly)
     unknownArchive.caFile = stranger->certificateFile;
     const auto refused = io::echoArchive(unknownArchive, ArchiveWay::Dimse);
     ASSERT_FALSE(refused);
-    expectFailure(refused.error(), io::says::archiveTlsRefused, watch);
+    expectFailure(refused.error(), io::messages::archiveTlsRefused, watch);
 
     io::ArchiveNode unknownCaller = node;
     unknownCaller.certificateFile = stranger->certificateFile;
@@ -250,15 +250,15 @@ TEST(ArchiveReceiver, SpeaksTlsWithKnownCertificatesOnly)
     inTheClear.isTls = false;
     EXPECT_FALSE(io::echoArchive(inTheClear, ArchiveWay::Dimse));
     const core::Messages heard = port.heard();
-    EXPECT_GE(std::ranges::count_if(heard, [](const auto& each) { return each.is(io::says::archiveCallNotSecured); }),
+    EXPECT_GE(std::ranges::count_if(heard, [](const auto& each) { return each.is(io::messages::archiveCallNotSecured); }),
               2)
-        << "refused ones are told";
+        << "refused ones are reported";
 
     io::ArchiveNode otherHost = node;
     otherHost.host = "127.0.0.2";
     const auto misnamed = io::echoArchive(otherHost, ArchiveWay::Dimse);
     ASSERT_FALSE(misnamed);
-    EXPECT_TRUE(misnamed.error().message.is(io::says::archiveTlsHost)) << misnamed.error().message.text();
+    EXPECT_TRUE(misnamed.error().message.is(io::messages::archiveTlsHost)) << misnamed.error().message.text();
     otherHost.checksHost = false;
     EXPECT_TRUE(io::echoArchive(otherHost, ArchiveWay::Dimse));
 }

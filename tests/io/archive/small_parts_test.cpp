@@ -4,7 +4,7 @@
 #include "io/archive/node_file.h"
 #include "io/archive/web/dicom_json.h"
 #include "io/archive/web/multipart.h"
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(DimseCommand, ComesBackAsItWent)
     const auto answer = decoded->response(io::dimse::success);
     EXPECT_EQ(answer.kind(), io::DimseKind::StoreResponse);
     EXPECT_EQ(answer.number(io::DimseCommand::respondedId), 7);
-    for (std::size_t size = 1; size < bytes.size(); ++size) {   // cut anywhere: no command, or a shorter one
+    for (std::size_t size = 1; size < bytes.size(); ++size) {   // truncated anywhere: no command, or a shorter one
         (void)io::DimseCommand::decode(std::string_view(bytes).substr(0, size));
     }
     EXPECT_FALSE(io::DimseCommand::decode("nonsense"));
@@ -59,7 +59,7 @@ TEST(ArchiveQuery, UidsAreFitForFileNames)
     }
 }
 
-/// The parts of a body that comes in pieces of a size.
+/// Parts of a body that arrives in pieces of the given size.
 std::vector<std::string> partsOf(const std::string& body, std::size_t pieceSize, bool& isClosed)
 {
     std::vector<std::string> parts;
@@ -148,9 +148,9 @@ TEST(NodeFile, KeepsNodesAndNamesWhatIsWrong)
     ASSERT_FALSE(unknown);
     EXPECT_NE(unknown.error().message.text().find("known: pacs"), std::string::npos);
     writeText(path, R"({"format":"angiopose-archives","version":1,"nodes":[{"name":"x","port":"many"}]})");
-    EXPECT_TRUE(io::readArchiveSettings(path).error().message.is(io::says::archiveListInvalid));
+    EXPECT_TRUE(io::readArchiveSettings(path).error().message.is(io::messages::archiveListInvalid));
     node.host = "a b";
-    EXPECT_TRUE(io::checkNode(node).error().message.is(io::says::archiveBadHost));
+    EXPECT_TRUE(io::checkNode(node).error().message.is(io::messages::archiveBadHost));
 }
 
 }   // namespace

@@ -7,7 +7,7 @@
 
 namespace angiopose::test {
 
-/// Takes TLS at a port of its own and passes what comes on to another port in the clear.
+/// Accepts TLS on its own port and forwards the data unencrypted to another port.
 class TlsProxy {
 public:
     TlsProxy(int target, const std::string& certificateFile, const std::string& keyFile);

@@ -2,7 +2,7 @@
 #include "tests/io/archive/faulty_peers.h"
 #include "tests/io/archive/orthanc.h"
 
-#include "io/messages/says_archive.h"
+#include "io/messages/messages.h"
 
 namespace angiopose::test {
 namespace {
@@ -26,7 +26,7 @@ TEST(UnreachableArchive, ClosedPortIsSaidAtOnce)
         const Stopwatch watch;
         const auto echoed = io::echoArchive(nodeAt(port), way);
         ASSERT_FALSE(echoed);
-        expectFailure(echoed.error(), io::says::archiveNoConnection, watch);
+        expectFailure(echoed.error(), io::messages::archiveNoConnection, watch);
         EXPECT_LT(watch.seconds(), 2.0);
     }
 }
@@ -38,7 +38,7 @@ TEST(UnreachableArchive, SwallowedPacketsEndAfterFiveSeconds)
         const Stopwatch watch;
         const auto echoed = io::echoArchive(nodeAt(peer.port()), way);
         ASSERT_FALSE(echoed);
-        expectFailure(echoed.error(), io::says::archiveNoConnection, watch);
+        expectFailure(echoed.error(), io::messages::archiveNoConnection, watch);
         EXPECT_LT(watch.seconds(), 7.0);
     }
 }
@@ -49,7 +49,7 @@ TEST(UnreachableArchive, SilentPeerIsGivenUp)
     const Stopwatch watch;
     const auto echoed = io::echoArchive(nodeAt(peer.port()), ArchiveWay::Dimse);
     ASSERT_FALSE(echoed);
-    expectFailure(echoed.error(), io::says::archiveSilent, watch);
+    expectFailure(echoed.error(), io::messages::archiveSilent, watch);
 }
 
 TEST(UnreachableArchive, SilentPeerIsGivenUpWithTls)
@@ -73,7 +73,7 @@ TEST(UnreachableArchive, UnknownHostIsSaid)
     const Stopwatch watch;
     const auto echoed = io::echoArchive(node, ArchiveWay::Dimse);
     ASSERT_FALSE(echoed);
-    expectFailure(echoed.error(), io::says::archiveUnknownHost, watch);
+    expectFailure(echoed.error(), io::messages::archiveUnknownHost, watch);
 }
 
 }   // namespace

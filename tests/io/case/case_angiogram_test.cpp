@@ -74,7 +74,7 @@ TEST(SaveCase, EditedCurvesReplaceTheirOwnFileOnly)
     std::getline(std::ifstream(folder.file("a.curves.csv")), kept);
     EXPECT_EQ(kept, "of somebody else");
 
-    // Saved under another name, the case takes its curves along.
+    // Saving under another name copies the curves as well.
     ASSERT_TRUE(io::saveCase(reloaded(folder.file("a.angiopose")), folder.file("b.angiopose")));
     EXPECT_EQ(reloaded(folder.file("b.angiopose")).shown().target.file.path, folder.file("b.curves.csv"));
 }

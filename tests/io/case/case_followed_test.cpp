@@ -1,4 +1,4 @@
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/deformable/deformed_tree.h"
 #include "core/simulation/simulated_case.h"
 #include "io/angiogram_file.h"
@@ -26,7 +26,7 @@ core::RigidTransform moved(core::RigidTransform pose, double mm)
     return pose;
 }
 
-/// Every point of the tree moved, each otherwise.
+/// A deformation that moves every point of the tree by a different displacement.
 std::shared_ptr<const core::DeformableResult> deformationOf(const core::VesselTree& tree,
                                                             const core::RigidTransform& pose, double size)
 {
@@ -35,7 +35,7 @@ std::shared_ptr<const core::DeformableResult> deformationOf(const core::VesselTr
     deformed->cameraFromPatient = moved(pose, 0.7);
     deformed->viewPoses = {deformed->cameraFromPatient};
     deformed->largestMotionMm = size / 3.0;
-    deformed->messages = {core::says::deformationDepthUnknown()};
+    deformed->messages = {core::messages::deformationDepthUnknown()};
     double number = size;
     for (const core::VesselBranch& branch : tree.branches) {
         core::BranchMotion& motion = deformed->branches.emplace_back();
@@ -53,7 +53,7 @@ std::shared_ptr<const core::DeformableResult> deformationOf(const core::VesselTr
     return deformed;
 }
 
-/// Frames 0 to 3 from frame 1: nothing traced in 0, bent in 1 and 2, 3 bent as 2.
+/// Frames 0 to 3 tracked from frame 1: nothing traced in 0, deformed in 1 and 2, 3 deformed as 2.
 FollowedRun richRun(const core::Case& session)
 {
     const core::VesselTree& tree = *session.vessels.tree;
@@ -65,7 +65,7 @@ FollowedRun richRun(const core::Case& session)
         frame.tracked.score = 0.9 - 0.1 / 3.0 * k;
         frame.tracked.isTrustworthy = k == 1 || k == 2;
     }
-    frames[0].problem = core::says::followOneFrame();
+    frames[0].problem = core::messages::followOneFrame();
     frames[2].tracked.searched = true;
     frames[1].deformed = deformationOf(tree, frames[1].tracked.cameraFromPatient, 3.0);
     frames[2].deformed = deformationOf(tree, frames[2].tracked.cameraFromPatient, 5.0);
@@ -74,7 +74,7 @@ FollowedRun richRun(const core::Case& session)
     return core::followedFrom(1, std::move(frames));
 }
 
-/// A case with a run of four frames, of which the second is shown, and followed through them.
+/// A case with a run of four frames, the second of which is shown, and with tracked poses.
 class CaseFollowed : public ::testing::Test {
 protected:
     CaseFollowed()
@@ -228,7 +228,7 @@ TEST_F(CaseFollowed, KeepsItsPosesWithoutTheFileOfDeformation)
     expectPosesWithoutDeformation(afterReplacingDeformation(whole.substr(0, whole.size() - 4)), "damaged or cut short");
     expectPosesWithoutDeformation(afterReplacingDeformation(whole + "more"), "damaged or cut short");
     std::string endless = whole;
-    endless.replace(whole.size() - 4, 4, std::string("\0\0\x80\x7f", 4));   // infinite
+    endless.replace(whole.size() - 4, 4, std::string("\0\0\x80\x7f", 4));   // infinity
     expectPosesWithoutDeformation(afterReplacingDeformation(endless), "damaged or cut short");
     std::string others = whole;
     others.replace(whole.find("sizes: 9 5 2"), 12, "sizes: 9 5 3");

@@ -18,11 +18,11 @@ std::shared_ptr<const core::VoxelMask> forkMask()
     const core::LabelVolume labels = test::forkLabels();
     auto mask = std::make_shared<core::VoxelMask>(labels.geometry);
     std::ranges::transform(labels.voxels, mask->voxels.begin(), [](auto label) { return label == 2 ? 1 : 0; });
-    mask->at(60, 35, 90) = 1;   // beside the vessels, as a hand may leave it
+    mask->at(60, 35, 90) = 1;   // outside the vessels, as a manual edit may leave it
     return mask;
 }
 
-/// A case whose vessels were traced from a mask that was edited in the window.
+/// A case whose vessels were traced from a mask edited in the window.
 core::Case withEditedMask(SmallCase& small)
 {
     core::Case edited = small.load(small.json()).value();
@@ -125,7 +125,7 @@ TEST(CaseMask, IsReadBesideATreeThatWasEditedAndGoesAlong)
     EXPECT_EQ(again.value().vessels.tree->branches.front().name, "LAD");
 
     core::Case unread = again.value();
-    unread.vessels.lumen.reset();   // as where the mask cannot be read
+    unread.vessels.lumen.reset();   // as if the mask could not be read
     ASSERT_TRUE(io::saveCase(unread, small.path("other.angiopose")));
     const auto labels = io::readLabels(small.path("other.mask.nrrd"));
     ASSERT_TRUE(labels) << "a copy of its own";

@@ -1,7 +1,7 @@
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/deformable/deformed_tree.h"
 #include "core/registration/registration.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/motion_table.h"
 #include "io/results/result_file.h"
 #include "tests/io/case/small_case.h"
@@ -14,7 +14,7 @@ namespace {
 
 using test::SmallCase;
 
-/// What bending could find: every point of a tree moved, each otherwise.
+/// A deformation result in which every point of a tree moved by a different displacement.
 core::DeformableResult richDeformation(const core::Case& session)
 {
     core::DeformableResult deformed;
@@ -42,11 +42,11 @@ core::DeformableResult richDeformation(const core::Case& session)
     deformed.stopReason = core::StopReason::IterationLimit;
     deformed.iterations = 14;
     deformed.timeMs = 99.5;
-    deformed.messages = {core::says::deformationDepthUnknown()};
+    deformed.messages = {core::messages::deformationDepthUnknown()};
     return deformed;
 }
 
-/// A result with every field set, as a run could leave it; the pose is that of `session`.
+/// A result with every field set, as after a registration; the pose is that of `session`.
 core::RegistrationResult richResult(const core::Case& session)
 {
     core::RegistrationResult result;
@@ -55,7 +55,7 @@ core::RegistrationResult richResult(const core::Case& session)
     result.stopReason = core::StopReason::StoppedByUser;
     result.iterations = 12;
     result.metrics.medianPx = 1.0 / 3.0;
-    result.metrics.coverage = std::nan("");   // nothing was there to cover
+    result.metrics.coverage = std::nan("");   // nothing to cover
     result.uncertainty.covariance.setConstant(0.1 + 0.2);
     result.uncertainty.rotationDeg = {0.1, 0.2, 1.0 / 7.0};
     result.uncertainty.depthMm = 12.5;
@@ -68,8 +68,8 @@ core::RegistrationResult richResult(const core::Case& session)
                         {{1, 4}, {0.0, 1.0, 2.0}, 0.15, 1.5, 0.9, session.shown().cameraFromPatient, {}}};
     result.trustworthy = false;
     result.probabilityWithin2Mm = 0.1 + 0.2;
-    result.warnings = {core::says::trustPoseUncertain(core::inMm(2.44, 1)), core::says::trustStopped(),
-                       core::says::inView(2, io::says::fileMissing().about("b.dcm")).as(core::Severity::Note)};
+    result.warnings = {core::messages::trustPoseUncertain(core::inMm(2.44, 1)), core::messages::trustStopped(),
+                       core::messages::inView(2, io::messages::fileMissing().about("b.dcm")).as(core::Severity::Note)};
     result.time = {1.0, 2.0, 3.0, 6.5};
     result.provenance = {"Ada", "2026-05-04T12:30:00Z", "0.1.0", session.options};
     result.provenance.options.maxIterations = 33;
@@ -146,7 +146,7 @@ TEST_F(CaseResult, IsRestoredToTheLastBit)
     }
     EXPECT_FALSE(is.trustworthy);
     EXPECT_EQ(is.probabilityWithin2Mm, was.probabilityWithin2Mm);
-    EXPECT_EQ(is.warnings, was.warnings);   // ids, severities, numbers: they can be told in any language
+    EXPECT_EQ(is.warnings, was.warnings);   // ids, severities and numbers, so that they can be shown in any language
     EXPECT_EQ(is.time.totalMs, 6.5);
     EXPECT_EQ(is.provenance.author, "Ada");
     EXPECT_EQ(is.provenance.time, was.provenance.time);

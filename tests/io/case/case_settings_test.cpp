@@ -38,7 +38,7 @@ TEST(CaseSettings, SetOptionsAndTracingByTheNamesOfCaseFiles)
     ASSERT_EQ(tracing.seedsInPatient.size(), 2U);
     EXPECT_EQ(tracing.seedsInPatient[1], Eigen::Vector3d(4.0, 5.0, 6.5));
     EXPECT_EQ(settings.assignments().back(), "vessel.tracing.tubesOnly=on");
-    EXPECT_EQ(settings.assignments().size(), 7U);   // a later one stands over an earlier
+    EXPECT_EQ(settings.assignments().size(), 7U);   // a later assignment replaces an earlier one
 }
 
 TEST(CaseSettings, EveryNameIsOfOneThingAlone)

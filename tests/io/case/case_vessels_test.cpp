@@ -16,7 +16,7 @@ using test::anyContains;
 using test::contains;
 using test::SmallCase;
 
-/// The tree of the small case with its second branch renamed and a point moved by an odd amount.
+/// The tree of the small case with its second branch renamed and a point moved by a fractional amount.
 std::shared_ptr<const core::VesselTree> editedTree(const core::Case& values)
 {
     core::VesselTree tree = *values.vessels.tree;
@@ -77,7 +77,7 @@ TEST(SaveCase, KeepsAnEditedTreeToTheLastBit)
     core::Messages warnings;
     const auto copy = io::loadCase(small.path("edited.angiopose"), warnings);
     ASSERT_TRUE(copy) << copy.error().message;
-    EXPECT_EQ(warnings, small.warnings);   // those of the image, none of the tree
+    EXPECT_EQ(warnings, small.warnings);   // those of the image, none about the tree
     EXPECT_TRUE(copy.value().vessels.isTreeEdited);
     EXPECT_EQ(copy.value().vessels.hiddenBranchIds, std::vector{2});
     ASSERT_EQ(copy.value().vessels.tree->branches.size(), 2U);
@@ -152,7 +152,7 @@ TEST(LoadCase, ReadsTheScanThatOtherVesselsLieIn)
     core::Messages warnings;
     EXPECT_EQ(io::loadCase(small.path("copy.angiopose"), warnings).value().vessels.scanFile,
               loaded.value().vessels.scanFile);
-    EXPECT_EQ(warnings, small.warnings);   // those of the image, none of the scan
+    EXPECT_EQ(warnings, small.warnings);   // those of the image, none about the scan
 
     json["vessel"]["volume"]["path"] = "in/gone.nrrd";
     const auto without = small.load(json);

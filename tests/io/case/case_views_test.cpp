@@ -30,7 +30,7 @@ core::Case loadedFrom(const std::string& path)
     return loadedFrom(path, warnings);
 }
 
-/// IM4 with IM3 as another view that stands in the case.
+/// IM4 with IM3 as a second view stored in the case.
 core::Case twoViews()
 {
     core::Case values = loadedFrom(phantomPath(4));
@@ -54,7 +54,7 @@ TEST(CaseViews, KeepTheirOrderWhicheverIsShown)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const test::TemporaryFolder folder;
     core::Case values = twoViews();
-    values.views.push_back({});   // with nothing in it: not saved
+    values.views.push_back({});   // an empty view, which is not saved
     std::rotate(values.views.begin(), values.views.begin() + 2, values.views.end());   // blank, IM4, IM3
     for (const std::size_t shown : {1, 2}) {
         values.shownView = shown;
@@ -71,7 +71,7 @@ TEST(CaseViews, KeepTheirOrderWhicheverIsShown)
     ASSERT_TRUE(io::saveCase(alone, folder.file("one.angiopose")));
     EXPECT_EQ(test::readText(folder.file("one.angiopose")).find("shownPlace"), std::string::npos);
     std::string far = test::readText(folder.file("both.angiopose"));
-    far.replace(far.find("\"shownPlace\": 1"), 15, "\"shownPlace\": 77");   // more than there are: the last
+    far.replace(far.find("\"shownPlace\": 1"), 15, "\"shownPlace\": 77");   // beyond the last view: the last one is used
     EXPECT_EQ(loadedFrom(folder.write("far.angiopose", far)).shownView, 1U);
 }
 
@@ -111,7 +111,7 @@ TEST(CaseViews, OfACaseFileAreReadWithItsGeometryButWithTheCasesVessels)
     const core::View& view = copy.views[1];
     EXPECT_TRUE(fs::equivalent(view.caseFile.path, phantomPath(3)));
     ASSERT_TRUE(view.angiogram);
-    EXPECT_EQ(view.caseFile.sha256.size(), 64U);   // by which it is found when it moves
+    EXPECT_EQ(view.caseFile.sha256.size(), 64U);   // identifies the file after it was moved
     EXPECT_EQ(view.geometry.cameraOverride, loadedFrom(phantomPath(3)).shown().geometry.cameraOverride);
     EXPECT_EQ(copy.vessels.file, values.vessels.file);
 }

@@ -26,7 +26,7 @@ TEST(LoadCase, OpensEveryPhantomCase)
         ASSERT_TRUE(loaded.shown().geometry.cameraOverride);
         EXPECT_LT(loaded.shown().geometry.cameraOverride->fx, 0.0);
         EXPECT_TRUE(loaded.shown().initialCameraFromPatient);
-        EXPECT_TRUE(core::isRigid(loaded.shown().cameraFromPatient, 1e-12));   // six digits in the file
+        EXPECT_TRUE(core::isRigid(loaded.shown().cameraFromPatient, 1e-12));   // only six digits in the file
         EXPECT_EQ(loaded.shown().imageFile.sha256.size(), 64u);
     }
 }

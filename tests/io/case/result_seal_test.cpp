@@ -18,7 +18,7 @@ core::RegistrationResult resultAt(const core::View& view)
     return result;
 }
 
-/// A case of two views, each with a result, as the window saves it.
+/// A case of two views, each with a result, as saved by the window.
 class ResultSeal : public ::testing::Test {
 protected:
     ResultSeal()
@@ -120,7 +120,7 @@ TEST_F(ResultSeal, HoldsWhereTheFileSaysTheSameInOtherWords)
 {
     const core::Case copy = afterEditing([](nlohmann::json& json) {
         nlohmann::json& camera = json["geometry"]["camera"];
-        camera["fx"] = static_cast<int>(camera["fx"].get<double>());   // -2000.0 as other programs write it
+        camera["fx"] = static_cast<int>(camera["fx"].get<double>());   // -2000 instead of -2000.0, as other programs write it
         json["title"] = "Renamed";
         json["vessel"]["hiddenBranches"] = {2};
         json["angiogram"]["name"] = "left";
@@ -141,7 +141,7 @@ TEST_F(ResultSeal, IsMissingInOldFilesWhichReadAsBefore)
 
 TEST_F(ResultSeal, IsThatOfTheCaseAsItIsSavedNow)
 {
-    core::Case copy = afterEditing([](nlohmann::json& json) { json["geometry"]["note"] = "kept"; });   // unknown key
+    core::Case copy = afterEditing([](nlohmann::json& json) { json["geometry"]["note"] = "kept"; });   // an unknown key
     EXPECT_FALSE(copy.views[0].result);
     copy.views[0].result = resultAt(copy.views[0]);
     ASSERT_TRUE(io::saveCase(copy, small.path("saved.angiopose")));

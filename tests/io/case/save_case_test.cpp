@@ -116,7 +116,7 @@ TEST(SaveCase, KeepsKeysOfOtherViewsWithTheView)
     EXPECT_EQ(same["views"][0]["operator"], "C. D.");
     EXPECT_EQ(same["views"][0]["geometry"]["tableHeightMm"], -99.5);
     EXPECT_EQ(same["views"][0]["angiogram"]["image"]["plane"], "B");
-    // The keys go where their view goes.
+    // Unknown keys move with their view.
     const nlohmann::json swapped = saved(core::showingView(loaded.value(), 1));
     EXPECT_EQ(swapped["site"], "Kragujevac");
     EXPECT_EQ(swapped["geometry"]["tableHeightMm"], -99.5);

@@ -1,6 +1,6 @@
 #include "io/case/save_over.h"
 
-#include "io/messages/says_keeping.h"
+#include "io/messages/messages.h"
 #include "tests/io/case/small_case.h"
 
 #include <gtest/gtest.h>

@@ -67,7 +67,7 @@ inline bool anyContains(const core::Messages& messages, const std::string& part)
                        [&](const core::Message& message) { return contains(message.text(), part); });
 }
 
-/// The case of a phantom view; only where the data is there.
+/// The case of a phantom view; requires the test data.
 inline core::Case phantomCase(int view)
 {
     core::Messages warnings;

@@ -7,7 +7,7 @@
 
 using namespace angiopose;
 
-// The shell plays a helper program that behaves as decoders do on damaged files.
+// Uses the shell as a helper program that behaves like decoders on damaged files.
 
 namespace {
 
@@ -21,7 +21,7 @@ std::string idOf(const core::Result<io::DecoderReply>& reply)
     return reply ? "replied" : std::string(reply.error().message.id());
 }
 
-const std::string five = R"(printf '\311\005\000\000\000\000\000\000\000')";   // a result of five bytes follows
+const std::string five = R"(printf '\311\005\000\000\000\000\000\000\000')";   // announces a result of five bytes
 
 }   // namespace
 

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Objects of a case in whose free words an identifier is planted, with the images that they refer to.
+/// Objects of a case with an identifier planted in its free-text fields, with the images that they reference.
 class DeidentifyObjects : public test::MadeObjects {
 protected:
     io::ShownState plantedState() const
@@ -63,7 +63,7 @@ protected:
         return paths;
     }
 
-    /// The one object of a modality among those freed.
+    /// The only de-identified object of the given modality.
     io::DicomDataset freedOf(const std::string& modality)
     {
         for (const std::string& path : freedPaths()) {
@@ -80,7 +80,7 @@ protected:
 
     test::TemporaryFolder output;
     io::Pseudonyms pseudonyms{"a key of more than sixteen bytes"};
-    std::list<std::string> contents;   ///< bytes outlive what is read from them
+    std::list<std::string> contents;   ///< the bytes must outlive the data sets parsed from them
     std::string lastPath;
 };
 
@@ -113,7 +113,7 @@ TEST_F(DeidentifyObjects, SaysThatWordsWereTakenOut)
     }));
 }
 
-/// UIDs are the same in all files of the case, so that what refers finds what it refers to.
+/// UIDs are consistent across all files of the case, so that references still resolve.
 TEST_F(DeidentifyObjects, ReferencesStillResolve)
 {
     ASSERT_TRUE(freed());

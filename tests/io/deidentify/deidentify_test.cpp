@@ -188,7 +188,7 @@ TEST_F(Deidentify, FolderBecomesSeriesWithNeutralNames)
     EXPECT_EQ(names, (std::vector<std::string>{"series-1/00001.dcm", "series-1/00002.dcm", "series-1/00003.dcm",
                                                "series-2/00001.dcm"}));
     const auto again = io::deidentifyFolder(folder.file("DOE_JANE_4711"), folder.file("out"), {}, pseudonyms);
-    ASSERT_FALSE(again);   // nothing else is handed on with it
+    ASSERT_FALSE(again);   // no files from another source are mixed in
     EXPECT_EQ(again.error().message.id(), "deidentify.output-not-empty");
 }
 

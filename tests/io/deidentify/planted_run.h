@@ -11,13 +11,13 @@
 
 namespace angiopose::test {
 
-/// A run of two frames with an identifier, PLANTEDnn, in every place where one was ever found: 67 of them.
+/// A run of two frames with an identifier, PLANTEDnn, in every location where one was ever found: 67 of them.
 class PlantedRun {
 public:
     static constexpr int columns = 256;
     static constexpr int rows = 192;
 
-    /// The file; `pixels` are 12 bits, the four bits above them hold letters of an identifier, too.
+    /// Content of the file; `pixels` have 12 bits, and the four bits above them hold letters of another identifier.
     std::string content(const std::vector<std::int16_t>& pixels)
     {
         std::string file = planted();
@@ -90,13 +90,13 @@ private:
             data.text(0x0010, static_cast<std::uint16_t>(element), element == 0x1000 ? "LO" : "LT", planted());
         }
         data.text(0x0018, 0x0010, "LO", planted());
-        data.text(0x0018, 0x0015, "CS", "JANE");   // the patient's, where a code belongs
+        data.text(0x0018, 0x0015, "CS", "JANE");   // the patient's name in place of a code
         data.text(0x0018, 0x1000, "LO", planted());
         data.text(0x0018, 0x1012, "DA", "20250314");
         data.text(0x0018, 0x1030, "LO", planted());
         data.text(0x0018, 0x1063, "DS", "66.6");
         data.text(0x0018, 0x1110, "DS", "1000");
-        data.text(0x0018, 0x1111, "DS", planted());   // no number
+        data.text(0x0018, 0x1111, "DS", planted());   // not a number
         data.text(0x0018, 0x1164, "DS", "0.2\\0.2");
         data.text(0x0018, 0x1400, "LO", planted());
         data.text(0x0018, 0x1510, "DS", "-30.5");
@@ -153,7 +153,7 @@ private:
         data.text(0x6000, 0x1500, "LO", planted());
         const std::string letters = planted();
         std::vector<std::int16_t> stored = pixels;
-        for (std::size_t n = 0; n < stored.size(); ++n) {   // a half of a letter in the bits above the twelve
+        for (std::size_t n = 0; n < stored.size(); ++n) {   // half of a letter in the bits above the twelve
             const auto half = static_cast<unsigned>(letters[n / 2 % letters.size()]) >> (n % 2 == 0 ? 4U : 0U) & 15U;
             stored[n] = static_cast<std::int16_t>(static_cast<unsigned>(stored[n]) | half << 12U);
         }

@@ -14,7 +14,7 @@ using namespace angiopose;
 
 namespace {
 
-/// How a TIFF of one test is stored.
+/// Storage variant of a test TIFF.
 struct TiffKind {
     std::uint16_t bits = 8;
     std::uint16_t channels = 1;

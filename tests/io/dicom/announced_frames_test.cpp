@@ -1,6 +1,6 @@
 #include "io/angiogram_file.h"
 #include "io/dicom/frame_time.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "tests/io/series/ct_phantom.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int side = 16, framesThere = 3;
 
-/// Three frames of one value each, with a header that announces some other number.
+/// Three frames with one value each, and a header that declares `frames` as their number.
 std::string runThatAnnounces(const std::string& frames, std::size_t bytesMissing = 0)
 {
     std::vector<std::int16_t> pixels;
@@ -37,7 +37,7 @@ std::string runThatAnnounces(const std::string& frames, std::size_t bytesMissing
     return content.substr(0, content.size() - bytesMissing);
 }
 
-/// The times of a header whose Frame Increment Pointer leads to this element.
+/// Frame times from a header whose Frame Increment Pointer refers to the given element.
 io::FrameTime frameTime(std::uint16_t pointedTo, const std::string& time, const std::string& vector)
 {
     std::string bytes;

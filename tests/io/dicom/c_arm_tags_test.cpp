@@ -13,11 +13,11 @@ namespace {
 
 struct HeaderElement {
     io::DicomTag tag;
-    const char* vr;   ///< with a length of two bytes; "UN": of four
+    const char* vr;   ///< with a length of two bytes; "UN": of four bytes
     std::string value;
 };
 
-/// A header with these elements in ascending order; without VRs where implicit.
+/// A data set with these elements in ascending order, with VRs only if `isExplicit`.
 io::DicomDataset dicomWith(const std::vector<HeaderElement>& elements, bool isExplicit = true)
 {
     std::string bytes;
@@ -69,7 +69,7 @@ bool isSaidOf(const core::Messages& warnings, std::string_view id)
     return std::ranges::any_of(warnings, [&](const core::Message& each) { return each.id() == id; });
 }
 
-/// Where rows and columns of an image run, in letters, by the formulas of PS3.3 alone.
+/// Patient Orientation letters of a direction in the patient, from the formulas of PS3.3 only.
 std::string lettersAlong(const Eigen::Vector3d& direction)
 {
     std::vector<std::pair<double, char>> parts;
@@ -141,7 +141,7 @@ TEST(CArmTags, WhatNoIsocenterCanBeIsNone)
     }
 }
 
-/// All eight ways in which an image may lie, at angles all round.
+/// All eight orientations in which an image can be stored, at angles all around the patient.
 TEST(CArmTags, PatientOrientationTellsMirrorAndTurnAtEveryAngle)
 {
     for (int primary = -180; primary <= 180; primary += 15) {
@@ -151,7 +151,7 @@ TEST(CArmTags, PatientOrientationTellsMirrorAndTurnAtEveryAngle)
             const Eigen::Vector3d down(std::sin(b) * std::sin(a), -std::sin(b) * std::cos(a), -std::cos(b));
             for (const bool isMirrored : {false, true}) {
                 for (const int turn : {0, 90, 180, -90}) {
-                    // As seen, then turned clockwise: what pointed up points right.
+                    // Optionally mirrored, then rotated clockwise: a direction that pointed up points right.
                     const Eigen::Vector3d seen = isMirrored ? Eigen::Vector3d(-right) : right;
                     const double c = std::round(std::cos(turn * 3.14159265358979323846 / 180.0));
                     const double s = std::round(std::sin(turn * 3.14159265358979323846 / 180.0));
@@ -204,7 +204,7 @@ TEST(GantryHeaderTable, IsTheIsocenterInThePatient)
     const std::vector<HeaderElement> text{{0x00210010, "LO", siemensRoom}, {0x00211057, "UN", "1230\\-450\\78"}};
     ASSERT_TRUE(tableOf("HFS", text));
     EXPECT_EQ(tableOf("HFS", text)->isocenterInPatientMm, tableOf("HFS", siemens)->isocenterInPatientMm);
-    // left, down, head; the isocenter lies the other way
+    // left, down, head; the isocenter has the opposite sign
     std::vector<HeaderElement> standard{
         {0x00189466, "DS", "10"}, {0x00189467, "DS", "-20"}, {0x00189468, "DS", "30.5"}};
     ASSERT_TRUE(tableOf("HFS", standard));

@@ -1,7 +1,7 @@
 #include "io/dicom/dicom_gate.h"
 
 #include "io/dicom/dicom_file.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ std::string gateItem(const std::string& elements)
     return tagBytes(0xfffee000) + number(elements.size(), 4) + elements;
 }
 
-/// The data set that gets through the gate.
+/// The data set accepted by the gate.
 io::DicomFile parsed(const std::string& bytes)
 {
     const std::string name = shortElement(0x00080060, "CS", "XA");
@@ -122,7 +122,7 @@ TEST(DicomGate, KeepsTheRecordsOfADirectoryFromDcmtk)
     }
 }
 
-/// Found by fuzzing: the walk went on behind the file.
+/// Found by fuzzing: the walk continued past the end of the file.
 TEST(DicomGate, ASequenceUntilADelimiterEndsWithTheItemAroundIt)
 {
     const std::string open = tagBytes(0x00081115) + "SQ" + std::string(2, '\0') + number(0xffffffff, 4);
@@ -142,6 +142,6 @@ TEST(DicomGate, NamesTheElementThatIsCutShort)
 {
     const io::DicomFile file = parsed(rowsElement + longElement(0x7fe00010, "OW", std::string(100, 'p')).substr(0, 60));
     ASSERT_TRUE(file.damage);
-    EXPECT_TRUE(file.damage->is(io::says::dicomElementTooLong));
+    EXPECT_TRUE(file.damage->is(io::messages::dicomElementTooLong));
     EXPECT_EQ(file.pixels.at(io::pixelDataTag).bytes.size(), 48U);
 }

@@ -21,7 +21,7 @@ void add(std::string& bytes, io::DicomTag tag, const char* vr, std::string value
     bytes += value;
 }
 
-/// The patient's name as it is read from such bytes.
+/// The patient's name read from the given bytes.
 std::string nameOf(const std::string& characterSets, const std::string& bytes)
 {
     std::string elements;
@@ -34,7 +34,7 @@ std::string nameOf(const std::string& characterSets, const std::string& bytes)
 
 }   // namespace
 
-// Names of PS3.5 H and I.
+// Names from PS3.5 annexes H and I.
 TEST(DicomText, ChangesBetweenSetsByTheirEscapeSequences)
 {
     EXPECT_EQ(nameOf("\\ISO 2022 IR 87",
@@ -51,7 +51,7 @@ TEST(DicomText, ChangesBetweenSetsByTheirEscapeSequences)
               "Hong^Gildong=洪^吉洞=홍^길동");
     EXPECT_EQ(nameOf("\\ISO 2022 IR 58", "Zhang^XiaoDong=\x1b$)A\xd5\xc5^\x1b$)A\xd0\xa1\xb6\xab="),
               "Zhang^XiaoDong=张^小东=");
-    // The first set holds again after a delimiter.
+    // The first character set applies again after a delimiter.
     EXPECT_EQ(nameOf("ISO 2022 IR 100\\ISO 2022 IR 144", "M\xfcller=\x1b-L\xbb\xee\xda=M\xfcller"),
               "Müller=Люк=Müller");
     EXPECT_EQ(nameOf("\\ISO 2022 IR 87", "\x1b[1mA"), "1mA") << "no escape character comes through";

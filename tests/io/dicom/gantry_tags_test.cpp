@@ -11,7 +11,7 @@ using namespace angiopose;
 
 namespace {
 
-/// A header with these elements in ascending order, as text.
+/// A data set with these elements in ascending order, as text.
 io::DicomDataset headerWith(std::initializer_list<std::pair<io::DicomTag, const char*>> elements)
 {
     std::string bytes;
@@ -51,7 +51,7 @@ TEST(GantryHeader, ListsEveryGeometryTagOfThePhantom)
     }
 }
 
-/// The angles of the headers and nothing else give the turn from view to view.
+/// The header's angles alone determine the rotation from view to view.
 TEST(GantryHeader, AnglesGiveTheRelativeRotationOfEveryPairOfViewsExactly)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/views-A/IM1.dcm");
@@ -62,8 +62,8 @@ TEST(GantryHeader, AnglesGiveTheRelativeRotationOfEveryPairOfViewsExactly)
     const auto turned = [](double deg, const Eigen::Vector3d& axis) {
         return Eigen::AngleAxisd(deg * 3.14159265358979323846 / 180.0, axis).toRotationMatrix();
     };
-    // Another way to the same rotation: from the frontal view (x left on screen, y down, z to the detector), the
-    // gantry goes along the longitude (about the patient's head axis), then along the latitude.
+    // Independent derivation of the same rotation: from the frontal view (x left on screen, y down, z to the detector),
+    // the gantry moves along the longitude (about the patient's head axis), then along the latitude.
     const auto byHand = [&](const core::CArm& cArm) {
         Eigen::Matrix3d frontal;
         frontal << -1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, -1.0, 0.0;
@@ -125,7 +125,7 @@ TEST(GantryHeader, ReadsWhatTheChecksNeed)
                                                        {0x00280a02, "GEOMETRY"}}),
                                            1, warnings);
     EXPECT_EQ(header.magnification, 1.33);
-    EXPECT_EQ(*header.fieldOfViewMm, Eigen::Vector2d(200.0, 150.0));   // width, height
+    EXPECT_EQ(*header.fieldOfViewMm, Eigen::Vector2d(200.0, 150.0));   // width, height, mm
     EXPECT_EQ(*header.detectorMm, Eigen::Vector2d(420.0, 310.0));
     EXPECT_EQ(*header.pixelSpacingMm, Eigen::Vector2d(0.25, 0.3));
     EXPECT_EQ(header.intensifierMm, 230.0);
@@ -133,7 +133,7 @@ TEST(GantryHeader, ReadsWhatTheChecksNeed)
     EXPECT_DOUBLE_EQ(header.pixelAspect, 1.2);
 }
 
-/// The standard counts angles from the patient; a device may not. Nothing is ignored in silence.
+/// The standard counts angles from the patient; a device may not. Every difference is reported.
 TEST(GantryHeader, AsksAboutAPatientWhoDoesNotLieHeadFirstAndSupine)
 {
     core::Messages none;

@@ -11,7 +11,7 @@ namespace {
 
 using Frames = std::vector<int>;
 
-/// Elements in ascending order, as text.
+/// A data set with these elements in ascending order, as text.
 io::DicomDataset beatHeader(std::initializer_list<std::pair<io::DicomTag, std::string>> elements)
 {
     std::string bytes;

@@ -1,4 +1,4 @@
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "io/angiogram_file.h"
 #include "tests/support/temporary_folder.h"
 
@@ -17,10 +17,10 @@ TEST(LengthsToWrite, ArePositiveInARun)
         run.frames.emplace_back(24, 18, 100.0F);
         EXPECT_TRUE(io::writeAngiogram(run, folder.file("sound.dcm")));
         run.cArm.rowSpacingMm = run.cArm.columnSpacingMm = {length, core::Origin::User, ""};
-        EXPECT_TRUE(io::writeAngiogram(run, folder.file("run.dcm")).error().message.is(core::says::valueMissing));
+        EXPECT_TRUE(io::writeAngiogram(run, folder.file("run.dcm")).error().message.is(core::messages::valueMissing));
         run.cArm.rowSpacingMm = run.cArm.columnSpacingMm = {0.3, core::Origin::User, ""};
         run.cArm.sourceToDetectorMm = {length, core::Origin::User, ""};
-        EXPECT_TRUE(io::writeAngiogram(run, folder.file("run.dcm")).error().message.is(core::says::valueMissing));
+        EXPECT_TRUE(io::writeAngiogram(run, folder.file("run.dcm")).error().message.is(core::messages::valueMissing));
     }
 }
 

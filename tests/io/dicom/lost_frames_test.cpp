@@ -1,5 +1,5 @@
 #include "io/angiogram_file.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 const std::string phantomRun = "coronary-phantom-xa/views-A/IM1.dcm";   // 14 frames of lossless JPEG
 
-/// The run with the header of some frames' JPEG streams overwritten.
+/// The run with the headers of the JPEG streams of some frames overwritten.
 std::string withoutFrames(std::string content, const std::vector<int>& lost)
 {
     const std::string_view start("\xff\xd8\xff\xc4", 4);
@@ -43,14 +43,14 @@ std::string littleEndian(std::size_t value)
     return bytes;
 }
 
-/// The JPEG stream of the picture, with its padding.
+/// The JPEG stream of the image, with its padding.
 std::string streamOf(const std::string& content)
 {
     const std::size_t start = content.rfind("\xff\xd8\xff");
     return content.substr(start, content.rfind("\xff\xd9") + 2 - start);
 }
 
-/// The stream as vendors' faulty encoders leave it: some of the coded data is missing, the end marker is there.
+/// The stream as a faulty vendor encoder leaves it: some coded data is missing, the end marker is present.
 std::string withAHole(std::string stream)
 {
     const std::size_t scan = stream.find("\xff\xda");
@@ -58,7 +58,7 @@ std::string withAHole(std::string stream)
     return stream;
 }
 
-/// A run of these streams with the picture's header.
+/// A run of these streams with the header of the image.
 std::string runOf(std::string content, const std::vector<std::string>& streams)
 {
     content.resize(content.rfind("\xff\xd8\xff") - 8);
@@ -90,7 +90,7 @@ TEST(LostFrames, DamagedInPartShowWhatCanBeDecoded)
     EXPECT_TRUE(
         std::equal(run.frames[0].pixels.begin(), run.frames[0].pixels.begin() + quarter, run.frames[1].pixels.begin()));
     const auto warning = std::ranges::find_if(
-        run.warnings, [](const core::Message& found) { return found.is(io::says::dicomFramesFlawed); });
+        run.warnings, [](const core::Message& found) { return found.is(io::messages::dicomFramesFlawed); });
     ASSERT_NE(warning, run.warnings.end());
     EXPECT_EQ(std::get<std::vector<std::string>>(warning->arguments()[0]), std::vector<std::string>{"2"});
 }
@@ -100,7 +100,7 @@ TEST(LostFrames, APictureDamagedInPartIsShownAndSaidToBe)
     ANGIOPOSE_NEEDS_DATA(colorPicture);
     const test::TemporaryFolder folder;
     const std::string sound = streamOf(test::readText(test::dataFile(colorPicture)));
-    const auto isFlawed = [](const core::Message& found) { return found.is(io::says::imageFlawed); };
+    const auto isFlawed = [](const core::Message& found) { return found.is(io::messages::imageFlawed); };
     const auto whole = io::readAngiogram(folder.write("whole.jpg", sound));
     ASSERT_TRUE(whole) << whole.error().message;
     EXPECT_TRUE(std::ranges::none_of(whole.value().warnings, isFlawed));
@@ -131,7 +131,7 @@ TEST(LostFrames, AreNamedAndEmptyWhileTheOthersAreWhole)
     }
     EXPECT_NE(run.suggestedFrame, peak);
     const auto warning = std::ranges::find_if(
-        run.warnings, [](const core::Message& found) { return found.is(io::says::dicomFramesLost); });
+        run.warnings, [](const core::Message& found) { return found.is(io::messages::dicomFramesLost); });
     ASSERT_NE(warning, run.warnings.end());
     EXPECT_EQ(std::get<std::vector<std::string>>(warning->arguments()[0]),
               (std::vector<std::string>{"1", std::to_string(peak + 1)}));

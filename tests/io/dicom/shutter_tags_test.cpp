@@ -36,7 +36,7 @@ std::string bytesOf(Elements elements)
     return bytes;
 }
 
-/// A sequence of these items.
+/// Encodes a sequence of these items.
 std::string sequence(io::DicomTag tag, const std::vector<std::string>& items)
 {
     std::string content;
@@ -54,13 +54,13 @@ ReadShutter shutterIn(const std::string& bytes)
     return read;
 }
 
-/// Of an image of 60 columns and 40 rows with these elements, in ascending order.
+/// Shutter of an image of 60 columns and 40 rows with these elements, in ascending order.
 ReadShutter shutterOf(Elements elements)
 {
     return shutterIn(bytesOf(elements));
 }
 
-/// Open pixels of a row or column, first and last, counted from 0.
+/// First and last open pixel of a row or column, counted from 0.
 std::pair<int, int> openInRow(const core::Mask2d& field, int row)
 {
     int first = -1, last = -1;

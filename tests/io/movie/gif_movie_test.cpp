@@ -17,9 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Shown {
-    std::vector<core::ColorImage> pictures;   ///< as a viewer lays them over each other
+    std::vector<core::ColorImage> pictures;   ///< composited as by a viewer
     std::vector<int> delays;
-    std::vector<int> areas;   ///< pixels of each sub-picture
+    std::vector<int> areas;   ///< pixels of each partial frame
     bool isEndless = false;
     std::string comment;
 };
@@ -34,7 +34,7 @@ void readExtensions(const SavedImage& image, Shown& shown)
     }
 }
 
-/// By giflib's reader, pictures laid over each other by hand.
+/// Reads the movie with giflib and composites its frames explicitly.
 Shown shownBy(const std::string& path)
 {
     Shown shown;
@@ -111,7 +111,7 @@ TEST_F(GifMovie, ShowsWhatWasGiven)
     EXPECT_NE(shown.comment.find("Program: test"), std::string::npos);
 }
 
-/// 15 a second are 6.67 hundredths: 7, 6, 7, 7, …
+/// 15 fps are 6.67 hundredths of a second per frame: 7, 6, 7, 7, …
 TEST_F(GifMovie, DelaysDoNotDrift)
 {
     std::vector<core::ColorImage> pictures;
@@ -127,7 +127,7 @@ TEST_F(GifMovie, DelaysDoNotDrift)
     EXPECT_EQ(sum, 200);
 }
 
-/// Viewers show what comes sooner than 1/50 s for a tenth.
+/// Viewers show frames shorter than 1/50 s for a tenth of a second.
 TEST_F(GifMovie, LeavesOutPicturesThatComeTooFast)
 {
     std::vector<core::ColorImage> pictures;
@@ -166,7 +166,7 @@ TEST_F(GifMovie, LeavesNothingWithoutAnEnd)
     EXPECT_TRUE(fs::is_empty(folder_));
 }
 
-/// Every grey there is, and more colours than there are places: greys stay within one step, colours near.
+/// All gray values, and more colors than palette entries: grays stay within one step, colors within a small distance.
 TEST(GifPalette, KeepsGraysAndColorsApart)
 {
     core::ColorImage picture{256, 64, {}};

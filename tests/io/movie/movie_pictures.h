@@ -6,7 +6,7 @@
 
 namespace angiopose::io {
 
-/// A grey angiogram-like ground with a coloured line that wanders.
+/// A gray background like an angiogram, with a colored line that moves.
 inline core::ColorImage moviePicture(int width, int height, int step)
 {
     core::ColorImage picture{width, height, {}};

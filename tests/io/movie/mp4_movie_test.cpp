@@ -34,7 +34,7 @@ std::uint32_t numberAt(const std::string& bytes, std::size_t at, int length = 4)
     return value;
 }
 
-/// What is inside the first box of that path ("moov/trak/…"), which must fill its parent exactly.
+/// Content of the first box of that path ("moov/trak/…"), which must fill its parent exactly.
 std::optional<std::string> boxContent(const std::string& bytes, const std::string& path)
 {
     const std::string type = path.substr(0, path.find('/'));
@@ -52,9 +52,9 @@ std::optional<std::string> boxContent(const std::string& bytes, const std::strin
     return std::nullopt;
 }
 
-/// A movie taken apart by its own tables.
+/// A movie parsed by its own tables.
 struct TakenApart {
-    std::string sequence, picture;   ///< of avcC
+    std::string sequence, picture;   ///< parameter sets of avcC
     std::vector<std::string> samples;
     std::vector<std::uint32_t> ticks;
     std::vector<std::uint32_t> whole;
@@ -93,7 +93,7 @@ TakenApart takeApart(const std::string& bytes)
     return movie;
 }
 
-/// openh264's own decoder on what the file says; green of each picture by BT.709.
+/// Decodes the file's content with openh264's own decoder; the green of each frame by BT.709.
 class Decoder {
 public:
     Decoder()
@@ -130,7 +130,7 @@ public:
             take(planes, info, pictures);
             stream.clear();
         }
-        while (pictures.size() < movie.samples.size()) {   // it holds pictures back, for orders that we do not write
+        while (pictures.size() < movie.samples.size()) {   // the decoder holds frames back for a reordering that we do not write
             unsigned char* planes[3]{};
             SBufferInfo info{};
             decoder_->FlushFrame(planes, &info);
@@ -213,13 +213,13 @@ TEST_F(Mp4Movie, PlaysWhatWasGiven)
         const core::ColorImage& picture = shown[static_cast<std::size_t>(i)];
         ASSERT_EQ(picture.width, 192);
         const double own = meanError(moviePicture(192, 128, i), picture);
-        EXPECT_LT(own, 3.0) << i;   // colours have half the resolution
+        EXPECT_LT(own, 3.0) << i;   // colors have half the resolution
         EXPECT_LT(own, 0.5 * meanError(moviePicture(192, 128, i + 8), picture)) << i;
     }
     EXPECT_EQ(movie.whole, (std::vector<std::uint32_t>{1, 31}));
 }
 
-/// 24,000 / 1001 a second is no whole number of ticks: 3753.75.
+/// 24,000 / 1001 fps is not a whole number of ticks: 3753.75.
 TEST_F(Mp4Movie, TimesDoNotDrift)
 {
     const TakenApart movie = written(32, 32, 40, 1001.0 / 24.0);

@@ -3,7 +3,7 @@
 #include "io/centerline2d_file.h"
 #include "io/deidentify/strip_picture.h"
 #include "io/image_file.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -15,19 +15,19 @@
 
 using namespace angiopose;
 
-// Plain images are shown as their orientation tag has it, of whatever kind they are and whatever they are read for.
+// Plain images are displayed as their orientation tag requires, for every format and every use.
 
 namespace {
 
 constexpr int shownWidth = 24, shownHeight = 16;
 
-/// Bright at the upper right, where no turn and no mirror leaves it.
+/// Bright at the upper right, which no rotation or mirroring maps to itself.
 float shownGray(int x, int y)
 {
     return x >= 16 && y < 8 ? 200.0F : 40.0F;
 }
 
-/// Where a stored pixel is to be seen: tag 274 says which sides the first row and the first column are.
+/// Displayed position of a stored pixel: tag 274 names the sides of the first row and the first column.
 std::pair<int, int> placeOf(int column, int row, int orientation)
 {
     const int right = shownWidth - 1, bottom = shownHeight - 1;
@@ -125,7 +125,7 @@ std::string plainJpeg(const core::ImageF& image)
     return content;
 }
 
-/// A directory of two entries, the orientation the second.
+/// An EXIF directory of two entries, the second of which is the orientation.
 std::string exifBytes(int orientation, bool isLittle)
 {
     const std::string first = isLittle ? std::string("\x0f\x01\x02\0\x02\0\0\0A\0\0\0", 12)
@@ -144,7 +144,7 @@ std::string jpegOf(const core::ImageF& image, const std::string& exif)
     return content.insert(2, std::string("\xff\xe1\0", 3) + static_cast<char>(segment.size() + 2) + segment);
 }
 
-/// With the chunk behind the pixels, where it may stand too.
+/// Writes the chunk after the pixels, which is also allowed.
 std::string pngOf(const test::TemporaryFolder& folder, const core::ImageF& image, const std::string& exif)
 {
     core::Angiogram run;
@@ -174,7 +174,7 @@ void expectShown(const std::string& path, int orientation)
         }
     }
     const bool isNamed = std::ranges::any_of(
-        read.value().warnings, [](const core::Message& each) { return each.is(io::says::pictureTurned); });
+        read.value().warnings, [](const core::Message& each) { return each.is(io::messages::pictureTurned); });
     EXPECT_EQ(isNamed, orientation != 1);
 }
 
@@ -206,7 +206,7 @@ TEST(PictureOrientation, IsAsStoredWhereTheTagIsNone)
 TEST(PictureOrientation, HoldsForMasksToo)
 {
     const test::TemporaryFolder folder;
-    core::ImageF mask(30, 80, 0.0F);   // a line along the upper edge as shown, mirrored and turned as stored
+    core::ImageF mask(30, 80, 0.0F);   // a line along the upper edge as displayed, mirrored and rotated as stored
     for (int y = 5; y < 75; ++y) {
         mask.at(4, y) = 255.0F;
     }
@@ -219,7 +219,7 @@ TEST(PictureOrientation, HoldsForMasksToo)
     }
     const auto two = io::readCenterline2d(tiffOf(folder.file("two.tif"), {{mask, 0}, {mask, 0}}));
     ASSERT_FALSE(two);
-    EXPECT_TRUE(two.error().message.is(io::says::centerlineMaskPages)) << two.error().message;
+    EXPECT_TRUE(two.error().message.is(io::messages::centerlineMaskPages)) << two.error().message;
 }
 
 TEST(PictureOrientation, StaysWhereAPictureIsFreedOfWhatIsBeside)
@@ -269,7 +269,7 @@ TEST(TiffPages, ThatCannotBeReadDoNotVanish)
     const test::TemporaryFolder folder;
     const std::string path = tiffOf(folder.file("run.tif"), {{storedFor(1), 0}, {storedFor(1), 0}});
     std::string content = test::readText(path);
-    std::uint32_t directory = 0, next = 0;   // as libtiff writes them here: in this machine's order
+    std::uint32_t directory = 0, next = 0;   // written by libtiff in this machine's byte order
     std::copy_n(content.data() + 4, 4, reinterpret_cast<char*>(&directory));
     std::uint16_t count = 0;
     std::copy_n(content.data() + directory, 2, reinterpret_cast<char*>(&count));

@@ -7,7 +7,7 @@
 
 using namespace angiopose;
 
-// Every kind of PNG gives the grey values that it means.
+// Every kind of PNG gives the gray values that it encodes.
 
 namespace {
 
@@ -21,7 +21,7 @@ struct PngKind {
     std::function<void(png_struct*, png_info*)> adorn = [](png_struct*, png_info*) {};
 };
 
-/// `rowBytes` are repeated as every row.
+/// Writes a PNG with `rowBytes` as every row.
 std::string writtenPng(const test::TemporaryFolder& folder, const PngKind& kind, std::vector<png_byte> rowBytes)
 {
     const std::string path = folder.file("kind.png");
@@ -41,7 +41,7 @@ std::string writtenPng(const test::TemporaryFolder& folder, const PngKind& kind,
     return path;
 }
 
-/// The third pixel of the second row.
+/// Gray value of the third pixel of the second row.
 float thirdPixel(const std::string& path)
 {
     const auto read = io::readAngiogram(path);

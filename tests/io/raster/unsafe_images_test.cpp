@@ -9,11 +9,11 @@
 
 using namespace angiopose;
 
-// Images that made decoders end the program, and ordinary ones that were refused.
+// Images that crashed decoders, and ordinary images that were rejected.
 
 namespace {
 
-/// A PNG whose header chunk begins with these bytes, its checksum right.
+/// Writes a PNG whose header chunk starts with these bytes and has a valid checksum.
 std::string pngWithHeader(const test::TemporaryFolder& folder, const std::string& header)
 {
     EXPECT_TRUE(io::writePng(core::Mask2d(40, 30), folder.file("sound.png")));

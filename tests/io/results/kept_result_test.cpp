@@ -1,4 +1,4 @@
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "io/opening/open_result.h"
 #include "io/results/result_file.h"
 #include "io/results/result_schema.h"
@@ -34,7 +34,7 @@ core::RegistrationResult resultOfRun(const std::string& time)
     return result;
 }
 
-/// What a case keeps of a run must tell where it began, long after it.
+/// The stored result of a registration must contain its starting point, even long afterward.
 class KeptResult : public testing::Test {
 protected:
     void SetUp() override
@@ -64,7 +64,7 @@ protected:
 
 TEST_F(KeptResult, TellsWhereItsRunBegan)
 {
-    session_.options.method = "rgbr";   // chosen since
+    session_.options.method = "rgbr";   // selected after the registration
     const auto place = write();
     const auto asked = io::openAsked(place, warnings_);
     ASSERT_TRUE(asked) << asked.error().message;
@@ -88,7 +88,7 @@ TEST_F(KeptResult, StillKnowsItFromASavedCase)
 TEST_F(KeptResult, LeavesOutViewsOfOtherRuns)
 {
     session_.views.insert(session_.views.begin(), 2, session_.views.front());
-    keep(session_.views[0], "2026-11-26T09:00:00Z");   // alone, before
+    keep(session_.views[0], "2026-11-26T09:00:00Z");   // registered alone, earlier
     session_.shownView = 2;
     const auto json = nlohmann::json::parse(io::keptResultJson(session_, io::ResultNames::Kept));
     EXPECT_EQ(json["case"]["views"].size(), 1U);
@@ -99,7 +99,7 @@ TEST_F(KeptResult, LeavesOutViewsOfOtherRuns)
 
 TEST_F(KeptResult, TellsNoCaseWhereItsBeginningIsNotKnown)
 {
-    session_.shown().result->warnings = {core::says::cameraEstimated(core::Quantity{98.0, 1, "%"}, 2, 3)};
+    session_.shown().result->warnings = {core::messages::cameraEstimated(core::Quantity{98.0, 1, "%"}, 2, 3)};
     EXPECT_FALSE(nlohmann::json::parse(io::keptResultJson(session_, io::ResultNames::Kept)).contains("case"));
     session_.shown().result->warnings.clear();
     session_.shown().result->provenance.start.reset();

@@ -12,7 +12,7 @@
 
 namespace angiopose::test {
 
-/// The slice of `volume` at layer k, as a scanner would store it.
+/// The slice of `volume` at layer k, as stored by a scanner.
 inline CtSlice sliceOf(const core::Volume& volume, int k)
 {
     const core::VolumeGeometry& geometry = volume.geometry;
@@ -39,7 +39,7 @@ inline core::Volume ctPhantom()
     return volume;
 }
 
-/// Writes slices under names that say nothing about their order.
+/// Writes slices under names unrelated to their order.
 inline void writeShuffled(const TemporaryFolder& folder, const std::vector<CtSlice>& slices)
 {
     for (std::size_t i = 0; i < slices.size(); ++i) {

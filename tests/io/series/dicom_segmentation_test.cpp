@@ -16,11 +16,11 @@ namespace {
 using test::DicomBytes;
 using test::TemporaryFolder;
 
-constexpr int columns = 9;   // 9 × 7 pixels: frames do not end on whole bytes
+constexpr int columns = 9;   // 9 × 7 pixels, so that frames do not end on whole bytes
 constexpr int segmentRows = 7;
 constexpr double layerMm = 1.25;
 
-/// A frame shows one segment at one layer.
+/// A frame with one segment in one layer.
 struct Frame {
     int segment = 1;
     int layer = 0;
@@ -29,21 +29,21 @@ struct Frame {
 struct Written {
     std::string type = "BINARY";
     int bitsAllocated = 1;
-    std::vector<Frame> frames{{1, 4}, {1, 2}, {1, 3}, {2, 2}, {2, 4}};   // 2 leaves out its empty layer
+    std::vector<Frame> frames{{1, 4}, {1, 2}, {1, 3}, {2, 2}, {2, 4}};   // segment 2 leaves out its empty layer
     double firstX = -30.0;
-    double shearMm = 0.0;   ///< sideways, per layer
+    double shearMm = 0.0;   ///< sideways shift per layer
     std::string sopClass = "1.2.840.10008.5.1.4.1.1.66.4";
     std::string photometric = "MONOCHROME2";
 };
 
-/// Which pixels a segment has in a layer: 1 a vessel of four pixels, 2 one beside it that overlaps it.
+/// Pixels of a segment in a layer: segment 1 is a vessel of four pixels, segment 2 overlaps it.
 bool isIn(int segment, int layer, int x, int y)
 {
     const int shift = segment == 2 ? 3 : 0;
     return x >= 2 + shift && x < 6 + shift && y >= 1 + layer % 2 && y < 5;
 }
 
-/// Placed as an oblique scanner would: rows run along −y, columns along +z, so layers stack along −x.
+/// Position as from an oblique scanner: rows run along −y and columns along +z, so layers stack along −x.
 std::string frameGroups(const Written& file, const Frame& frame)
 {
     DicomBytes position;
@@ -62,7 +62,7 @@ std::string sharedGroups()
     DicomBytes orientation;
     orientation.text(0x0020, 0x0037, "DS", "0\\-1\\0\\0\\0\\1");
     DicomBytes measures;
-    measures.text(0x0018, 0x0050, "DS", "2.5");   // the frames' places count, not this
+    measures.text(0x0018, 0x0050, "DS", "2.5");   // the frame positions take precedence over this
     measures.text(0x0028, 0x0030, "DS", "0.8\\0.5");
     DicomBytes groups;
     groups.sequence(0x0020, 0x9116, {orientation.content()});
@@ -131,7 +131,7 @@ void expectPhantom(const core::LabelVolume& labels)
     for (int k = 0; k < 3; ++k) {
         for (int y = 0; y < segmentRows; ++y) {
             for (int x = 0; x < columns; ++x) {
-                // The layers run along −x of the patient; the normal of the frames does as well.
+                // The layers run along −x of the patient, as does the normal of the frames.
                 const Eigen::Vector3d place = labels.geometry.patientFromVoxel() * Eigen::Vector3d(x, y, k);
                 const int layer = static_cast<int>(std::lround((-30.0 - place.x()) / layerMm));
                 const bool isSecond = layer != 3 && isIn(2, layer, x, y);

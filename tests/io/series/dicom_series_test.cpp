@@ -1,6 +1,6 @@
 #include "io/dicom_series.h"
 
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "tests/io/series/ct_phantom.h"
 #include "tests/support/test_data.h"
 
@@ -67,7 +67,7 @@ TEST(DicomSeries, APreambleOfAnotherFormatDoesNotMislead)
     const core::Volume phantom = ctPhantom();
     for (const CtSlice& slice : allSlices(phantom)) {
         std::string content = test::ctSlice(slice);
-        content[0] = 0x5c;   // 348, as an Analyze header begins
+        content[0] = 0x5c;   // 348, the first bytes of an Analyze header
         content[1] = 0x01;
         folder.write(slice.sopInstanceUid, content);
     }
@@ -134,7 +134,7 @@ TEST(DicomSeries, CopiesAndStrayDuplicatesAreDropped)
     const core::Volume phantom = ctPhantom();
     std::vector<CtSlice> slices = allSlices(phantom);
     slices.push_back(slices[3]);   // the same file twice
-    CtSlice again = slices[5];   // another image at the place of the sixth slice
+    CtSlice again = slices[5];   // another image at the position of the sixth slice
     again.sopInstanceUid = "1.2.3.77";
     again.instanceNumber = 77;
     again.pixels.assign(again.pixels.size(), 0);
@@ -167,7 +167,7 @@ TEST(DicomSeries, SlicesThatShareAUidAreStillSlices)
     EXPECT_TRUE(mentions(loaded.warnings, "10 of 10 images of the series share a SOP Instance UID"));
 }
 
-/// The second acquisition begins `offsetMm` above the first.
+/// The second acquisition starts `offsetMm` above the first.
 std::vector<io::DicomSeries> seriesOfTwoAcquisitions(double offsetMm)
 {
     const TemporaryFolder folder;
@@ -200,7 +200,7 @@ TEST(DicomSeries, AcquisitionsThatAreNoVolumeTogetherAreNamedAndParted)
         }
         EXPECT_EQ(series[1].part->text(), "part 2 of 2 (acquisition 2)");
     }
-    const std::vector<io::DicomSeries> slabs = seriesOfTwoAcquisitions(10.0 * step);   // table step after table step
+    const std::vector<io::DicomSeries> slabs = seriesOfTwoAcquisitions(10.0 * step);   // one table step after another
     ASSERT_EQ(slabs.size(), 1U);
     EXPECT_EQ(slabs[0].slices.size(), 20U);
 }
@@ -241,7 +241,7 @@ TEST(DicomSeries, ScoutsOfTheSameSeriesAreListedApart)
     ASSERT_TRUE(series);
     ASSERT_EQ(series.value().size(), 2U);
     EXPECT_FALSE(series.value()[0].problem);
-    EXPECT_EQ(series.value()[1].problem, io::says::seriesSingleSlice());
+    EXPECT_EQ(series.value()[1].problem, io::messages::seriesSingleSlice());
     EXPECT_TRUE(mentions(series.value()[0].warnings, "sizes or orientations"));
     EXPECT_TRUE(io::readVolume(folder.file(""))) << "the scout leaves no choice";
 }

@@ -8,7 +8,7 @@
 
 namespace angiopose::test {
 
-/// Little-endian explicit DICOM data elements, written by hand: the reader under test shares nothing with it.
+/// Writes little-endian explicit DICOM data elements byte by byte, sharing no code with the reader under test.
 class DicomBytes {
 public:
     void text(std::uint16_t group, std::uint16_t element, const char* vr, std::string value)
@@ -39,7 +39,7 @@ public:
         size(value.size());
         bytes_ += value;
     }
-    /// A sequence of items, each the content of its own elements.
+    /// Writes a sequence of items, each with its own encoded elements.
     void sequence(std::uint16_t group, std::uint16_t element, const std::vector<std::string>& items)
     {
         std::size_t length = 0;
@@ -79,7 +79,7 @@ private:
 struct CtSlice {
     std::string seriesUid = "1.2.3";
     std::string sopInstanceUid;
-    std::string patientName = "Phantom^CT", patientId, birthDate, sex, laterality;   ///< empty: not there
+    std::string patientName = "Phantom^CT", patientId, birthDate, sex, laterality;   ///< empty: attribute absent
     std::string description = "CTA 0.75";
     std::string modality = "CT";
     int instanceNumber = 1;

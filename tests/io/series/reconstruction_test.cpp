@@ -1,5 +1,5 @@
 #include "io/angiogram_file.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/opening/input_kind.h"
 #include "tests/io/series/ct_phantom.h"
 
@@ -7,7 +7,8 @@
 
 using namespace angiopose;
 
-// Rotational angiograms that are reconstructed lie in the patient, although they come from a C-arm and say so.
+// Reconstructed rotational angiograms are in patient coordinates, although they come from a C-arm and are labeled as
+// such.
 
 namespace {
 
@@ -28,7 +29,7 @@ std::string item(std::uint16_t group, std::uint16_t element, const char* vr, con
     return data.content();
 }
 
-/// Frames in planes of their own: 1 x 1 x 2 mm from (-50, -60, 10) on.
+/// Frames with their own plane positions: 1 x 1 x 2 mm from (-50, -60, 10).
 std::string multiFrame(const std::string& sopClass)
 {
     std::vector<std::int16_t> pixels;

@@ -21,7 +21,7 @@ using test::writeShuffled;
 TEST(UnevenSeries, AMissingSliceIsFilledAndNamed)
 {
     const TemporaryFolder folder;
-    core::Volume phantom = ctPhantom();   // values grow linearly along k, so that the middle of two slices is known
+    core::Volume phantom = ctPhantom();   // linear along k, so that the mean of two slices is known
     std::vector<CtSlice> slices = allSlices(phantom);
     slices.erase(slices.begin() + 4);
     writeShuffled(folder, slices);
@@ -62,8 +62,8 @@ TEST(UnevenSeries, ATiltedGantryIsShiftedUpright)
     core::VolumeGeometry geometry;
     geometry.size = {16, 40, 12};
     geometry.spacingMm = {1, 1, 2};
-    const double tilt = 0.25;   // the tops of the slices lean back by this per mm
-    // A straight rod along z in the patient: with a tilted gantry it wanders over the rows.
+    const double tilt = 0.25;   // backward lean of the slices' tops, per mm
+    // A straight rod along z in the patient: with a tilted gantry it shifts across the rows.
     std::vector<CtSlice> slices;
     for (int k = 0; k < 12; ++k) {
         CtSlice slice;
@@ -103,7 +103,7 @@ TEST(UnevenSeries, DifferentScalesKeepTheirValues)
     const TemporaryFolder folder;
     core::Volume phantom = ctPhantom();
     std::vector<CtSlice> slices = allSlices(phantom);
-    for (std::size_t k = 0; k < slices.size(); k += 2) {   // stored as half values
+    for (std::size_t k = 0; k < slices.size(); k += 2) {   // stored with halved values
         slices[k].slope = 2.0;
         slices[k].intercept = -1024.0;
         for (std::int16_t& pixel : slices[k].pixels) {

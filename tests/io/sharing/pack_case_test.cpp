@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A case with a result and words that say whose it is.
+/// A case with a result and with texts that identify the patient.
 class PackCase : public ::testing::Test {
 protected:
     PackCase()
@@ -39,7 +39,7 @@ protected:
 
     std::string casePath() const { return small.path("JaneDoe.angiopose"); }
 
-    /// The folder it was unpacked to.
+    /// The folder to which the packed case is extracted.
     std::string unpacked(const std::optional<io::Deidentification>& requested)
     {
         const std::string archive = small.path("pack.zip");

@@ -73,7 +73,7 @@ TEST(KnownWords, LetOwnWordsThroughAlone)
     EXPECT_EQ(words.only("Geöffnet 已打开王"), "Geöffnet 已打开[…]");
 }
 
-/// A case whose every text, path and header is planted.
+/// A case with planted identifiers in every text, path and header.
 class SupportBundle : public ::testing::Test {
 protected:
     SupportBundle()
@@ -115,7 +115,8 @@ TEST_F(SupportBundle, HoldsNothingOfWhatWasPlanted)
     texts.push_back({"log.txt", log});
     const auto clean = io::cleaned(texts, redaction);
     const std::string all = io::asOneText(clean);
-    // What the headers did not keep as a text (curves, overlays, pixels) no program's sentence can hold either.
+    // Text that the headers do not store as text (curves, overlays, pixels) must not appear in any program message
+    // either.
     io::KnownWords own;
     own.add("Opened of and");
     const std::string logged = own.only(clean.back().text);

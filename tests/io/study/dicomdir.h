@@ -10,7 +10,7 @@
 
 namespace angiopose::test {
 
-/// Writes the DICOMDIR of a disc by DCMTK: files below `root`, names as such discs have them ("PAT1/IM1").
+/// Writes the DICOMDIR of a disc with DCMTK: files below `root`, with names as on such discs ("PAT1/IM1").
 inline void writeDicomdir(const std::string& root, const std::vector<std::string>& names)
 {
     DicomDirInterface directory;

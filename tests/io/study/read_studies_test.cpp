@@ -99,7 +99,7 @@ TEST(ReadStudies, OnlyHeadersAreRead)
     ASSERT_TRUE(whole && whole.value());
     EXPECT_FALSE(whole.value()->images.damage);
 
-    fs::resize_file(path, 300'000);   // of its 512 KiB of pixels
+    fs::resize_file(path, 300'000);   // of the 512 KiB of its pixels
     const auto cut = readStudyFile(path);
 
     ASSERT_TRUE(cut && cut.value());
@@ -183,7 +183,7 @@ TEST(DicomDirectory, ItsFilesAreReadAndThoseBesideItCounted)
     EXPECT_EQ(seriesOf(read(folder.file(""), StudyReach::AllFiles)).size(), 4u);
 }
 
-TEST(DicomDirectory, MissingFilesAreTold)
+TEST(DicomDirectory, MissingFilesAreReported)
 {
     const TemporaryFolder folder;
     test::writeDicomdir(folder.file(""), test::writeDisc(folder));

@@ -11,7 +11,7 @@
 
 namespace angiopose::test {
 
-/// A report as DICOM keeps it: no pixels.
+/// A DICOM structured report, without pixels.
 inline std::string reportFile()
 {
     DicomBytes data;

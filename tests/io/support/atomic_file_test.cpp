@@ -21,7 +21,7 @@ std::size_t filesIn(const test::TemporaryFolder& folder)
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(place), {}));
 }
 
-/// A process that is no more.
+/// Process id of a process that has ended.
 pid_t deadProcess()
 {
     const pid_t child = ::fork();
@@ -32,7 +32,7 @@ pid_t deadProcess()
     return child;
 }
 
-/// The name that process `maker` would have given to its temporary file.
+/// Name that process `maker` would have given to its temporary file.
 std::string temporaryOf(const std::string& target, pid_t maker)
 {
     std::string name = io::temporaryPatternFor(target);
@@ -54,7 +54,7 @@ TEST(AtomicFile, RemovesWhatKilledProcessesLeft)
     ASSERT_TRUE(io::writeAtomically(target, "whole"));
     EXPECT_FALSE(std::filesystem::exists(left));
     EXPECT_TRUE(std::filesystem::exists(living));
-    EXPECT_EQ(filesIn(folder), 4U);   // the target, the living one's and the two of others
+    EXPECT_EQ(filesIn(folder), 4U);   // the target, the temporary file of the live process and the two unrelated files
     EXPECT_EQ(test::readText(target), "whole");
 }
 

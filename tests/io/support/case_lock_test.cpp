@@ -29,7 +29,7 @@ TEST(CaseLock, TellsOthersWhoHasTheCaseOpen)
         EXPECT_EQ(holder->machine, io::machineName());
         EXPECT_FALSE(io::CaseLock(path).isHeld());
         std::filesystem::create_symlink(path, folder.file("link.angiopose"));
-        EXPECT_TRUE(io::holderOf(folder.file("link.angiopose")));   // the same case
+        EXPECT_TRUE(io::holderOf(folder.file("link.angiopose")));   // a link to the same case
     }
     EXPECT_FALSE(io::holderOf(path));
     EXPECT_FALSE(std::filesystem::exists(io::lockPathOf(path)));
@@ -55,7 +55,7 @@ TEST(CaseLock, IsFreeAgainWhenItsProgramWasKilled)
     EXPECT_EQ(holder->process, child);
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
-    EXPECT_TRUE(std::filesystem::exists(io::lockPathOf(path)));   // stale
+    EXPECT_TRUE(std::filesystem::exists(io::lockPathOf(path)));   // a stale lock file
     EXPECT_FALSE(io::holderOf(path));
     EXPECT_EQ(io::removeLeftovers(std::filesystem::path(path).parent_path().string()), 1);
     EXPECT_FALSE(std::filesystem::exists(io::lockPathOf(path)));

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Faults of a program that is linked with the handler, in a state folder of their own.
+/// Crashes of a program linked with the handler, with its own state folder.
 class CrashDumps : public ::testing::Test {
 protected:
     CrashDumps() { ::setenv("XDG_STATE_HOME", folder_.file("state").c_str(), 1); }
@@ -27,7 +27,7 @@ protected:
     }
     ~CrashDumps() override { ::unsetenv("XDG_STATE_HOME"); }
 
-    /// The signal that ended it.
+    /// Crashes the program in the given way and returns the signal that ended it.
     static int crash(const std::string& way)
     {
         const int status = std::system((std::string("exec ") + CRASH_PROGRAM + " " + way + " 2>/dev/null").c_str());
@@ -94,7 +94,7 @@ TEST_F(CrashDumps, TheNewestTenAreKept)
     std::ofstream(folder / "notes.txt") << "not ours";
     crash("segv");
     crash("segv");
-    EXPECT_LE(io::crashDumps().size(), 11U);   // the last came after the counting
+    EXPECT_LE(io::crashDumps().size(), 11U);   // the last dump was written after counting
     EXPECT_EQ(io::crashDumps("angiopose-test").size(), 2U);
     EXPECT_TRUE(fs::exists(folder / "notes.txt"));
     EXPECT_EQ(fs::status(folder).permissions() & fs::perms::group_all, fs::perms::none);

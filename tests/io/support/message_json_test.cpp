@@ -1,8 +1,8 @@
 #include "io/support/message_json.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/support/result.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ namespace {
 
 TEST(MessageJson, GivesIdSeverityTextAndArguments)
 {
-    const auto json = nlohmann::json::parse(messageJson(core::says::trustPoseUncertain(core::inMm(2.44, 1))));
+    const auto json = nlohmann::json::parse(messageJson(core::messages::trustPoseUncertain(core::inMm(2.44, 1))));
 
     EXPECT_EQ(json["id"], "trust.pose-uncertain");
     EXPECT_EQ(json["severity"], "warning");
@@ -24,7 +24,7 @@ TEST(MessageJson, GivesIdSeverityTextAndArguments)
 
 TEST(MessageJson, GivesTheFileAndWhatIsInside)
 {
-    const core::Error error(core::says::inView(2, says::fileMissing().about("b.dcm")));
+    const core::Error error(core::messages::inView(2, messages::fileMissing().about("b.dcm")));
     const auto json = nlohmann::json::parse(messageJson(error.about("a.angiopose").message));
 
     EXPECT_EQ(json["severity"], "error");
@@ -35,7 +35,7 @@ TEST(MessageJson, GivesTheFileAndWhatIsInside)
 
 TEST(MessageJson, ListsSeveral)
 {
-    const core::Messages warnings{core::says::trustRival(), core::says::trustStopped()};
+    const core::Messages warnings{core::messages::trustRival(), core::messages::trustStopped()};
     const auto json = nlohmann::json::parse(messagesJson(warnings));
 
     ASSERT_EQ(json.size(), 2U);

@@ -12,7 +12,7 @@ constexpr std::size_t pageBytes = 4096;
 
 }   // namespace
 
-/// The same signal that a scratched disc raises, on a disc that is whole.
+/// Raises the same signal as a scratched disc, without needing one.
 TEST(ReadError, IsToldOfBytesThatAreGone)
 {
     const test::TemporaryFolder folder;

@@ -32,7 +32,7 @@ std::vector<std::string> namesOf(const std::string& path)
 
 }   // namespace
 
-/// Found by fuzzing: a name with a zero in it was written into a table and a VTP file that could not be read again.
+/// Found by fuzzing: a name with a zero byte was written to a table and a VTP file that could not be read back.
 TEST(BranchNames, OfControlCharactersAreWrittenAsOneLineThatCanBeReadAgain)
 {
     const test::TemporaryFolder folder;

@@ -1,6 +1,6 @@
 #include "io/vessel/stated_coordinates.h"
 #include "io/fiducial_file.h"
-#include "io/messages/says.h"
+#include "io/messages/messages.h"
 #include "io/opening/add_vessels.h"
 #include "io/surface_file.h"
 #include "io/vessel_tree_file.h"
@@ -13,7 +13,7 @@
 
 using namespace angiopose;
 
-// Units and axes that a mesh, a curve or a table states are used, or it is said that they are not.
+// Units and axes stated by a mesh, a curve or a table are used; otherwise a message says that they are not.
 
 namespace {
 
@@ -65,14 +65,14 @@ TEST(StatedCoordinates, WhatIsAskedForGoesFirstAndTheDifferenceIsSaid)
     const auto asked = io::coordinateRule("# units: cm", 1.0, "x");
     ASSERT_TRUE(asked);
     EXPECT_EQ(asked.value().unitMm, 1.0);
-    EXPECT_TRUE(hasWarning(asked.value().notes, io::says::unitOverruled));
+    EXPECT_TRUE(hasWarning(asked.value().notes, io::messages::unitOverruled));
     const auto agreed = io::coordinateRule("# units: cm", 10.0, "x");
-    EXPECT_TRUE(hasWarning(agreed.value().notes, io::says::unitStated));
+    EXPECT_TRUE(hasWarning(agreed.value().notes, io::messages::unitStated));
     const auto two = io::coordinateRule("# units: cm\n# 1 unit = 1 m", 0.0, "x");
-    EXPECT_TRUE(hasWarning(two.value().notes, io::says::unitsContradict));
+    EXPECT_TRUE(hasWarning(two.value().notes, io::messages::unitsContradict));
     EXPECT_TRUE(io::coordinateRule("# units: mm", 0.0, "x").value().notes.empty());
     for (const double wrong : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-        EXPECT_TRUE(io::coordinateRule("", wrong, "x").error().message.is(io::says::fileWrongUnit));
+        EXPECT_TRUE(io::coordinateRule("", wrong, "x").error().message.is(io::messages::fileWrongUnit));
     }
 }
 
@@ -90,11 +90,11 @@ TEST(StatedCoordinates, AxesAreTurnedOrNamed)
     for (const char* wrong : {"# SPACE=LAS", "# space: rai", "# axes are LPI"}) {
         const auto rule = io::coordinateRule(wrong, 0.0, "x");
         ASSERT_FALSE(rule) << wrong;
-        EXPECT_TRUE(rule.error().message.is(io::says::axesOther)) << wrong;
+        EXPECT_TRUE(rule.error().message.is(io::messages::axesOther)) << wrong;
     }
 }
 
-/// A box of 70 x 50 x 30 from the origin.
+/// Corners of a box of 70 x 50 x 30 with one corner at the origin.
 constexpr const char* boxPoints[] = {"0 0 0",  "70 0 0",  "70 50 0",  "0 50 0",
                                      "0 0 30", "70 0 30", "70 50 30", "0 50 30"};
 constexpr const char* boxFaces[] = {"0 2 1", "0 3 2", "4 5 6", "4 6 7", "0 1 5", "0 5 4",
@@ -179,11 +179,11 @@ TEST(StatedCoordinates, HoldForSurfacesOfEveryFormat)
     for (const auto& [name, content, unitMm, sign] : files) {
         const auto surface = io::readSurface(folder.write(name, content));
         expectAcross(surface, unitMm, sign, name);
-        EXPECT_EQ(hasWarning(surface.value().warnings, io::says::unitStated), unitMm != 1.0) << name;
+        EXPECT_EQ(hasWarning(surface.value().warnings, io::messages::unitStated), unitMm != 1.0) << name;
     }
     const auto forced = io::readSurface(folder.file("a.obj"), 1.0);
     expectAcross(forced, 1.0, 1.0, "asked for");
-    EXPECT_TRUE(hasWarning(forced.value().warnings, io::says::unitOverruled));
+    EXPECT_TRUE(hasWarning(forced.value().warnings, io::messages::unitOverruled));
 }
 
 TEST(StatedCoordinates, AreNotAskedForAgain)
@@ -216,7 +216,7 @@ TEST(StatedCoordinates, HoldForCenterlinesOfEveryFormat)
         const core::VesselBranch& branch = read.value().tree.branches.front();
         EXPECT_EQ(branch.pointsInPatient.back(), Eigen::Vector3d(-20, 0, 0)) << name;
         EXPECT_EQ(branch.radiusMm.front(), 10.0) << name;
-        EXPECT_TRUE(hasWarning(read.value().warnings, io::says::unitStated)) << name;
+        EXPECT_TRUE(hasWarning(read.value().warnings, io::messages::unitStated)) << name;
         EXPECT_TRUE(read.value().isUnitStated);
     }
 }
@@ -283,11 +283,11 @@ TEST(SlicerMarkups, PointsThatAreNotPlacedAreLeftOutAndCounted)
     ASSERT_EQ(read.value().tree.branches.size(), 1U);
     EXPECT_EQ(read.value().tree.pointCount(), 27U);
     EXPECT_NEAR(read.value().tree.branches.front().lengthMm(), 60.0, 1e-9);
-    ASSERT_TRUE(hasWarning(read.value().warnings, io::says::markupsNotPlaced));
+    ASSERT_TRUE(hasWarning(read.value().warnings, io::messages::markupsNotPlaced));
     EXPECT_NE(read.value().warnings.front().text().find("4 points"), std::string::npos);
 }
 
-/// The same points in the three ways to write a line.
+/// Writes the same points in the three line formats.
 std::vector<std::string> writtenLines(const test::TemporaryFolder& folder, const std::vector<Eigen::Vector3d>& points)
 {
     std::string table = "x,y,z,branch\n", json, vtk, ids;
@@ -340,7 +340,7 @@ TEST(LinesThatLeap, HaveTheirBeginningPutBackInEveryFormat)
             ASSERT_EQ(read.value().tree.branches.size(), 1U) << path;
             EXPECT_NEAR(lengthOf(read.value().tree), 30 * 80.0 * std::sin(0.025), 1e-3) << path;
             EXPECT_LT((read.value().tree.branches.front().pointsInPatient.front() - whole.front()).norm(), 1e-5);
-            EXPECT_TRUE(hasWarning(read.value().warnings, io::says::treeTurnedRound)) << path;
+            EXPECT_TRUE(hasWarning(read.value().warnings, io::messages::treeTurnedRound)) << path;
         }
     }
 }
@@ -357,7 +357,7 @@ TEST(LinesThatLeap, AreCutThereInEveryFormat)
         ASSERT_TRUE(read) << path << read.error().message;
         EXPECT_EQ(read.value().tree.branches.size(), 2U) << path;
         EXPECT_NEAR(lengthOf(read.value().tree), 60 * 80.0 * std::sin(0.025), 1e-3) << path;
-        EXPECT_TRUE(hasWarning(read.value().warnings, io::says::treeLeaps)) << path;
+        EXPECT_TRUE(hasWarning(read.value().warnings, io::messages::treeLeaps)) << path;
     }
 }
 
@@ -377,7 +377,7 @@ TEST(LinesThatLeap, AreNotThoseOfFewOrUnevenPoints)
     }
 }
 
-/// The box as binary STL; `declared` triangles in its header, and `trailing` behind them.
+/// The box as binary STL, with `declared` triangles in its header and `trailing` appended.
 std::string binaryStl(const std::string& title, std::uint32_t declared, const std::string& trailing)
 {
     std::string content = title;
@@ -402,7 +402,7 @@ TEST(StlFiles, MayBeginWithSolidAndEndWithMore)
         for (const std::size_t more : {0U, 1U, 49U, 51U, 400U}) {
             const auto surface = io::readSurface(folder.write("box.stl", binaryStl(title, 12, std::string(more, 'x'))));
             expectAcross(surface, 1.0, 1.0, title + std::to_string(more));
-            EXPECT_EQ(hasWarning(surface.value().warnings, io::says::stlTooMany), more >= 50) << more;
+            EXPECT_EQ(hasWarning(surface.value().warnings, io::messages::stlTooMany), more >= 50) << more;
         }
     }
     expectAcross(io::readSurface(folder.write("b.stl", binaryStl("solid, unit = cm", 12, "tail"))), 10.0, 1.0, "unit");
@@ -423,7 +423,7 @@ TEST(StlFiles, WhoseHeaderContradictsThemAreNamedWithBothNumbers)
     }
     const auto cut = io::readSurface(folder.write("cut.stl", stlOf("solid x", "", false)));
     ASSERT_TRUE(cut);
-    EXPECT_TRUE(hasWarning(cut.value().warnings, io::says::stlWithoutEnd));
+    EXPECT_TRUE(hasWarning(cut.value().warnings, io::messages::stlWithoutEnd));
 }
 
 }   // namespace

@@ -17,7 +17,7 @@ namespace {
 
 using test::TemporaryFolder;
 
-/// A box from the origin, in the words of each format, corners numbered from 0.
+/// A box with one corner at the origin in the syntax of each format, corners numbered from 0.
 constexpr std::array<std::array<int, 3>, 12> boxTriangles = {{{0, 2, 1},
                                                               {0, 3, 2},
                                                               {4, 5, 6},
@@ -118,7 +118,7 @@ std::string dataArray(const std::string& attributes, const std::string& numbers)
     return "<DataArray " + attributes + " format=\"ascii\">" + numbers + "</DataArray>";
 }
 
-/// The box as cells of VTK's XML: each triangle a strip, or a cell of a grid.
+/// The box as VTK XML cells: triangles as strips, or as the cells of a grid.
 std::string xmlVtk(bool isGrid)
 {
     std::string offsets, types;
@@ -144,7 +144,7 @@ void expectBox(const core::Result<io::LoadedSurface>& surface)
     EXPECT_TRUE(surface.value().warnings.empty()) << surface.value().warnings.front();
     const auto mask = core::fillSurface(surface.value().mesh, 1.0);
     ASSERT_TRUE(mask) << mask.error().message;
-    // Voxel centres lie on the walls here: rounding decides about these alone.
+    // Voxel centers lie on the walls here, so only they depend on rounding.
     EXPECT_NEAR(static_cast<double>(std::count(mask.value().voxels.begin(), mask.value().voxels.end(), 1)),
                 70 * 50 * 30, 100.0);
 }
@@ -209,7 +209,7 @@ TEST(ReadSurface, DamagedFilesSayWhatIsWrong)
     }
 }
 
-/// A tube of 60 rings of 16 points, closed by caps, and one corner more that three triangles go to.
+/// A capped tube of 60 rings of 16 points, plus one more corner shared by three triangles.
 std::string tubeWithCornerAt(const std::string& corner)
 {
     constexpr int rings = 60, sides = 16;
@@ -277,7 +277,7 @@ TEST(ReadSurface, TracingOneEndsWhenStopped)
         const auto vessels = io::readVessels(
             path, input, [&](double) { return ++asked >= heardAfter ? core::Verdict::Stop : core::Verdict::Continue; });
         if (asked < heardAfter) {
-            break;   // it was quicker
+            break;   // finished before that call
         }
         ASSERT_FALSE(vessels);
         EXPECT_TRUE(vessels.error().isStop()) << vessels.error().message;
@@ -287,7 +287,7 @@ TEST(ReadSurface, TracingOneEndsWhenStopped)
 
 TEST(ReadSurface, PlyIsTakenAtItsWord)
 {
-    // What VTK would take for zeros, or pass by.
+    // Values that VTK would take for zeros, or skip.
     const TemporaryFolder folder;
     const auto changed = [](std::string text, const std::string& from, const std::string& to) {
         return text.replace(text.find(from), from.size(), to);

@@ -38,7 +38,7 @@ core::VesselBranch straight(int id, const Eigen::Vector3d& from, const Eigen::Ve
     return branch;
 }
 
-/// A cerebral tree: straight branches between the nodes of its graph, in voxels of 0.5 mm.
+/// A cerebral tree with straight branches between the nodes of its graph, in 0.5 mm voxels.
 core::VesselTree cerebralTree(const std::string& name)
 {
     const auto rows = [&name](const std::string& kind) {
@@ -78,10 +78,10 @@ TEST(SwcForks, StayWhereDaughtersBeginBeyondTheEndOfTheirMother)
     const core::VesselTree read = throughSwc(tree);
     EXPECT_EQ(forksOf(read), 1);
     ASSERT_EQ(read.branches.size(), 3U);
-    EXPECT_NEAR(read.branches[0].lengthMm(), 34.0, 1e-9);   // led on to its daughters
+    EXPECT_NEAR(read.branches[0].lengthMm(), 34.0, 1e-9);   // extended to its daughter branches
 
-    tree.branches[0] = straight(1, {30, 0, 0}, {0, 0, 0});   // runs away from them: another vessel
-    EXPECT_EQ(forksOf(throughSwc(tree)), 1);   // the two still meet
+    tree.branches[0] = straight(1, {30, 0, 0}, {0, 0, 0});   // runs away from them, so it is a separate vessel
+    EXPECT_EQ(forksOf(throughSwc(tree)), 1);   // the other two still meet
     EXPECT_EQ(throughSwc(tree).branches.size(), 3U);
 }
 
@@ -98,7 +98,7 @@ TEST(SwcForks, StayWhereOnlyTwoBranchesMeet)
 
 TEST(SwcForks, OfOtherProgramsMeanWhatTheyMeant)
 {
-    const test::TemporaryFolder folder;   // type 5 on every row, as some write for what they do not know
+    const test::TemporaryFolder folder;   // type 5 on every row, which some programs write for unknown types
     const std::string path =
         folder.write("other.swc", "1 5 0 0 0 1 -1\n2 5 5 0 0 1 1\n3 5 9 0 0 1 2\n4 5 14 0 0 1 3\n");
     const auto read = io::readVesselTree(path);

@@ -5,7 +5,7 @@
 
 using namespace angiopose;
 
-// Numbers in headers have a decimal point, whatever the locale of the program that reads them; it stays as it is.
+// Numbers in headers use a decimal point whatever the locale of the reading program, and the locale stays unchanged.
 
 namespace {
 

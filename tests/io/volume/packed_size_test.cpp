@@ -18,7 +18,7 @@ long peakKilobytes()
     return usage.ru_maxrss;
 }
 
-/// A NIfTI header of `side`³ floats, and `bytes` of zeros.
+/// A NIfTI file with the header of `side`³ floats and `bytes` zeros.
 std::string niftiOf(std::int16_t side, std::size_t bytes)
 {
     std::string content(352 + bytes, '\0');
@@ -39,7 +39,8 @@ std::string niftiOf(std::int16_t side, std::size_t bytes)
 TEST(PackedVolume, ThatHoldsLessThanItSaysIsNotUnpacked)
 {
     const test::TemporaryFolder folder;
-    // 240 MB of zeros are no thousandth of that packed, as much as a header may claim; this one claims 20 MB more.
+    // 240 MB of zeros compress to less than a thousandth, the ratio that a header may claim; this one claims 20 MB
+    // more.
     const std::string path = folder.write("lie.nii.gz", test::gzipped(niftiOf(402, std::size_t{240} << 20)));
     const long before = peakKilobytes();
     core::VesselInput input;

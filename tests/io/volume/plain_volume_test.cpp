@@ -5,7 +5,7 @@
 
 using namespace angiopose;
 
-// Formats that hold spacing and voxels, but not how the axes lie in the patient.
+// Formats that store spacing and voxels but not the orientation of the axes in the patient.
 
 namespace {
 
@@ -25,7 +25,7 @@ void expectUnplaced(const core::Result<io::LoadedVolume>& loaded, const char* fo
     }
 }
 
-/// The bytes of numbers, the highest first.
+/// Encodes numbers with the most significant byte first.
 std::string bigEndianShorts(const std::vector<std::int16_t>& values)
 {
     std::string bytes;
@@ -77,7 +77,7 @@ TEST(Analyze, IsReadAsAPair)
     test::expectRefused(folder.write("alone.hdr", header), "alone.img, which is not there");
 }
 
-// Found by fuzzing: MetaIO, which read them once, overran its own room and ended the program.
+// Found by fuzzing: MetaIO, which used to read these headers, overran its buffer and crashed the program.
 TEST(MetaImage, LinesOfAnyLengthAreRead)
 {
     const test::TemporaryFolder folder;

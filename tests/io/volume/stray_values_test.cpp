@@ -11,7 +11,7 @@ using namespace angiopose;
 
 namespace {
 
-/// A scan of 24³ values about 100 ± 300, one of them `stray`.
+/// A scan of 24³ values around 100 ± 300, one of which is `stray`.
 template <class T>
 std::string scanWith(T stray, const std::string& type)
 {

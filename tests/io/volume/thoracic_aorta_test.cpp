@@ -13,7 +13,7 @@ using namespace angiopose;
 
 namespace {
 
-/// The torn aorta of the thoracic CTA, with a stent in its true lumen behind the arch.
+/// The dissected aorta of the thoracic CTA, with a stent in its true lumen distal to the arch.
 class ThoracicAorta : public testing::Test {
 protected:
     void SetUp() override
@@ -34,7 +34,7 @@ protected:
     core::Volume scan_;
 };
 
-/// Of a disc as large as the part of slice `k` behind row `j` that is set.
+/// Radius of a disc with the area of the set voxels of slice `k` behind row `j`.
 double radiusInSlice(const core::LabelVolume& mask, int k, int j)
 {
     int count = 0;
@@ -54,7 +54,7 @@ TEST_F(ThoracicAorta, IsAboutAsWideInItsStentAsItsMask)
     const Eigen::Affine3d voxelFromPatient = scan_.geometry.patientFromVoxel().inverse();
     constexpr int behindAscending = 80;
     for (const int slice : {105, 112, 119, 126}) {
-        double nearest = 1.5;   // slices
+        double nearest = 1.5;   // in slices
         double radiusMm = 0.0;
         for (const core::VesselBranch& branch : traced.value().tree.branches) {
             for (std::size_t n = 0; n < branch.pointsInPatient.size(); ++n) {
@@ -85,7 +85,7 @@ TEST_F(ThoracicAorta, DoesNotLeadIntoThePulmonaryArteryBesideIt)
             for (const Eigen::Vector3d& point : branch.pointsInPatient) {
                 const Eigen::Vector3i at = (voxelFromPatient * point).array().round().cast<int>();
                 holdsAorta = holdsAorta || (aorta.geometry.contains(at) && aorta.at(at.x(), at.y(), at.z()) != 0);
-                // Left and right of the heart there are vessels of the lungs alone.
+                // To the left and right of the heart there are only pulmonary vessels.
                 const bool isInLung = at.z() > 60 && at.z() < 125 && (at.x() < 25 || at.x() > 84);
                 EXPECT_FALSE(isInLung) << change.name << " " << at.transpose();
             }

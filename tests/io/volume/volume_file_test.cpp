@@ -28,7 +28,7 @@ TEST_P(VolumeFormats, AllAxisOrdersGiveTheSamePatientPositions)
         const auto written = io::writeVolume(test::stored(original, order), path);
         ASSERT_TRUE(written) << written.error().message;
 
-        // NIfTI-1 places voxels with 32-bit floats: at 540 mm these are 3e-5 mm apart.
+        // NIfTI-1 stores positions as 32-bit floats, whose step is 3e-5 mm at 540 mm.
         EXPECT_LT(test::largestDisplacement(original, readBack(path)), 1e-4);
     }
 }
@@ -46,7 +46,7 @@ TEST_P(VolumeFormats, KeepSlopeAndInterceptInTheValues)
 
     ASSERT_EQ(read.voxels.size(), original.voxels.size());
     for (std::size_t i = 0; i < read.voxels.size(); ++i) {
-        EXPECT_NEAR(read.value(i), original.value(i), 2e-3);   // floats in the file take one of 65536 levels
+        EXPECT_NEAR(read.value(i), original.value(i), 2e-3);   // floats in the file are quantized to 65536 levels
     }
 }
 
@@ -56,7 +56,7 @@ TEST_P(VolumeFormats, CutShortAnywhereSayWhatIsWrong)
     const std::string path = folder.file(std::string("volume") + GetParam());
     ASSERT_TRUE(io::writeVolume(test::countedVolume(), path));
     const std::string whole = test::readText(path);
-    for (std::size_t size = 1; size + 24 < whole.size(); size += 41) {   // the last bytes are a checksum only
+    for (std::size_t size = 1; size + 24 < whole.size(); size += 41) {   // the last bytes are only a checksum
         folder.write(std::string("cut") + GetParam(), whole.substr(0, size));
         const auto loaded = io::readVolume(folder.file(std::string("cut") + GetParam()));
         ASSERT_FALSE(loaded) << size << " bytes";

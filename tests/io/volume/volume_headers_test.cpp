@@ -20,7 +20,7 @@ using test::metaImage;
 using test::readBack;
 using test::TemporaryFolder;
 
-/// A NIfTI-1 header for 2 x 3 x 4 voxels of 16 bit, without any placement.
+/// A NIfTI-1 header for 2 x 3 x 4 voxels of 16 bits, without any orientation.
 std::string plainNifti()
 {
     std::string header(352, '\0');
@@ -73,7 +73,7 @@ TEST(Nifti, QformIsFollowedWithItsHandedness)
     std::string header = plainNifti();
     put(header, 252, std::int16_t{1});
     put(header, 76, -1.0F);   // k reversed
-    put(header, 256, std::array<float, 6>{0, 0, 1, 5, 6, 7});   // half a turn about z
+    put(header, 256, std::array<float, 6>{0, 0, 1, 5, 6, 7});   // a rotation by 180° about z
 
     const core::Volume volume = readBack(folder.write("a.nii", withVoxels(header, 24)));
 
@@ -158,7 +158,7 @@ TEST(Nrrd, SpacesBecomeLps)
     EXPECT_NE(unknown.value().warnings.front().text().find("left and right"), std::string::npos);
 }
 
-/// The library quotes what it cannot read into a buffer of fixed size.
+/// The library copies text that it cannot parse into a buffer of fixed size.
 TEST(Nrrd, RefusesAFieldOfAMegabyte)
 {
     const TemporaryFolder folder;
@@ -172,7 +172,7 @@ TEST(Nrrd, RefusesAFieldOfAMegabyte)
         "its header cannot be read");
 }
 
-/// Free text may be as long as it likes.
+/// Free text may have any length.
 TEST(Nrrd, ReadsALongComment)
 {
     const TemporaryFolder folder;
@@ -229,7 +229,7 @@ TEST(MetaImage, DistanceUnitsHoldForSpacingAndOffset)
     EXPECT_LT((geometry.originInPatient - Eigen::Vector3d(10, 20, 30)).norm(), 1e-9);
 }
 
-/// Voxels that begin within the header would be its bytes.
+/// Voxels starting inside the header would be header bytes.
 TEST(Nifti, VoxelsBeginBehindTheHeader)
 {
     const TemporaryFolder folder;
@@ -254,9 +254,9 @@ TEST(Nifti, SaysBothValuesWhereItsHeaderContradictsItself)
 {
     const TemporaryFolder folder;
     std::string header = plainNifti();
-    put(header, 72, std::int16_t{32});   // bits of voxels that have 16
+    put(header, 72, std::int16_t{32});   // declares 32 bits for 16-bit voxels
     put(header, 254, std::int16_t{1});
-    put(header, 280, std::array<float, 12>{0.7F, 0, 0, 0, 0, 2, 0, 0, 0, 0, 3, 0});   // 0.5 by pixdim
+    put(header, 280, std::array<float, 12>{0.7F, 0, 0, 0, 0, 2, 0, 0, 0, 0, 3, 0});   // 0.5 according to pixdim
     const auto loaded = io::readVolume(folder.write("a.nii", withVoxels(header, 24)));
     ASSERT_TRUE(loaded);
     ASSERT_EQ(loaded.value().warnings.size(), 2U);

@@ -6,7 +6,7 @@
 
 using namespace angiopose;
 
-// Headers whose voxels lie in another file.
+// Headers whose voxels are stored in another file.
 
 namespace {
 

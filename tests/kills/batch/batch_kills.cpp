@@ -16,9 +16,10 @@
 #include <thread>
 
 // batch_kills ANGIOPOSE-CLI [--cases N] [--kills N] [--seed N] [--folder DIR] [--measure 1]
-// Registers N simulated cases in one quiet run; then in another that is killed at so many random moments, and resumed
-// after each. Counts what is lost, doubled, done twice or different; fails where anything is. `--measure 1` also
-// compares two workers with one, and runs without pictures. With a folder the cases stay there for the next time.
+// Registers N simulated cases in one undisturbed batch, then in another batch that is killed at the given number of
+// random moments and resumed after each. Counts cases that are lost, duplicated, repeated or different; fails if there
+// are any. `--measure 1` also compares two workers with one, and batches without images. With a folder, the cases are
+// kept there for the next call.
 
 using namespace angiopose;
 
@@ -44,7 +45,7 @@ void complain(const std::string& what)
     std::printf("  FAULT: %s\n", what.c_str());
 }
 
-/// A program that runs; its output goes nowhere.
+/// Starts a program and discards its output.
 pid_t start(std::vector<std::string> words)
 {
     const pid_t child = ::fork();
@@ -64,9 +65,9 @@ pid_t start(std::vector<std::string> words)
 }
 
 struct Ending {
-    int code = -1;   ///< below 0: the signal
+    int code = -1;   ///< negative: the signal
     double seconds = 0.0;
-    double processorSeconds = 0.0;   ///< with its workers
+    double processorSeconds = 0.0;   ///< including its workers
 };
 
 Ending endOf(pid_t child, Clock::time_point begun)
@@ -141,7 +142,7 @@ Finished finishedIn(const fs::path& output)
     return finished;
 }
 
-/// What was finished before stays as it was: neither lost nor done twice.
+/// Checks that cases finished earlier are unchanged: neither lost nor repeated.
 void checkKept(const Finished& before, const Finished& now)
 {
     for (const auto& [name, time] : before) {
@@ -163,7 +164,7 @@ void killAndResume(const Settings& settings, double quietSeconds)
     int killed = 0;
     for (int i = 0; i < settings.kills; ++i) {
         const pid_t child = start(batchWords(settings, "killed", 2));
-        // Such that the last kills still find something to do.
+        // Chosen so that work is left even for the last kills.
         const double seconds = 1.2 * quietSeconds / settings.kills * random.uniform();
         std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
         ::kill(child, SIGKILL);
@@ -183,7 +184,7 @@ void killAndResume(const Settings& settings, double quietSeconds)
                 finished.size(), left);
 }
 
-/// Rows of the table, by the name of the case.
+/// Number of table rows per case name.
 std::map<std::string, int> rowsOf(const std::string& table)
 {
     std::map<std::string, int> rows;

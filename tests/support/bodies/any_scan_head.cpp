@@ -11,14 +11,14 @@ namespace angiopose::core {
 namespace {
 
 constexpr double blurVoxels = 0.7;
-constexpr double halfFilled = 0.5;   ///< of the arteries' contrast, in sinuses
+constexpr double halfFilled = 0.5;   ///< share of the arteries' contrast in the sinuses
 constexpr double brightestMr = 1000.0;
 constexpr double mrNoisePerHu = 0.8;
-constexpr double finer = 0.7;   ///< than other heads: rotational angiography
+constexpr double finer = 0.7;   ///< voxel size relative to other heads, for rotational angiography
 constexpr double neckEndMm = -110.0;
 const HeadValues ctValues;
 const HeadValues mrValues{420.0, 60.0, 150.0, 330.0, 50.0, 160.0};
-const HeadValues rotationalValues{700.0, 1500.0, 1000.0, 700.0, 1600.0, 1300.0};   // of a detector of 12 bits
+const HeadValues rotationalValues{700.0, 1500.0, 1000.0, 700.0, 1600.0, 1300.0};   // values of a 12-bit detector
 
 bool isMr(ScanKind kind)
 {
@@ -47,7 +47,7 @@ ScanBox boxOf(ScanKind kind, CounterRandom& random)
     }
 }
 
-/// Bone as it is: uneven, and spongy between its two tables.
+/// Makes the bone realistic: uneven, and spongy between its two tables.
 void roughenBone(ScanPainter& painter, ScanGrid& grid, const HeadValues& values, CounterRandom random)
 {
     const TurnedEllipsoid outer{{0.0, 8.0, 2.0}, Eigen::Matrix3d::Identity(), {74.0, 90.0, 78.0}};
@@ -65,7 +65,7 @@ void roughenBone(ScanPainter& painter, ScanGrid& grid, const HeadValues& values,
         });
 }
 
-/// What enters from the neck comes from farther below than any scan reaches.
+/// Extends vessels that enter from the neck to below the range of any scan.
 VesselTree fromBelow(VesselTree tree)
 {
     for (VesselBranch& branch : tree.branches) {
@@ -79,7 +79,7 @@ VesselTree fromBelow(VesselTree tree)
     return tree;
 }
 
-/// One carotid and what it feeds.
+/// One carotid artery and the branches it feeds.
 VesselTree ofOneSide(const VesselTree& tree, double side)
 {
     VesselTree chosen;
@@ -97,13 +97,13 @@ VesselTree ofOneSide(const VesselTree& tree, double side)
     return chosen;
 }
 
-/// Just inside the skull, in the mid-sagittal plane, at an angle from behind over the vertex.
+/// A point just inside the skull in the mid-sagittal plane, at an angle from the back over the vertex.
 Eigen::Vector3d besideVault(double angle, double radiusMm)
 {
     return {0.0, 8.0 + (83.5 - radiusMm) * std::cos(angle), 2.0 + (71.5 - radiusMm) * std::sin(angle)};
 }
 
-/// Sagittal, straight, transverse and sigmoid sinuses along the inner table, and the jugular veins.
+/// The sagittal, straight, transverse and sigmoid sinuses along the inner table, and the jugular veins.
 VesselTree sinusesAlongSkull(CounterRandom& random)
 {
     VesselTree tree;
@@ -118,7 +118,7 @@ VesselTree sinusesAlongSkull(CounterRandom& random)
     const Eigen::Vector3d torcular = sagittal.pointsInPatient.back();
     addBranch(tree, std::move(sagittal), 0);
     addBranch(tree, taperedBranch({{0.0, 30.0, 6.0}, {0.0, 60.0, 2.0}, torcular}, 2.0, 2.4), 1);
-    const double wide = random.uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0;   // one side drains more
+    const double wide = random.uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0;   // one side is dominant
     for (const double side : {-1.0, 1.0}) {
         std::vector<Eigen::Vector3d> way;
         for (int n = 0; n <= 20; ++n) {
@@ -139,7 +139,7 @@ VesselTree sinusesAlongSkull(CounterRandom& random)
     return tree;
 }
 
-/// From the end of a cerebral artery through a tangle into the sagittal sinus.
+/// Vessels from the end of a cerebral artery through a nidus into the sagittal sinus.
 VesselTree malformation(const VesselTree& arteries, CounterRandom& random)
 {
     VesselTree tree;
@@ -179,7 +179,7 @@ AnyScan drawCt(ScanKind kind, const ScanDraw& draw, ScanGrid& grid, CounterRando
     return scan;
 }
 
-/// Blood that was excited often on its way is less bright; so are thin vessels, whose walls it flows along.
+/// Blood excited repeatedly along its path is less bright, as are thin vessels, where it flows near the wall.
 AnyScan drawTof(const ScanDraw& draw, ScanGrid& grid, CounterRandom& random)
 {
     ScanPainter painter(grid);

@@ -7,7 +7,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double trunkBlurVoxels = 0.6;
-constexpr double coarser = 1.7;   ///< than heads: larger fields
+constexpr double coarser = 1.7;   ///< voxel size relative to heads, for larger fields
 constexpr double trunkMrNoisePerHu = 0.6;
 constexpr double grayOfAir = 1024.0;
 const TrunkValues mrTrunk{120.0, 100.0, 20.0, 90.0, 15.0, 180.0, 380.0, 160.0, 700.0, 1000.0};
@@ -19,7 +19,7 @@ ScanBox trunkBox(ScanKind kind, CounterRandom& random)
             return {{-130.0, -55.0, -225.0}, {130.0, 75.0, 130.0}};
         case ScanKind::LegMra:
             return {{-115.0, -50.0, -585.0}, {115.0, 65.0, -160.0}};
-        case ScanKind::ThoraxCropped:   // the right face lies in the ascending aorta, or the left one in the descending
+        case ScanKind::ThoraxCropped:   // the right face cuts the ascending aorta, or the left one the descending aorta
             return {{random.uniform(-30.0, -14.0), random.uniform(-60.0, -20.0), random.uniform(-40.0, -10.0)},
                     {random.uniform(16.0, 40.0), 62.0, random.uniform(70.0, 110.0)}};
         default:

@@ -91,7 +91,7 @@ VesselTree bodyVeins(CounterRandom& random)
     return veins;
 }
 
-/// Chambers of the left heart hold the blood of the arteries.
+/// The chambers of the left heart contain the same blood as the arteries.
 void paintHeart(ScanPainter& painter, const TrunkValues& values, CounterRandom& random)
 {
     painter.ellipsoid({12.0, -28.0, 0.0}, {52.0, 38.0, 42.0}, values.muscle);
@@ -142,7 +142,7 @@ void paintBody(ScanPainter& painter, const TrunkValues& values, CounterRandom& r
             painter.ellipsoid({0.0, 62.0, z}, {16.4, 13.4, 14.4}, values.marrow);
             continue;
         }
-        for (const double side : {-1.0, 1.0}) {   // femur
+        for (const double side : {-1.0, 1.0}) {   // femurs
             painter.ellipsoid({side * 85.0, 10.0, z}, {13.0, 13.0, 20.0}, values.cortex);
             painter.ellipsoid({side * 85.0, 10.0, z}, {7.0, 7.0, 16.0}, values.marrow);
         }

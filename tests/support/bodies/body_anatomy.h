@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// What the tissues of a trunk look like in a scan, in its own values.
+/// Values of the tissues of a trunk in a scan.
 struct TrunkValues {
     double fat = -100.0;
     double muscle = 45.0;
@@ -20,14 +20,14 @@ struct TrunkValues {
     double artery = 400.0;
 };
 
-/// Aorta from its root over the arch to the iliac and femoral arteries (generation 0 and 1) with the branches of arch
-/// and belly; the heart lies about the origin, the fork of the aorta 190 mm below.
+/// The aorta from its root over the arch to the iliac and femoral arteries (generation 0 and 1), with the branches of
+/// the arch and the abdomen; the heart is at the origin, the aortic bifurcation 190 mm below.
 VesselTree bodyArteries(CounterRandom& random);
 
-/// The left ventricle and its way out, as a vessel.
+/// The left ventricle and its outflow tract, as a vessel.
 VesselTree leftVentricle();
 
-/// Everything but the arteries: skin, lungs, spine, heart, liver, kidneys, great veins.
+/// Paints everything except the arteries: skin, lungs, spine, heart, liver, kidneys, great veins.
 void paintBody(ScanPainter& painter, const TrunkValues& values, CounterRandom& random);
 
 }   // namespace angiopose::core

@@ -6,18 +6,18 @@
 
 namespace angiopose::core {
 
-/// What is drawn for one scan before anything is painted.
+/// Random parameters of one scan, drawn before anything is painted.
 struct ScanDraw {
     double voxelMm = 0.8;
-    double sliceMm = 4.0;   ///< of thick slices
+    double sliceMm = 4.0;   ///< thickness of thick slices
     double bloodHu = 400.0;
-    double noise = 25.0;   ///< in HU; MR takes the same share of its own contrast
+    double noise = 25.0;   ///< in HU; in MR the same share of its own contrast
     double fallOff = 3.0;
-    double scale = 1.0;   ///< of the whole patient
+    double scale = 1.0;   ///< scale of the whole patient
     bool isMirrored = false;
 };
 
-/// A box of the patient, mm.
+/// A box in patient coordinates, mm.
 struct ScanBox {
     Eigen::Vector3d low;
     Eigen::Vector3d high;
@@ -27,11 +27,11 @@ ScanDraw drawScan(ScanRanges ranges, CounterRandom& random);
 
 VolumeGeometry gridOf(const ScanBox& box, const Eigen::Vector3d& spacingMm);
 
-/// Scans of heads and of trunks; `volume` is as drawn, `great` not yet set.
+/// Draws scans of heads and of trunks; `volume` is as drawn, `great` is not set yet.
 AnyScan drawHead(ScanKind kind, const ScanDraw& draw, CounterRandom& random);
 AnyScan drawTrunk(ScanKind kind, const ScanDraw& draw, CounterRandom& random);
 
-/// Adds what `shares` of the voxels hold, of a value by place.
+/// Blends a tree into the painted scan with a value that depends on the voxel.
 template <class ValueAt>
 void blendTree(ScanPainter& painter, const VesselTree& tree, const ValueAt& valueAt)
 {

@@ -6,7 +6,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Mirrors a place to one side: +1 left.
+/// Mirrors a point to one side; +1 is left.
 Eigen::Vector3d onSide(double side, double across, double back, double up)
 {
     return {side * across, back, up};
@@ -17,7 +17,7 @@ VesselBranch vesselAlong(const PathPlan& plan, double firstRadiusMm, double last
     return taperedBranch(smoothPath(plan, random), firstRadiusMm, lastRadiusMm);
 }
 
-/// From the neck to the cerebral arteries of one side.
+/// Adds the arteries of one side from the neck to the cerebral arteries.
 void addCarotid(VesselTree& tree, double side, CounterRandom& random)
 {
     const Eigen::Vector3d up(0.0, 0.0, 1.0);
@@ -56,10 +56,11 @@ void addCarotid(VesselTree& tree, double side, CounterRandom& random)
     addBranch(tree,
               vesselAlong({terminus, onSide(side, 8.0, 12.0, -26.0), {0.0, 0.9, -0.2}, {0.0, 1.0, 0.0}, 0.3}, 0.7, 0.65,
                           random),
-              1);   // posterior communicating
+              1);   // posterior communicating artery
 }
 
-/// Vertebral arteries, the basilar artery, and the posterior cerebral arteries that meet the communicating ones.
+/// Adds the vertebral arteries, the basilar artery and the posterior cerebral arteries that meet the communicating
+/// ones.
 void addPosterior(VesselTree& tree, CounterRandom& random)
 {
     const Eigen::Vector3d up(0.0, 0.0, 1.0);
@@ -92,7 +93,7 @@ void paintSkull(ScanPainter& painter, const HeadValues& values)
     inner.halfAxesMm -= Eigen::Vector3d::Constant(6.0);
     paintEllipsoid(painter, outer, values.skull);
     paintEllipsoid(painter, inner, values.brain);
-    for (const double side : {-1.0, 1.0}) {   // about the carotid canal
+    for (const double side : {-1.0, 1.0}) {   // around the carotid canal
         paintEllipsoid(painter, {onSide(side, 32.0, 8.0, -46.0), Eigen::Matrix3d::Identity(), {20.0, 13.0, 12.0}},
                        values.petrous);
     }

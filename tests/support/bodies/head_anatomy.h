@@ -6,24 +6,24 @@
 
 namespace angiopose::core {
 
-/// What the tissues of a head look like in a scan, in its own values.
+/// Values of the tissues of a head in a scan.
 struct HeadValues {
-    double scalp = 45.0;   ///< and the neck's muscles
+    double scalp = 45.0;   ///< including the neck muscles
     double skull = 900.0;
-    double marrow = 200.0;   ///< of the spine
+    double marrow = 200.0;   ///< marrow of the spine
     double brain = 38.0;
     double petrous = 1100.0;   ///< bone around the carotid canal
     double clivus = 600.0;
 };
 
-/// Carotid and vertebral arteries from the neck on (generation 0, with the basilar), the circle of Willis with its
-/// loop, the cerebral arteries. The middle of the head is the origin.
+/// The carotid and vertebral arteries from the neck on (generation 0, with the basilar artery), the circle of Willis
+/// with its loop and the cerebral arteries. The origin is the center of the head.
 VesselTree headArteries(CounterRandom& random);
 
-/// The sagittal sinus below the vault, and from its end one sinus to each side.
+/// The sagittal sinus below the vault, and one sinus to each side from its end.
 VesselTree headSinuses(CounterRandom& random);
 
-/// Skin, skull, brain, and the spine of the neck.
+/// Paints skin, skull, brain and the cervical spine.
 void paintHead(ScanPainter& painter, const HeadValues& values);
 
 }   // namespace angiopose::core

@@ -5,7 +5,8 @@
 
 namespace angiopose::core {
 
-/// What a coil at one place receives: full signal there, `1 / strength` half the longest side of the scan away.
+/// Sensitivity of a coil at one position: full signal there, `1 / strength` at a distance of half the longest side of
+/// the scan.
 struct CoilFallOff {
     Eigen::Vector3d strongestAt = Eigen::Vector3d::Zero();
     double strength = 1.0;
@@ -13,11 +14,11 @@ struct CoilFallOff {
 
 void applyFallOff(ScanGrid& grid, const CoilFallOff& coil);
 
-/// As MR stores magnitudes: no negative values, noise of air above 0.
+/// Magnitudes as stored by MR: no negative values, and the noise of air is above 0.
 Volume asMagnitudes(const ScanGrid& grid, double noise, const CounterRandom& random);
 
-/// What cone-beam reconstructions of few views show: shading from side to side, streaks across the middle, a bright
-/// edge, and nothing outside a round field.
+/// Adds the artifacts of cone-beam reconstructions from few views: shading from side to side, streaks across the
+/// middle, a bright edge, and nothing outside a round field.
 void addConeBeamArtefacts(ScanGrid& grid, double strength, CounterRandom& random);
 
 }   // namespace angiopose::core

@@ -32,7 +32,7 @@ bool isTrunk(ScanKind kind)
            kind == ScanKind::AbdomenGray || kind == ScanKind::ThoraxCropped;
 }
 
-/// The stretches whose axes lie in the scan.
+/// Keeps the sections of branches whose axes lie inside the scan.
 VesselTree within(const VolumeGeometry& grid, const VesselTree& tree)
 {
     const Eigen::Affine3d voxelFromPatient = grid.patientFromVoxel().inverse();
@@ -59,7 +59,7 @@ VesselTree within(const VolumeGeometry& grid, const VesselTree& tree)
     return parts;
 }
 
-/// Another patient: larger or smaller, and with the sides exchanged.
+/// Turns the scan into that of another patient: larger or smaller, and with the sides exchanged.
 void alterPatient(AnyScan& scan, const ScanDraw& draw)
 {
     const Eigen::Vector3d factor(draw.isMirrored ? -draw.scale : draw.scale, draw.scale, draw.scale);

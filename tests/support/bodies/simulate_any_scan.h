@@ -10,24 +10,24 @@
 
 namespace angiopose::core {
 
-/// Scans as they come, in which a program without a seed must find the great vessel or ask.
+/// Unselected kinds of scans, in which the program must find the great vessel without a seed or ask for one.
 enum class ScanKind {
-    HeadCta,   ///< arteries alone well filled, sinuses half
-    HeadCtaLate,   ///< sinuses and jugular veins filled as the arteries
-    HeadCtaMalformation,   ///< the same, and a nidus joins an artery to the sagittal sinus
-    HeadCtaAboveBase,   ///< late, cropped above the base of the skull
-    HeadCtaThick,   ///< late, slices of 3 to 5 mm
-    HeadTof,   ///< MR, time of flight: inflow from below alone is bright, the skull dark
-    HeadTofSlab,   ///< the same, 70 mm about the circle of Willis
-    BodyMra,   ///< MR with contrast medium, aorta from the arch on, strong fall-off of the coil along the body
-    LegMra,   ///< the same, from the aorta's end to the popliteal arteries
-    HeadRotational,   ///< rotational angiography: one carotid filled, cone-beam artefacts, round truncated field
+    HeadCta,   ///< fully enhanced arteries, half enhanced sinuses
+    HeadCtaLate,   ///< sinuses and jugular veins enhanced as much as the arteries
+    HeadCtaMalformation,   ///< as HeadCtaLate, with a nidus that connects an artery to the sagittal sinus
+    HeadCtaAboveBase,   ///< late phase, cropped above the base of the skull
+    HeadCtaThick,   ///< late phase, slices of 3 to 5 mm
+    HeadTof,   ///< time-of-flight MR: only inflow from below is bright, the skull is dark
+    HeadTofSlab,   ///< as HeadTof, 70 mm around the circle of Willis
+    BodyMra,   ///< contrast-enhanced MR, aorta from the arch on, strong fall-off of the coil sensitivity along the body
+    LegMra,   ///< as BodyMra, from the end of the aorta to the popliteal arteries
+    HeadRotational,   ///< rotational angiography: one carotid artery opacified, cone-beam artifacts, round truncated field
     AbdomenThick,   ///< CT, slices of 3 to 5 mm
-    AbdomenGray,   ///< CT whose values are no Hounsfield units
-    ThoraxCropped,   ///< CT, faces cut through heart and aorta
+    AbdomenGray,   ///< CT whose values are not Hounsfield units
+    ThoraxCropped,   ///< CT with faces that cut through the heart and the aorta
 };
 
-/// A name for tables, and the kind.
+/// A kind of scan with its name in tables.
 struct NamedScanKind {
     const char* name;
     ScanKind kind;
@@ -35,19 +35,19 @@ struct NamedScanKind {
 
 std::span<const NamedScanKind> allScanKinds();
 
-/// From which ranges a scan's noise, resolution, contrast, fall-off, size and side are drawn: those for choosing
-/// constants are narrower than those for judging them, and no seed gives the same in both.
+/// Ranges for the random noise, resolution, contrast, fall-off, size and side of a scan: those for choosing constants
+/// are narrower than those for evaluating them, and no seed gives the same scan in both.
 enum class ScanRanges { Choosing, Judging };
 
 struct AnyScan {
     Volume volume;
-    VesselTree arteries;   ///< all that are filled, also beyond the scan's faces
-    VesselTree upstream;   ///< the left ventricle, which the aorta comes from: no artery, and no wrong beginning
-    VesselTree seen;   ///< stretches of the arteries whose axes lie in the scan
-    std::vector<int> great;   ///< ids of arteries that may be begun at: aorta, carotids, iliac and femoral ones, …
+    VesselTree arteries;   ///< all enhanced arteries, including parts outside the scan
+    VesselTree upstream;   ///< the left ventricle upstream of the aorta: not an artery, but not a wrong starting point either
+    VesselTree seen;   ///< sections of the arteries whose axes lie inside the scan
+    std::vector<int> great;   ///< ids of arteries allowed as starting points: aorta, carotid, iliac and femoral arteries, …
 };
 
-/// Same arguments, same bits.
+/// Deterministic: the same arguments give the same bits.
 AnyScan simulateAnyScan(ScanKind kind, std::uint64_t seed, ScanRanges ranges);
 
 }   // namespace angiopose::core

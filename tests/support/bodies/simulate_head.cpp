@@ -6,7 +6,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double brainHu = 38.0;
-constexpr double sinusShare = 0.5;   // of the arteries' contrast
+constexpr double sinusShare = 0.5;   // share of the arteries' contrast
 
 }   // namespace
 

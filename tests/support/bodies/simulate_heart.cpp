@@ -12,12 +12,12 @@ namespace {
 
 constexpr double heartMuscleHu = 105.0;
 constexpr double epicardialFatHu = -80.0;
-constexpr double grooveShare = -0.45;   // of the long axis, base −1 to apex 1: where atria and ventricles meet
-constexpr double outsideMm = 2.5;   // of the muscle, to the axis of an artery in the fat
+constexpr double grooveShare = -0.45;   // atrioventricular groove along the long axis, base −1 to apex 1
+constexpr double outsideMm = 2.5;   // distance from the muscle to the axis of an artery in the fat
 constexpr double rootWidthMm = 14.0;
 
-/// The muscle's surface with directions on it: `share` along the axis, −1 at the base, 1 at the apex; `angleDeg` about
-/// it, 0 at the front, positive to the left.
+/// The muscle surface with coordinates: `share` along the axis, −1 at the base, 1 at the apex; `angleDeg` about it, 0
+/// at the front, positive to the left.
 struct HeartSurface {
     TurnedEllipsoid muscle;
 
@@ -46,7 +46,7 @@ HeartSurface drawSurface(CounterRandom& random)
     return surface;
 }
 
-/// A way over the surface, swaying a little.
+/// A slightly swaying path over the surface.
 std::vector<Eigen::Vector3d> wayOver(const HeartSurface& surface, const Eigen::Vector2d& from,
                                      const Eigen::Vector2d& to, CounterRandom& random)
 {
@@ -64,7 +64,7 @@ std::vector<Eigen::Vector3d> wayOver(const HeartSurface& surface, const Eigen::V
     return points;
 }
 
-/// The first artery from the aorta's wall into the groove, then on over the surface.
+/// The first artery, from the aortic wall into the groove and then over the surface.
 std::vector<Eigen::Vector3d> fromRoot(const Eigen::Vector3d& wall, const Eigen::Vector3d& outward,
                                       std::vector<Eigen::Vector3d> onSurface, CounterRandom& random)
 {
@@ -74,20 +74,20 @@ std::vector<Eigen::Vector3d> fromRoot(const Eigen::Vector3d& wall, const Eigen::
     return points;
 }
 
-/// Where branches of `parent` begin: the point after that share of its length.
+/// Point at the given share of the length of `parent`, where a branch originates.
 const Eigen::Vector3d& placeAlong(const VesselBranch& parent, double share)
 {
     const double last = static_cast<double>(parent.pointsInPatient.size() - 1);
     return parent.pointsInPatient[static_cast<std::size_t>(std::lround(share * last))];
 }
 
-/// A side branch to a place on the surface.
+/// Adds a side branch that ends at a point of the surface.
 void addSide(VesselTree& tree, std::size_t parent, double share, const Eigen::Vector3d& end, double radiusMm,
              CounterRandom& random)
 {
     const Eigen::Vector3d start = placeAlong(tree.branches[parent], share);
     const Eigen::Vector3d along = (end - start).normalized();
-    const Eigen::Vector3d outward = (0.5 * (start + end)).normalized();   // over the muscle, not through it
+    const Eigen::Vector3d outward = (0.5 * (start + end)).normalized();   // over the muscle instead of through it
     const Eigen::Vector3d departure = (along + 0.45 * outward).normalized();
     const Eigen::Vector3d arrival = (along - 0.45 * outward).normalized();
     const int generation = tree.branches[parent].generation + 1;

@@ -10,11 +10,11 @@ namespace angiopose::core {
 namespace {
 
 constexpr double liverHu = 95.0;
-constexpr double portalShare = 0.45;   // of the arteries' contrast: a late arterial phase
-constexpr double portalWidth = 2.6;   // times the artery beside it
-constexpr double betweenMm = 0.8;   // walls of artery and portal vein
+constexpr double portalShare = 0.45;   // share of the arteries' contrast: a late arterial phase
+constexpr double portalWidth = 2.6;   // relative to the artery next to it
+constexpr double betweenMm = 0.8;   // distance between the walls of artery and portal vein
 
-/// The arteries within the liver, their beginning in the hilum.
+/// The arteries within the liver, originating at the hilum.
 VesselTree arteriesFrom(const Eigen::Vector3d& hilum, std::uint64_t seed, CounterRandom& random)
 {
     TreeOptions options;
@@ -24,7 +24,7 @@ VesselTree arteriesFrom(const Eigen::Vector3d& hilum, std::uint64_t seed, Counte
     VesselTree tree = growTree(seed, options).tree;
     const Eigen::Vector3d first = tree.branches.front().pointsInPatient.front();
     const Eigen::Vector3d towards = (centroidInPatient(tree) - first).normalized();
-    // The liver lies to the right of its hilum, whichever way the tree grew.
+    // The liver is to the right of its hilum, whatever the direction in which the tree grew.
     const Eigen::Quaterniond turn =
         Eigen::Quaterniond::FromTwoVectors(towards, Eigen::Vector3d(-0.9, -0.1, 0.35).normalized());
     for (VesselBranch& branch : tree.branches) {
@@ -38,7 +38,7 @@ VesselTree arteriesFrom(const Eigen::Vector3d& hilum, std::uint64_t seed, Counte
     return tree;
 }
 
-/// The portal vein's branches, each along an artery.
+/// Branches of the portal vein, each along an artery.
 VesselTree portalBeside(const VesselTree& arteries, CounterRandom& random)
 {
     VesselTree portal;
@@ -73,7 +73,7 @@ BodyScan simulateLiver(std::uint64_t seed, const BodyScanOptions& options)
 {
     CounterRandom random(seed ^ 0x11FE4ULL);
     const Eigen::Vector3d extentMm(260.0, 200.0, 150.0);
-    const Eigen::Vector3d spacingMm = options.spacingMm * 1.3;   // a larger field in as many voxels
+    const Eigen::Vector3d spacingMm = options.spacingMm * 1.3;   // a larger field with the same number of voxels
     const VolumeGeometry geometry =
         gridAroundOrigin(extentMm.cwiseQuotient(spacingMm).array().ceil().cast<int>(), spacingMm);
     const ScanField field = fieldOf(geometry);
@@ -83,7 +83,7 @@ BodyScan simulateLiver(std::uint64_t seed, const BodyScanOptions& options)
     paintUpperOrgans(painter, options.bloodHu);
     paintSkeleton(painter, field, random);
 
-    const Eigen::Vector3d coeliac(2.0, 22.0, 0.0);   // at the front of the aorta
+    const Eigen::Vector3d coeliac(2.0, 22.0, 0.0);   // anterior to the aorta
     const Eigen::Vector3d fork(4.0, 4.0, 4.0);
     const Eigen::Vector3d hilum(-22.0, -4.0, 2.0);
     const Eigen::Vector3d forward(0.0, -1.0, 0.0);

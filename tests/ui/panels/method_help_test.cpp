@@ -35,7 +35,7 @@ TEST(MethodHelp, EveryMethodHasAPageThatSaysWhatItShould)
     EXPECT_TRUE(methodPage(QStringLiteral("no-such-method")).isEmpty());
 }
 
-// A page may only speak of settings that its method has, by the names that the window shows.
+// A help page may only mention settings of its method, under the names shown in the window.
 TEST(MethodHelp, PagesNameSettingsAsTheWindowDoes)
 {
     for (const core::MethodInfo& info : core::methodInfos()) {

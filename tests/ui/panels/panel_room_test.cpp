@@ -1,4 +1,5 @@
-// What gives room and takes it back: words in other languages, sentences and plots that come and go.
+// Layout space that is claimed and released again: text in other languages, sentences and plots that appear and
+// disappear.
 #include "ui/panels/result_panel.h"
 #include "ui/plots/convergence_plot.h"
 #include "ui/plots/histogram_plot.h"
@@ -12,7 +13,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// A pose moved by hand of which so many sentences are told.
+/// A manually moved pose with the given number of messages.
 JudgedPose moved(std::size_t sentences)
 {
     JudgedPose judged;
@@ -25,7 +26,7 @@ JudgedPose moved(std::size_t sentences)
     return judged;
 }
 
-/// What the sentences keep at least, shown or not.
+/// Minimum height reserved for the sentences, shown or not.
 int keptHeight(const ResultPanel& panel)
 {
     int height = 0;
@@ -44,7 +45,7 @@ TEST(ResultPanel, KeepsRoomWhileAPoseIsMovedAndGivesItBackAtRest)
     QTest::qWait(50);
     EXPECT_EQ(keptHeight(panel), 0);
     panel.showJudgement(moved(1), {});
-    EXPECT_GT(keptHeight(panel), 0);   // nothing below moves under the hand
+    EXPECT_GT(keptHeight(panel), 0);   // nothing below moves under the mouse pointer
     EXPECT_TRUE(QTest::qWaitFor([&] { return keptHeight(panel) == 0; }, 5000));
 }
 

@@ -1,5 +1,5 @@
 #include "ui/panels/result_sentences.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/deformable/deform_vessels.h"
 
 #include <gtest/gtest.h>
@@ -76,7 +76,7 @@ TEST(ResultSentences, HaveNothingCertainWhenTheFitIsNotTrustworthy)
 {
     core::RegistrationResult result = resultWith({20.0, 20.0});
     result.trustworthy = false;
-    result.warnings = {core::says::trustRival()};
+    result.warnings = {core::messages::trustRival()};
 
     const auto sentences = sentencesOf(result, treeOf({"LM", "LAD"}), 0.3);
 
@@ -90,7 +90,7 @@ TEST(ResultSentences, SayHowLikelyTheOverlayIsRightWhereThatIsKnown)
     core::RegistrationResult result = resultWith({1.0, 1.0});
     EXPECT_FALSE(
         sentencesOf(result, treeOf({"LM", "LAD"}), 0.3).certain.join(' ').contains(QStringLiteral("probability")));
-    result.probabilityWithin2Mm = 0.9987;   // nobody counted farther than 99
+    result.probabilityWithin2Mm = 0.9987;   // probabilities were only calibrated up to 99 %
     EXPECT_TRUE(sentencesOf(result, treeOf({"LM", "LAD"}), 0.3)
                     .certain.join(' ')
                     .contains(QStringLiteral("Within 2 mm of the vessels with a probability of 99\u00a0%.")));

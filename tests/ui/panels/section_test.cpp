@@ -18,7 +18,7 @@ TEST(Section, FoldsAtAClickWithoutAMarkAndByTheKeysWithOne)
     arrow->clearFocus();
     QTest::mouseClick(arrow, Qt::LeftButton);
     EXPECT_TRUE(section.isFolded());
-    EXPECT_FALSE(arrow->hasFocus());   // a focused arrow has a blue ground
+    EXPECT_FALSE(arrow->hasFocus());   // a focused arrow has a blue background
     QTest::keyClick(&section, Qt::Key_Tab);
     EXPECT_TRUE(arrow->hasFocus());
     QTest::keyClick(arrow, Qt::Key_Space);
@@ -26,7 +26,7 @@ TEST(Section, FoldsAtAClickWithoutAMarkAndByTheKeysWithOne)
 }
 
 }   // namespace
-/// What a label answers that was never asked before.
+/// Height reported by a newly created label without cached values.
 int heightOfNewLabel(const QLabel& like, int width)
 {
     QLabel* fresh = ui::roleLabel("hint", like.text());

@@ -25,7 +25,7 @@ struct OpenThreshold {
 TEST(ThresholdField, CallsTheValuesOfCtAloneHounsfieldUnits)
 {
     OpenThreshold open;
-    EXPECT_GT(open.number.textMargins().right(), 0);   // room for "HU"
+    EXPECT_GT(open.number.textMargins().right(), 0);   // space for "HU"
     open.field.showRange({0.0, 900.0}, false);
     EXPECT_EQ(open.number.textMargins().right(), 0);
     EXPECT_EQ(open.slider.maximum(), 900);

@@ -15,7 +15,7 @@ using namespace angiopose;
 
 namespace {
 
-/// A choice and a number at the top of a column that can be scrolled.
+/// A choice and a number at the top of a scrollable column.
 class WheelGuardTest : public ::testing::Test {
 protected:
     WheelGuardTest()
@@ -40,7 +40,7 @@ protected:
         const QPointF at = widget.rect().center();
         QWheelEvent event(at, widget.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
                           false);
-        QSpontaneKeyEvent::setSpontaneous(&event);   // as from the window system: only then parents are asked as well
+        QSpontaneKeyEvent::setSpontaneous(&event);   // as if sent by the window system, because only then parents receive it too
         qApp->notify(&widget, &event);
     }
 

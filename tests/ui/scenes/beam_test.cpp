@@ -20,7 +20,7 @@ ui::Beam beamOf()
     return beam;
 }
 
-/// From the side, the beam from top to bottom, `focalPointInPatient` in the middle of the picture.
+/// View from the side with a vertical beam, `focalPointInPatient` at the center of the image.
 ui::ScreenFromPatient fromTheSide(double pxPerMm, const Eigen::Vector3d& focalPointInPatient)
 {
     ui::ScreenFromPatient screen;
@@ -39,7 +39,7 @@ ui::StrokeMesh strokesOf(const ui::ScreenFromPatient& screen)
     return mesh;
 }
 
-/// Vertices well inside the picture, to a tenth of a px, moved by `shiftPx`.
+/// Vertices well inside the image, rounded to a tenth of a px, shifted by `shiftPx`.
 std::set<std::pair<long, long>> inside(const ui::StrokeMesh& mesh, const Eigen::Vector2d& shiftPx)
 {
     std::set<std::pair<long, long>> places;
@@ -66,7 +66,7 @@ TEST(BeamStrokes, TakeNoMoreWorkHoweverFarTheViewIsZoomedIn)
 TEST(BeamStrokes, DashesStayWhereTheyAreWhenTheViewMoves)
 {
     const Eigen::Vector3d onAnEdge = 0.5 * (beamOf().source() + beamOf().detectorCorners()[0]);
-    constexpr double pxPerMm = 8.0;   // the source is far outside
+    constexpr double pxPerMm = 8.0;   // the source is far outside the image
     constexpr double stepMm = 2.5;
     const auto before = inside(strokesOf(fromTheSide(pxPerMm, onAnEdge)), {0.0, -pxPerMm * stepMm});
     const auto after =

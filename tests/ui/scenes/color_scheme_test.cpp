@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array schemes{ColorScheme::BlueAmber, ColorScheme::BlueRed, ColorScheme::Brightness};
 
-/// Leaves the scheme as it was.
+/// Restores the color scheme after the test.
 class ColorSchemes : public ::testing::Test {
 protected:
     ~ColorSchemes() override { setColorScheme(ColorScheme::BlueAmber); }
@@ -31,7 +31,7 @@ Eigen::Vector3d labFrom(const Eigen::Vector3d& linearRgb)
     return {116.0 * f(xyz.y()) - 16.0, 500.0 * (f(xyz.x()) - f(xyz.y())), 200.0 * (f(xyz.y()) - f(xyz.z()))};
 }
 
-/// Nobody missing, then no red, green or blue cones (Machado, Oliveira and Fernandes 2009, severity 1).
+/// Normal vision, then vision without red, green or blue cones (Machado, Oliveira and Fernandes 2009, severity 1).
 std::array<Eigen::Matrix3d, 4> eyes()
 {
     std::array<Eigen::Matrix3d, 4> all;

@@ -12,7 +12,7 @@ constexpr std::uint32_t covered = 0xFFFFFFFFU;
 std::vector<std::uint32_t> cut(const ui::Cutout& cutout)
 {
     std::vector<std::uint32_t> pixels(100 * 50, covered);
-    // 2 device px per image px; the canvas begins at image (10, 20).
+    // 2 device px per image px; the canvas starts at image (10, 20).
     ui::applyCutout(cutout, {9.5, 59.5, 19.5, 44.5}, std::vector<std::uint32_t>(100 * 50, bare),
                     {pixels.data(), 100, 50}, {0, 50});
     return pixels;

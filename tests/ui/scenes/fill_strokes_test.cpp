@@ -36,7 +36,7 @@ std::int32_t addVertex(ui::StrokeMesh& mesh, float x, float y, std::uint8_t red,
 
 TEST(FillStrokes, CoversAFanOfTrianglesOnceAndWithoutGaps)
 {
-    // Half opaque: a pixel drawn twice would be brighter, one left out black.
+    // Half opaque, so that a pixel drawn twice would be brighter and a missing one black.
     ui::StrokeMesh mesh;
     addVertex(mesh, 31.3F, 29.7F, 255, 128);
     for (int k = 0; k < 17; ++k) {
@@ -81,7 +81,7 @@ TEST(FillStrokes, ShadesLinearlyBetweenTheCorners)
     addVertex(mesh, 100.0F, 0.0F, 200, 255);
     addVertex(mesh, 100.0F, 4.0F, 200, 255);
     addVertex(mesh, 0.0F, 4.0F, 0, 255);
-    mesh.triangles = {0, 1, 2, 2, 3, 0};   // wound either way
+    mesh.triangles = {0, 1, 2, 2, 3, 0};   // either winding order
     Sheet sheet(100, 4);
     ui::fillStrokes(mesh, 4.0, sheet.canvas());
     for (int x = 0; x < 100; ++x) {
@@ -97,7 +97,7 @@ TEST(FillStrokes, DrawsThePartsOfAPictureLikeTheWhole)
     Sheet whole(64, 60);
     ui::fillStrokes(mesh, 60.0, whole.canvas());
     Sheet lower(64, 25);
-    ui::fillStrokes(mesh, 25.0, lower.canvas());   // rows 35 … 59 of the whole
+    ui::fillStrokes(mesh, 25.0, lower.canvas());   // rows 35 … 59 of the whole image
     for (int y = 0; y < 25; ++y) {
         for (int x = 0; x < 64; ++x) {
             EXPECT_NEAR(lower.redAt(x, y), whole.redAt(x, y + 35), 1);

@@ -96,7 +96,7 @@ TEST(RenderOffscreen, JoinsBandsWithoutSeam)
     const int column = static_cast<int>((255.5 - 230.0) / 51.2 * 300);
     const double inside = brightnessAt(picture.value(), column, 1500);
     EXPECT_GT(inside, 200.0);
-    for (int y = 1016; y < 1032; ++y) {   // the border between two bands lies at 1024
+    for (int y = 1016; y < 1032; ++y) {   // the border between two bands is at 1024
         EXPECT_NEAR(brightnessAt(picture.value(), column, y), inside, 3.0) << y;
     }
 }
@@ -138,7 +138,7 @@ TEST(RenderOffscreen, RefusesImpossibleSizes)
     EXPECT_NE(picture.error().message.text().find("choose another size"), std::string::npos);
 }
 
-/// Two parallel vessels of 3 mm radius, the upper one nearer to the source.
+/// Two parallel vessels of 3 mm radius, the upper one closer to the source.
 core::VesselTree nearAndFar()
 {
     core::VesselTree tree;
@@ -182,7 +182,7 @@ TEST(OverlayScene, FillsTubesOnlyInTubeMode)
     scene.setTree(nearAndFar());
     scene.setCamera({2400.0, 2400.0, 255.5, 255.5, 512, 512});
     scene.setPose({Eigen::Matrix3d::Identity(), {0.0, 0.0, 750.0}});
-    // The nearer vessel: centre at v = 255.5 − 2400 · 20 / 710 = 187.9, radius 10.1 px; 5 px beside the centre.
+    // The nearer vessel: center at v = 255.5 − 2400 · 20 / 710 = 187.9, radius 10.1 px; 5 px off the center.
     scene.setMode(ui::OverlayMode::Outline);
     EXPECT_EQ(brightnessAt(ui::renderOffscreen(scene, 512, 512, wholeImage).value(), 256, 193), 0.0);
     scene.setMode(ui::OverlayMode::Tube);

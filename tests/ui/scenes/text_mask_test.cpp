@@ -29,7 +29,7 @@ TEST(TextMask, DrawsSignsThatTheInterfaceFontLacks)
     const core::Mask2d blood = maskOf("血");
     const core::Mask2d pipe = maskOf("管");
     EXPECT_GT(coverageOf(blood), 0L);
-    EXPECT_NE(blood.pixels, pipe.pixels);   // and not one box for both
+    EXPECT_NE(blood.pixels, pipe.pixels);   // not the same placeholder box for both
 }
 
 TEST(TextMask, EndsAtABrokenSequence)

@@ -51,7 +51,7 @@ core::Centerline2d tracedLine()
     return traced;
 }
 
-/// Whatever changes what is seen, changes the picture: none is kept that is out of date.
+/// Every change of the displayed content changes the rendered image; no outdated image is reused.
 class AngiogramPicture : public ::testing::TestWithParam<Change> {
 protected:
     AngiogramPicture()

@@ -62,7 +62,7 @@ protected:
             // Pixel k of the framebuffer covers k … k + 1 device px.
             const Eigen::Vector2d expected(at.x() * ratio - 0.5, at.y() * ratio - 0.5);
             if (!picture.rect().adjusted(20, 40, -20, -90).contains(at.toPoint() * ratio)) {
-                continue;   // off the picture or below the texts
+                continue;   // outside the image or below the texts
             }
             ++seen;
             EXPECT_LT((test::centerOfLight(brightness, expected) - expected).norm(), 0.5) << "branch " << branch.id;
@@ -208,7 +208,7 @@ TEST_F(AngiogramViewInput, DraggingTheRingRollsClockwise)
     EXPECT_EQ(offset.rightMm, 0.0);
 }
 
-/// Each handle around the ring moves its own degree of freedom, and as the arrow keys do.
+/// Each handle around the ring changes its own degree of freedom, in the same direction as the arrow keys.
 TEST_F(AngiogramViewInput, TheHandlesAroundTheRingTurnAndMoveInDepth)
 {
     ui::NudgeTool nudge(*view_);
@@ -233,7 +233,7 @@ TEST_F(AngiogramViewInput, TheHandlesAroundTheRingTurnAndMoveInDepth)
     depthAlone.alongRayMm = offset.alongRayMm;
     EXPECT_EQ(offset, depthAlone);
     dragFrom({outer + 60.0, 0.0}, {0.0, -20.0});
-    EXPECT_GT(offset.upMm, 0.1);   // beside the handles: a shift
+    EXPECT_GT(offset.upMm, 0.1);   // off the handles: a shift
     EXPECT_EQ(offset.craCauDeg, 0.0);
 }
 
@@ -271,14 +271,14 @@ TEST_F(AngiogramViewInput, ManyChangesMakeOneRedraw)
     EXPECT_LE(view_->renderCount() - before, 2);
 }
 
-/// What the window's own buffer holds at a place of the view.
+/// Color in the window's backing store at a position of the view.
 QColor onScreen(const QWidget& view, const QPoint& at)
 {
     const auto* buffer = static_cast<QImage*>(view.backingStore()->paintDevice());
     return buffer->pixelColor((view.mapTo(view.window(), at) * view.devicePixelRatio()));
 }
 
-TEST_F(AngiogramViewInput, PaintingTheWindowDrawsNothingAnew)
+TEST_F(AngiogramViewInput, PaintingTheWindowDrawsNothingAgain)
 {
     QTest::qWait(50);
     const int before = view_->renderCount();
@@ -304,7 +304,7 @@ TEST_F(AngiogramViewInput, WhatWasShownBeforeItWasHiddenIsNotSeenAgain)
     view_->hide();
     view_->setFrame(core::ImageF(512, 512, 0.0F));
     view_->show();
-    host->repaint();   // before any turn of its own
+    host->repaint();   // before the view updates itself
     EXPECT_LT(onScreen(*view_, corner).lightness(), 50);
     view_->setFrame(core::ImageF(512, 512, 1.0F));
     EXPECT_TRUE(QTest::qWaitFor([&] { return onScreen(*view_, corner).lightness() > 200; }));

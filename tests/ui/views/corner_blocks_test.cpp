@@ -47,7 +47,7 @@ TEST(CornerBlocks, AreOfOneSize)
         return heights;
     };
     const std::vector<double> whole = heightsIn({});
-    const std::vector<double> crowded = heightsIn({QRectF(12.0, 40.0, 200.0, 20.0)});   // under the first corner
+    const std::vector<double> crowded = heightsIn({QRectF(12.0, 40.0, 200.0, 20.0)});   // below the first corner block
     ASSERT_GT(whole[0], 0.0);
     EXPECT_EQ(whole, std::vector<double>(4, whole[0]));
     EXPECT_LT(crowded[1], whole[1]);

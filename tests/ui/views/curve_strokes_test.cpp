@@ -36,7 +36,7 @@ std::vector<std::uint32_t> picture(const ui::StrokeMesh& mesh)
     return pixels;
 }
 
-/// The same curves drawn whole: nothing is far enough from so large a picture to be left out.
+/// The same curves drawn completely: the canvas is so large that no part is skipped as outside.
 ui::StrokeMesh drawnWhole(const core::Centerline2d& curves, const ui::CurveLook& look)
 {
     ui::CurveCanvas endless = square();

@@ -20,7 +20,7 @@ core::Curve2d lineAt(int id, double y)
     return curve;
 }
 
-/// Four curves, of which 3 and 5 may be catheters.
+/// Four curves, two of which (3 and 5) may be catheters.
 class EditCurvesKeys : public ::testing::Test {
 protected:
     EditCurvesKeys()
@@ -52,8 +52,8 @@ TEST_F(EditCurvesKeys, KeepASuspectApartAndAnyCurveThatIsClicked)
     press(Qt::Key_W);
     ASSERT_EQ(apart.count(), 1);
     EXPECT_EQ(apart[0], QVariantList({3, true}));
-    tool->showCurves(curves, {.suspects = {}, .devices = {3}});   // as the case answers
-    press(Qt::Key_W);   // no suspect is chosen: what a click does
+    tool->showCurves(curves, {.suspects = {}, .devices = {3}});   // as the case responds
+    press(Qt::Key_W);   // no suspect is selected: the key sets what a click does
     EXPECT_EQ(tool->edit(), ui::CurveEdit::Apart);
     for (const int id : {4, 3}) {
         const core::Curve2d& curve = *std::ranges::find(curves.curves, id, &core::Curve2d::id);
@@ -69,13 +69,13 @@ TEST_F(EditCurvesKeys, KeepASuspectApartAndAnyCurveThatIsClicked)
 TEST_F(EditCurvesKeys, AcceptASuspectAndGoToTheNext)
 {
     press(Qt::Key_A);
-    EXPECT_EQ(accepted.count(), 0);   // none is chosen yet
+    EXPECT_EQ(accepted.count(), 0);   // none is selected yet
     press(Qt::Key_S);
     EXPECT_TRUE(tool->caption().contains(QStringLiteral("catheter")));
     press(Qt::Key_A);
     ASSERT_EQ(accepted.count(), 1);
     EXPECT_EQ(accepted[0][0].toInt(), 3);
-    tool->showCurves(curves, {.suspects = {5}});   // as the case answers
+    tool->showCurves(curves, {.suspects = {5}});   // as the case responds
     press(Qt::Key_A);
     ASSERT_EQ(accepted.count(), 2);
     EXPECT_EQ(accepted[1][0].toInt(), 5);
@@ -86,7 +86,7 @@ TEST_F(EditCurvesKeys, AcceptASuspectAndGoToTheNext)
 
 TEST_F(EditCurvesKeys, LeaveASuspectOut)
 {
-    press(Qt::Key_S, Qt::ShiftModifier);   // the last
+    press(Qt::Key_S, Qt::ShiftModifier);   // the last suspect
     press(Qt::Key_Delete);
     ASSERT_EQ(edited.count(), 1);
     const auto left = edited[0][0].value<core::Centerline2d>();

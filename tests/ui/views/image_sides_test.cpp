@@ -9,7 +9,7 @@ using namespace angiopose;
 
 namespace {
 
-/// Source behind the patient, seen as if facing the patient: image right is the patient's left, up is the head.
+/// Source behind the patient, viewed as if facing the patient: image right is the patient's left, up is the head.
 core::RigidTransform frontal()
 {
     Eigen::Matrix3d cameraFromPatient;

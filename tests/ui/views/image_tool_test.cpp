@@ -13,7 +13,7 @@ using namespace angiopose;
 
 namespace {
 
-/// Writes down what it is asked.
+/// Records the calls it receives.
 class RecordingTool : public ui::ImageTool {
 public:
     using ImageTool::ImageTool;

@@ -1,4 +1,4 @@
-// The short version of tests/benchmark/renderer_agreement_table.cpp: the case with the sharpest bends.
+// The short version of tests/benchmark/renderer_agreement_table.cpp: the case with the sharpest curves.
 #include "tests/ui/renderer_agreement.h"
 
 #include "ui/views/gl_driver.h"

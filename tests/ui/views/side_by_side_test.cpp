@@ -64,7 +64,7 @@ TEST(ViewPane, AsksForFramesWithinTheRun)
     EXPECT_EQ(asked[1][0].toInt(), 0);
     EXPECT_EQ(asked[2][0].toInt(), 4) << "the last";
     pane.showFrame(2, 5);
-    EXPECT_EQ(asked.count(), 3) << "being told is no wish";
+    EXPECT_EQ(asked.count(), 3) << "a notification is not a request";
 }
 
 TEST(ViewPane, IsChosenByItsNameOrADoubleClick)
@@ -83,7 +83,7 @@ TEST(ViewPane, IsChosenByItsNameOrADoubleClick)
     EXPECT_EQ(chosen.count(), 2);
 }
 
-/// How many pixels of a picture differ from another.
+/// Number of pixels that differ between two images.
 int differing(const QImage& a, const QImage& b, const QRect& part)
 {
     int count = 0;

@@ -19,7 +19,7 @@ using core::SliceMeasurement;
 
 constexpr double tubeRadiusMm = 6.0;
 
-/// How much of a voxel lies in the tube along z through (0, 0, ·).
+/// Share of a voxel inside the tube along z through (0, 0, ·).
 double shareInTube(const Eigen::Affine3d& map, const Eigen::Vector3d& voxel)
 {
     const Eigen::Vector3d middle = map * voxel;
@@ -37,7 +37,8 @@ double shareInTube(const Eigen::Affine3d& map, const Eigen::Vector3d& voxel)
     return static_cast<double>(inside) / (parts * parts * parts);
 }
 
-/// A contrast-filled tube of 12 mm, bright by the share of each voxel that it fills, in voxels as they are told.
+/// An opacified tube of 12 mm diameter in the given voxels, with the brightness of each voxel given by its share inside
+/// the tube.
 core::Volume tubeIn(const core::VolumeGeometry& geometry)
 {
     core::Volume scan(geometry);
@@ -53,7 +54,7 @@ core::Volume tubeIn(const core::VolumeGeometry& geometry)
     return scan;
 }
 
-/// Voxels in any order and any direction, the patient's origin in their middle.
+/// A grid with any axis order and direction, the patient origin at its center.
 core::VolumeGeometry voxels(const Eigen::Vector3i& size, const Eigen::Vector3d& spacingMm,
                             const Eigen::Matrix3d& direction)
 {
@@ -65,7 +66,7 @@ core::VolumeGeometry voxels(const Eigen::Vector3i& size, const Eigen::Vector3d& 
     return geometry;
 }
 
-/// A slice on the screen, and a hand that measures in it.
+/// A displayed slice with simulated mouse measurements.
 struct MeasuredSliceView {
     explicit MeasuredSliceView(const core::VolumeGeometry& geometry, BodyPlane plane, MeasurementKind kind)
         : view(model, plane), tool(kind, model)
@@ -85,16 +86,16 @@ struct MeasuredSliceView {
         EXPECT_EQ(view.cursor().shape(), Qt::CrossCursor);
     }
 
-    /// Where the tube's edges lie on the screen to the left and to the right of its axis: half way between bright and
-    /// dark, as an eye would put it.
+    /// Screen positions of the tube's edges to the left and right of its axis, halfway between bright and dark, as a
+    /// user would place them.
     std::pair<QPoint, QPoint> edgesInPicture()
     {
-        model.setTool(nullptr);   // nothing but the scan
+        model.setTool(nullptr);   // shows only the scan
         view.clearFocus();
         const QImage picture = view.grab().toImage();
         model.setTool(&tool);
         const double ratio = view.devicePixelRatio();
-        const QPointF axis = view.widgetFromPatient({0, 0, 0}) + QPointF(0, 17);   // beside the cross-hair's line
+        const QPointF axis = view.widgetFromPatient({0, 0, 0}) + QPointF(0, 17);   // off the line of the crosshair
         const int row = static_cast<int>(std::lround(axis.y() * ratio));
         const auto isBright = [&](int column) { return qGray(picture.pixel(column, row)) > 127; };
         int left = static_cast<int>(std::lround(axis.x() * ratio)) - 3;
@@ -134,7 +135,7 @@ void expectTubeOf12Mm(const core::VolumeGeometry& geometry, BodyPlane plane, dou
 {
     MeasuredSliceView s(geometry, plane, MeasurementKind::Length);
     const auto [left, right] = s.edgesInPicture();
-    const double awayMm = plane == BodyPlane::Axial ? 17.0 / s.view.pxPerMm() : 0.0;   // the chord there
+    const double awayMm = plane == BodyPlane::Axial ? 17.0 / s.view.pxPerMm() : 0.0;   // distance of the measured chord from the axis
     s.drag(left, right);
     ASSERT_EQ(s.drawn.size(), 1U);
     const double chordMm = 2.0 * std::sqrt(tubeRadiusMm * tubeRadiusMm - awayMm * awayMm);

@@ -25,7 +25,7 @@ SliceContent rampSlice()
     return content;
 }
 
-/// Ten widget px to the mm: the whole slice fills 80 × 160.
+/// Ten widget px per mm: the whole slice fills 80 × 160.
 ImageViewport fittedViewport()
 {
     ImageViewport viewport;
@@ -49,7 +49,7 @@ TEST(SlicePicture, ShowsTheWindowAndInterpolates)
         EXPECT_NEAR(qRed(middleOf(picture, column, 2)), 255.0 * column / 8.0, 7.0);
         EXPECT_EQ(qRed(middleOf(picture, column, 2)), qBlue(middleOf(picture, column, 2)));
     }
-    const int between = qRed(picture.pixel(40, 50));   // from column 3 to column 4
+    const int between = qRed(picture.pixel(40, 50));   // between columns 3 and 4
     EXPECT_GT(between, qRed(middleOf(picture, 3, 2)));
     EXPECT_LT(between, qRed(middleOf(picture, 4, 2)));
     EXPECT_EQ(middleOf(slicePicture(rampSlice(), {10.0, 900.0}, {}, fittedViewport(), {80, 160}, 1.0), 7, 7),
@@ -78,7 +78,7 @@ TEST(SlicePicture, TintsEachLabelInItsColor)
     content.mask.assign(64, 0);
     content.mask[8 * 4 + 1] = 1;
     content.mask[8 * 4 + 3] = 2;
-    content.mask[8 * 4 + 5] = 200;   // beyond the tints: the last of them
+    content.mask[8 * 4 + 5] = 200;   // beyond the list of tints: uses the last one
     const SliceTints tints{{{{0, 0, 255}, 1.0}, {{0, 200, 0}, 0.5}}, {}, std::nullopt};
     const QImage picture = slicePicture(content, wholeRamp, tints, fittedViewport(), {80, 160}, 1.0);
     EXPECT_EQ(middleOf(picture, 0, 4), qRgb(0, 0, 0));
@@ -152,7 +152,7 @@ TEST(WindowBar, OffersTheWindowsOfCtForCtAlone)
     model.setScan(airyVolume(), nullptr);
     EXPECT_EQ(offered(), static_cast<std::ptrdiff_t>(windowPresets().size()) + 1);
     model.setScan(countedVolume(), nullptr);
-    EXPECT_EQ(offered(), 1);   // "Automatic"
+    EXPECT_EQ(offered(), 1);   // only "Automatic"
 }
 
 TEST(SliceModel, KeepsTheCrosshairWithinTheScan)
@@ -161,7 +161,7 @@ TEST(SliceModel, KeepsTheCrosshairWithinTheScan)
     geometry.size = {11, 11, 11};
     SliceModel model;
     model.setCrosshair({3, 3, 3});
-    EXPECT_TRUE(model.crosshair().isZero());   // nothing to be in yet
+    EXPECT_TRUE(model.crosshair().isZero());   // no volume to clamp to yet
     model.setScan(nullptr, std::make_shared<const core::VoxelMask>(geometry));
     EXPECT_EQ(model.crosshair(), Eigen::Vector3d(5, 5, 5));
     model.setCrosshair({3, 40, -7});

@@ -29,7 +29,7 @@ core::VesselTree straightVessel()
     return tree;
 }
 
-/// Pixels that are clearly brighter than the ground.
+/// Number of pixels that are clearly brighter than the background.
 int brightPixels(const QImage& picture)
 {
     int count = 0;
@@ -50,7 +50,7 @@ protected:
         view_->show();
         EXPECT_TRUE(QTest::qWaitForWindowExposed(view_.get()));
     }
-    /// Until the view has drawn, and has had nothing more to draw for half a second.
+    /// Waits until the view has rendered and has had nothing more to render for half a second.
     void settle()
     {
         EXPECT_TRUE(QTest::qWaitFor([this] { return view_->renderCount() > 0; }, patienceMs));
@@ -70,7 +70,7 @@ TEST_F(TreeViewTest, SaysSoWhereThereIsNothing)
     view_->requestRender();
     settle();
     const QImage words = view_->grab().toImage();
-    EXPECT_GT(brightPixels(words), 200);   // in the middle, and nothing else
+    EXPECT_GT(brightPixels(words), 200);   // the text is in the middle, and nothing else is shown
     EXPECT_EQ(brightPixels(words.copy(0, 0, words.width(), words.height() / 4)), 0);
 }
 
@@ -85,7 +85,7 @@ TEST_F(TreeViewTest, ShowsTheTreeAndFindsItsBranchUnderTheMouse)
     EXPECT_TRUE(QTest::qWaitFor([&hovered] { return hovered == 7; }, patienceMs));
 }
 
-/// As a clinician knows them: not from the head.
+/// The usual clinical view, not from the head.
 TEST_F(TreeViewTest, ShowsVesselsWithoutAnImageFromTheFrontHeadUp)
 {
     settle();
@@ -96,7 +96,7 @@ TEST_F(TreeViewTest, ShowsVesselsWithoutAnImageFromTheFrontHeadUp)
     const Eigen::Vector2d back = scene.deviceFromPatient({0.0, 10.0, 0.0});
     EXPECT_GT((head - center).norm(), 20.0);
     EXPECT_NEAR(head.x(), center.x(), 1e-6);
-    EXPECT_GT(left.x(), center.x() + 20.0);   // the patient's left is on the viewer's right
+    EXPECT_GT(left.x(), center.x() + 20.0);   // the patient's left is at the viewer's right
     EXPECT_LT((back - center).norm(), 1e-6);
 }
 
@@ -164,7 +164,7 @@ TEST_F(TreeViewTest, ShowsTheWholeTreeInAnyShapeUntilItIsTurnedByHand)
     view_->resize(300, 300);
     settle();
     const double turned = (endPx() - view_->scene().deviceFromPatient({-60.0, 0.0, 0.0})).norm();
-    EXPECT_LT(turned, 0.9 * inWide) << "what was turned by hand is not framed anew";
+    EXPECT_LT(turned, 0.9 * inWide) << "a view rotated manually is not reframed";
 }
 
 TEST_F(TreeViewTest, ShowsTheImageOnTheDetectorTheRightWayRoundAtAnySize)
@@ -188,7 +188,7 @@ TEST_F(TreeViewTest, ShowsTheImageOnTheDetectorTheRightWayRoundAtAnySize)
         view_->requestRender();
         settle();
         const QImage picture = view_->grab().toImage();
-        const auto grayAt = [&](double across, double down) {   // shares of the image
+        const auto grayAt = [&](double across, double down) {   // as shares of the image size
             const Eigen::Vector3d inPatient((across * size - 0.5 - centerPx) * 1000.0 / -focalPx,
                                             (down * size - 0.5 - centerPx) * 1000.0 / focalPx, 250.0);
             const Eigen::Vector2d px = view_->scene().deviceFromPatient(inPatient);
@@ -196,7 +196,7 @@ TEST_F(TreeViewTest, ShowsTheImageOnTheDetectorTheRightWayRoundAtAnySize)
         };
         const double near = 0.5 * half / size;
         for (const auto& [across, down] :
-             {std::pair{0.7, near}, {near, 0.8}, {0.7, 0.8}}) {   // beside the beam's edges
+             {std::pair{0.7, near}, {near, 0.8}, {0.7, 0.8}}) {   // outside the edges of the beam
             EXPECT_GT(grayAt(near, near), grayAt(across, down) + 50) << size << ": " << across << ", " << down;
         }
     }
@@ -311,7 +311,7 @@ TEST_F(TreeViewTest, TellsThatItIsSeenFromElsewhere)
     EXPECT_NEAR(after.toViewer().norm(), 1.0, 1e-9);
     settle();
     reported = 0;
-    view_->requestRender();   // from the same place
+    view_->requestRender();   // from the same viewpoint
     settle();
     EXPECT_EQ(reported, 0);
 }

@@ -1,7 +1,7 @@
 #include "ui/words/message_text.h"
 
 #include "core/geometry/c_arm.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/registration/registration.h"
 #include "ui/words/language.h"
 #include "ui/words/terms.h"
@@ -13,9 +13,9 @@
 namespace angiopose::ui {
 namespace {
 
-namespace says = core::says;
+namespace messages = core::messages;
 
-/// Speaks a language for the length of a test.
+/// Sets the interface language for the duration of a test.
 class Speaking {
 public:
     explicit Speaking(const char* code) { applyLanguage(QString::fromLatin1(code)); }
@@ -26,7 +26,7 @@ public:
 
 TEST(MessageText, IsTheEnglishSentenceInEnglish)
 {
-    const core::Message message = says::trustBetterAside(core::inMm(2.4, 1));
+    const core::Message message = messages::trustBetterAside(core::inMm(2.4, 1));
 
     EXPECT_EQ(messageText(message), QString::fromStdString(message.text()));
 }
@@ -35,7 +35,7 @@ TEST(MessageText, WritesNumbersWithTheSignOfTheLanguage)
 {
     const Speaking german("de");
 
-    EXPECT_EQ(messageText(says::trustBetterAside(core::inMm(2.4, 1))),
+    EXPECT_EQ(messageText(messages::trustBetterAside(core::inMm(2.4, 1))),
               QStringLiteral("Die Gefäße passen 2,4 mm daneben besser."));
 }
 
@@ -46,9 +46,9 @@ TEST(MessageText, TranslatesMessagesInsideAndBehindFileNames)
     EXPECT_EQ(messageText(core::cameraFromCArm({}, 512, 512).error().message),
               QStringLiteral("Der Abstand Fokus–Detektor (SID) fehlt oder ist nicht positiv. In der Geometrie des "
                              "C-Bogens ergänzen (der Bildheader nennt ihn nicht)."));
-    EXPECT_EQ(messageText(says::noSuchBranch(3).about("a.vtp")),
+    EXPECT_EQ(messageText(messages::noSuchBranch(3).about("a.vtp")),
               QStringLiteral("a.vtp: Der Gefäßbaum hat keinen Ast 3."));
-    EXPECT_EQ(messagesText({says::noSuchBranch(3), says::noSuchBranch(4)}),
+    EXPECT_EQ(messagesText({messages::noSuchBranch(3), messages::noSuchBranch(4)}),
               QStringLiteral("Der Gefäßbaum hat keinen Ast 3. Der Gefäßbaum hat keinen Ast 4."));
 }
 
@@ -56,7 +56,7 @@ TEST(MessageText, LeavesNamesAlone)
 {
     const Speaking german("de");
 
-    EXPECT_EQ(messageText(says::noSuchMethod("1.5 %1", std::vector<std::string>{"2.5"})),
+    EXPECT_EQ(messageText(messages::noSuchMethod("1.5 %1", std::vector<std::string>{"2.5"})),
               QStringLiteral("Es gibt keine Methode „1.5 %1“. Wählbar: 2.5."));
 }
 

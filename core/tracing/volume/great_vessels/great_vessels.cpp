@@ -20,7 +20,7 @@ constexpr double minNeckBetween =
 constexpr double maxBeyondSection = 1.3;   ///< largest ball over section; above, it lies in a touching structure
 constexpr double maxFillStep = 0.2;   ///< between blood of the same artery; veins and organs differ more
 constexpr double maxStepOfSameBlood = 0.1;   ///< as much as it varies along a whole aorta
-constexpr double leastOfOther = 0.5;   ///< thinner relative to wider radius; below, one branches from the other
+constexpr double minOfOther = 0.5;   ///< thinner relative to wider radius; below, one branches from the other
 constexpr double minOfFirst = 0.01;   ///< relative to the first trunk's worth; excludes stumps that link trunks
 
 /// Decides whether trunks continue one another.
@@ -61,7 +61,7 @@ private:
         double thinner = std::min(radius, otherRadius);
         const double maxGap = blood == Blood::Same ? maxGapOfSameBlood : maxGapInRadii;
         if ((other.pointsInPatient[nearest] - tip).norm() > maxGap * (radius + otherRadius) ||
-            thinner < leastOfOther * std::max(radius, otherRadius)) {
+            thinner < minOfOther * std::max(radius, otherRadius)) {
             return false;
         }
         const std::size_t last = nearestOutside(end, trunk, other);

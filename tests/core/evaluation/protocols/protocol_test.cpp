@@ -51,7 +51,7 @@ TEST(Protocols, ConditionsAreFoundByTheirBeginning)
     EXPECT_EQ(conditionsFrom(robustness, "full").value().size(), 3u);
     EXPECT_EQ(conditionsFrom(robustness, "full-5-2").value().size(), 1u);
     EXPECT_EQ(conditionsFrom(robustness, "full-5-2,pruned").value().size(), 4u);
-    EXPECT_FALSE(conditionsFrom(robustness, "ful"));   // up to a dash
+    EXPECT_FALSE(conditionsFrom(robustness, "ful"));   // prefixes must end at a dash
 }
 
 TEST(Protocols, TrialsDependOnSeedAndNumberAlone)
@@ -81,7 +81,7 @@ TEST(ToyProtocol, ShowsATiltedSquareShiftedByOne)
     }
     const Trial turned = makeTrial("toy", "b2-44", 3);
     EXPECT_NEAR(poseError(centroidInPatient(*turned.tree), startOf(turned)).angleDeg, 1.0, 1e-9);
-    // The near edge lies at a depth of 12.5 − 2.5 cos 30°, the far one at 12.5 + 2.5 cos 30°.
+    // The near edge has a depth of 12.5 − 2.5 cos 30°, the far one 12.5 + 2.5 cos 30°.
     double width = 0.0;
     double height = 0.0;
     for (const Curve2d& a : turned.input.target.curves) {
@@ -151,7 +151,7 @@ TEST(RobustnessProtocol, StartsAtFixedDistances)
         const Trial trial = makeTrial("robustness", "full-8-3", number);
         const PoseError start = poseError(centroidInPatient(*trial.tree), startOf(trial));
         EXPECT_NEAR(start.angleDeg, 3.0, 1e-9);
-        // The twist's shift; its screw motion turns it by half the rotation.
+        // The shift of the twist; the screw motion rotates it by half the angle.
         EXPECT_NEAR(start.seedDistanceMm, 8.0, 0.01);
         const Eigen::Vector3d shift =
             (trial.input.initialCameraFromPatient * trial.trueCameraFromPatient.inverse()).translation;

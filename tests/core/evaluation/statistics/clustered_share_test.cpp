@@ -17,7 +17,7 @@ TEST(ClusteredInterval, IsWiderWhereTreesDiffer)
     EXPECT_EQ(same.low, wilson.low);
     EXPECT_EQ(same.high, wilson.high);
     const Interval wide = clusteredInterval(different);
-    EXPECT_NEAR(wide.low, 0.2, 0.101);   // of ten trees one wins about 2 to 8
+    EXPECT_NEAR(wide.low, 0.2, 0.101);   // of ten trees, about 2 to 8 win
     EXPECT_NEAR(wide.high, 0.8, 0.101);
     EXPECT_LT(wide.low, wilson.low);
     EXPECT_GT(wide.high, wilson.high);
@@ -25,7 +25,7 @@ TEST(ClusteredInterval, IsWiderWhereTreesDiffer)
 
 TEST(ClusteredInterval, CoversTheTrueShareOfTreesThatDiffer)
 {
-    // Half of all trees win whatever the trial; eight trees of 20 trials each.
+    // Half of all trees win in every trial; eight trees of 20 trials each.
     int covered = 0;
     int coveredByWilson = 0;
     constexpr int patterns = 256;

@@ -27,7 +27,7 @@ TEST(SignedRank, GivesThePublishedProbabilitiesAndEffectSizes)
         std::vector<int> worse;
         double rankSum, p, effectSize, twoSided;
     };
-    // ALGORITHMS §4.6: of 64 sign patterns 1, 2, 27 and 42 have a rank sum of at most 0, 1, 9 and 12.
+    // ALGORITHMS §4.6: of 64 sign patterns, 1, 2, 27 and 42 have a rank sum of at most 0, 1, 9 and 12.
     const std::vector<Case> cases{{{}, 0, 1.0 / 64, 0.8793, 2.0 / 64},
                                   {{1}, 1, 2.0 / 64, 0.7605, 4.0 / 64},
                                   {{4, 5}, 9, 27.0 / 64, 0.0805, 54.0 / 64},
@@ -48,7 +48,7 @@ TEST(SignedRank, EffectSizesStayWithinOne)
         const std::vector<double> better(static_cast<std::size_t>(count), -1.0);
         const std::vector<double> worse(static_cast<std::size_t>(count), 1.0);
         EXPECT_LE(signedRankTest(better).effectSize, 1.0) << count;
-        EXPECT_GT(signedRankTest(better).effectSize, 0.8) << count;   // however small p is
+        EXPECT_GT(signedRankTest(better).effectSize, 0.8) << count;   // regardless of how small p is
         EXPECT_GE(signedRankTest(worse).effectSize, -1.0) << count;
         EXPECT_LT(signedRankTest(worse).effectSize, -0.8) << count;
     }
@@ -59,7 +59,7 @@ TEST(SignedRank, DropsZerosAndSharesRanksOfEqualSizes)
     const auto test = signedRankTest({0.0, -1.0, 1.0, -2.0, 0.0});
     EXPECT_EQ(test.count, 3);
     EXPECT_DOUBLE_EQ(test.rankSum, 1.5);
-    // Ranks 1.5, 1.5, 3: of 8 patterns those with a sum of 0 and 1.5 (twice).
+    // Ranks 1.5, 1.5, 3: of 8 patterns, those with sums of 0 and 1.5 (twice).
     EXPECT_DOUBLE_EQ(test.pLess, 3.0 / 8.0);
     const auto none = signedRankTest({0.0, 0.0});
     EXPECT_EQ(none.count, 0);
@@ -74,7 +74,7 @@ TEST(SignedRank, NormalApproximationContinuesTheExactOne)
         differences.push_back(random.normal() - 0.3);
     }
     const auto exact = signedRankTest(differences);
-    differences.push_back(1e-9);   // one more, with the least rank
+    differences.push_back(1e-9);   // one more difference, with the smallest rank
     const auto normal = signedRankTest(differences);
     EXPECT_NEAR(normal.pLess, exact.pLess, 0.15 * exact.pLess);
 }

@@ -11,7 +11,7 @@ using namespace core;
 
 const ProjectionCamera branchCamera{-1000.0, 1000.0, 100.0, 100.0, 201, 201};
 
-/// A branch along x at depth 1000 mm, which projects onto row 100, and one behind the source.
+/// A branch along x at a depth of 1000 mm, which projects onto row 100, and one behind the source.
 VesselTree twoBranches()
 {
     VesselTree tree;

@@ -28,7 +28,7 @@ TEST(Contestant, NamesWhatIsUnknown)
     for (const auto& [request, named] : {std::pair<std::string, std::string>{"magic", "magic"},
                                          {"dynaweight:seed_magic", "seed_magic"},
                                          {"angiopose:seed_mean", "seed_mean"},   // not an option of this method
-                                         {"dynaweight:off", "'off'"},   // of a switch: has to name it
+                                         {"dynaweight:off", "'off'"},   // the error must name the value of a switch
                                          {"dynaweight:magic=1", "magic"},
                                          {"dynaweight:maxIterations=0", "maxIterations"},
                                          {"", "''"}}) {
@@ -44,7 +44,7 @@ TEST(Contestant, GroupsStandForTheirMembers)
 {
     const auto all = contestantsFrom("all,angiopose");
     ASSERT_TRUE(all);
-    // Without the method for wires, dynaweight without its prior too; the repeated one once.
+    // Excludes the method for guidewires, adds dynaweight without its prior, and includes the repeated method once.
     EXPECT_EQ(all.value().size(), methodInfos().size());
     EXPECT_FALSE(std::ranges::any_of(all.value(), [](const Contestant& one) { return one.options.method == "wire"; }));
     const auto ablation = contestantsFrom("ablation");

@@ -36,7 +36,7 @@ TEST(CramerRaoBound, LiesWhereItWasMeasured)
     EXPECT_NEAR(degrees(variance[2]), 0.022, 0.015);
     EXPECT_NEAR(std::sqrt(variance[3]), 0.016, 0.010);
     EXPECT_NEAR(std::sqrt(variance[5]), 0.43, 0.25);
-    // Points that share their noise with (1 + ρ)/(1 − ρ) ≈ 10 others: 0.7·√10 times the spread.
+    // Points that share their noise with (1 + ρ)/(1 − ρ) ≈ 10 others: 0.7·√10 times the standard deviation.
     EXPECT_NEAR(std::sqrt(correlated[5] / variance[5]), 0.7 * std::sqrt(10.03), 0.01);
 }
 

@@ -98,7 +98,7 @@ TEST(TargetError, CountsEveryPointAndTheCornersOfTheirBox)
 
 TEST(TargetError, ReprojectionDistanceIgnoresDepthAlongTheRay)
 {
-    // One target, displaced along its own ray: no rigid pose does this to many targets at once.
+    // One target point, displaced along its own ray; no rigid pose does this to many target points at once.
     const RigidTransform truth = poseAtDepth(800.0);
     for (const Eigen::Vector3d& target : targetsOf(scatteredTree())) {
         RigidTransform deeper = truth;

@@ -12,7 +12,7 @@
 namespace angiopose::core {
 namespace {
 
-/// A clean case as the inner loop sees it, at a pose a little beside the truth.
+/// A case without noise as the inner loop uses it, at a pose slightly off the truth.
 struct AlignmentTest : ::testing::Test {
     AlignmentTest()
         : problem(makeProblem(clean.from(clean.truth), {}).value()),
@@ -48,7 +48,7 @@ TEST_F(AlignmentTest, GradientsMatchDifferencesOfResiduals)
         alignment.collectRows(moved(beside, -step), scalePx, behind);
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const double difference = (ahead[i].residual - behind[i].residual) / (2.0 * h);
-            // Where the nearest line changes within the step there is no derivative.
+            // There is no derivative where the nearest line changes within the step.
             const bool isSmooth = std::abs(ahead[i].residual - behind[i].residual) < 1e-2;
             if (rows[i].weight > 0.0 && ahead[i].weight > 0.0 && behind[i].weight > 0.0 && isSmooth) {
                 EXPECT_NEAR(rows[i].gradient[k], difference, 1e-5 * std::max(1.0, std::abs(difference)));
@@ -88,7 +88,7 @@ TEST_F(AlignmentTest, CameraGradientsMatchDifferencesOfResiduals)
 
 TEST_F(AlignmentTest, LinesDrawnToTheTreePullItBack)
 {
-    // The tree's own points say nothing here: what both ways say more than one way comes from the lines.
+    // Isolates the contribution of the lines: subtracts the tree's own points from the sum of both directions.
     Agreement both;
     CentroidPose pose = beside;
     for (int k = 0; k < 4; ++k) {
@@ -116,12 +116,12 @@ TEST_F(AlignmentTest, LinesKeepTheirPartnersWhileThePointsHardlyMove)
     fresh.searchBothDirections(near, 3.0, again);
     EXPECT_EQ(alignment.buffers().reverse.partners(), partners);
     EXPECT_NE(fresh.buffers().reverse.partners(), partners);
-    // Across the branches both say the same.
+    // Perpendicular to the branches, both agree.
     EXPECT_NEAR(kept.loss, again.loss, 0.01 * std::abs(again.loss));
     const Vector6d keptStep = dampedStep(kept.equations, 1e-6);
     const Vector6d freshStep = dampedStep(again.equations, 1e-6);
     EXPECT_LT((keptStep - freshStep).norm(), 0.02 * freshStep.norm());
-    // A longer way, or another reach, and they are found anew.
+    // After a longer step, or with a different reach, correspondences are searched again.
     alignment.searchBothDirections(truth, 3.0, kept);
     fresh.searchBothDirections(truth, 3.0, again);
     EXPECT_EQ(alignment.buffers().reverse.partners(), fresh.buffers().reverse.partners());
@@ -191,7 +191,7 @@ TEST_F(AlignmentTest, TheLossAloneIsTheLossOfALook)
 
 TEST_F(AlignmentTest, VesselsAcrossTheTreeDoNotPull)
 {
-    // The whole tree rolled by a right angle: what still touches a vessel by chance crosses it.
+    // The whole tree rolled by a right angle: any vessel it still touches by chance, it crosses.
     Vector6d roll = Vector6d::Zero();
     roll[2] = std::numbers::pi / 2.0;
     const double along = alignment.evaluate(truth, 1.0).equations.hessian.trace();

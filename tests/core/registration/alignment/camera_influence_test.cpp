@@ -1,6 +1,6 @@
 #include "core/registration/alignment/camera_influence.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/support/random.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Rows [pose | camera] of a made-up view, more than there are parameters.
+/// Random derivative rows [pose | camera] of a synthetic view, more rows than parameters.
 Eigen::MatrixXd derivatives()
 {
     CounterRandom random(7);
@@ -20,7 +20,8 @@ Eigen::MatrixXd derivatives()
     return rows;
 }
 
-/// Of residuals that a true error of the camera leaves while the pose and camera are as assumed: 0 = r + J x.
+/// Normal equations of the residuals left by a camera error while pose and camera keep their assumed values: 0 = r + J
+/// x.
 StackedEquations equationsFor(const CameraError& error)
 {
     const Eigen::MatrixXd J = derivatives();
@@ -48,11 +49,11 @@ TEST(CameraInfluence, APriorHoldsWhatTheImagesDoNotTell)
     EXPECT_EQ(influence.evidence(0).gain, 0.0);
 }
 
-// What the images do not tell of the focal length moves the pose as solving the rows for it does.
+// The part of the focal length that the images do not determine moves the pose exactly as solving the rows for it does.
 TEST(CameraInfluence, AddsToThePoseWhatTheErrorDoesToIt)
 {
     const Eigen::MatrixXd J = derivatives();
-    const CameraSpread onlyFocal{1e-4, 0.0};   // far below what the rows tell: all of it is left
+    const CameraSpread onlyFocal{1e-4, 0.0};   // far below the information in the rows, so all of it remains
     const CameraInfluence influence(equationsFor(CameraError::Zero()), Matrix6d::Identity(), {&onlyFocal, 1});
     const Matrix6d H = J.leftCols(6).transpose() * J.leftCols(6);
     const Vector6d moved = -1e-4 * H.inverse() * J.leftCols(6).transpose() * J.col(6);
@@ -86,11 +87,11 @@ TEST(CameraContradiction, NamesWhatIsOffAndByHowMuch)
     const ProjectionCamera camera{-2500.0, 2500.0, 511.5, 511.5, 1024, 1024};
     const Messages focal = contradictionsOf({{0.05, 1.0, 0.0}, {0.005, 5.0, 5.0}, 80.0}, camera);
     ASSERT_EQ(focal.size(), 1U);
-    EXPECT_TRUE(focal.front().is(says::cameraFocalLonger));
+    EXPECT_TRUE(focal.front().is(messages::cameraFocalLonger));
     EXPECT_NE(focal.front().text().find("5.1 %"), std::string::npos);
     const Messages point = contradictionsOf({{0.0, 20.0, 0.0}, {0.005, 3.0, 3.0}, 80.0}, camera);
     ASSERT_EQ(point.size(), 1U);
-    EXPECT_TRUE(point.front().is(says::cameraPrincipalPointOff));
+    EXPECT_TRUE(point.front().is(messages::cameraPrincipalPointOff));
     EXPECT_NE(point.front().text().find("(532, 512)"), std::string::npos);
     EXPECT_TRUE(contradictionsOf({{0.05, 20.0, 0.0}, {0.02, 8.0, 8.0}, 8.0}, camera).empty());
 }

@@ -40,7 +40,7 @@ TEST_F(CoarseSearchTest, LandsInTheBasinOfAFarTruth)
     EXPECT_LT(off.segment<2>(3).norm(), 12.0);
 }
 
-TEST_F(CoarseSearchTest, StopsWhenTold)
+TEST_F(CoarseSearchTest, StopsWhenReported)
 {
     int asked = 0;
     const auto candidates = CoarseSearch(problem.camera, target).find(points, truth, {60.0, 10.0, 10.0}, [&](double) {

@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Points from `from` to `to`, one apart.
+/// Appends points from `from` to `to`, 1 px apart.
 void addLine(std::vector<Eigen::Vector2d>& points, std::vector<int>& curve, const Eigen::Vector2d& from,
              const Eigen::Vector2d& to)
 {
@@ -26,7 +26,7 @@ TEST(Junctions, AreWhereAnEndTouchesAnotherCurve)
     std::vector<int> curve;
     addLine(points, curve, {0.0, 0.0}, {100.0, 0.0});
     addLine(points, curve, {50.0, 2.0}, {50.0, 80.0});
-    addLine(points, curve, {0.0, 60.0}, {100.0, 60.0});   // crosses, but nothing ends there
+    addLine(points, curve, {0.0, 60.0}, {100.0, 60.0});   // a crossing curve that does not end there
     const auto junctions = junctionsOf<2>(points, curve, {5.0, 20.0});
     ASSERT_EQ(junctions.size(), 1u);
     EXPECT_LT((junctions.front().point - Eigen::Vector2d(50.0, 0.0)).norm(), 2.5);
@@ -61,7 +61,7 @@ TEST(Junctions, OfATreeAreThoseOfItsProjection)
         return std::any_of(junctions.begin(), junctions.end(),
                            [&](const Junction<2>& junction) { return (junction.point - pixel).norm() < 8.0; });
     });
-    EXPECT_GE(seen, static_cast<std::ptrdiff_t>(nodes.size() - 3));   // branches seen end-on leave no third way
+    EXPECT_GE(seen, static_cast<std::ptrdiff_t>(nodes.size() - 3));   // branches seen end-on do not show a third arm
 }
 
 }   // namespace

@@ -11,7 +11,7 @@ namespace angiopose::core {
 namespace {
 
 struct PoseSearchTest : ::testing::Test {
-    /// Rough pose found from a start that is off by `step`, its distance to the truth.
+    /// Distance to the truth of the coarse pose found from an initial pose that is off by `step`.
     Vector6d errorAfterWideSearch(const Vector6d& step)
     {
         const CentroidPose start = moved(truth, step);

@@ -8,7 +8,8 @@
 namespace angiopose::core {
 namespace {
 
-/// Rows of straight branches: residual = offset(branch) + AR(1) noise of 0.3 px, neighbours correlated by `kept`.
+/// Rows of straight branches: residual = offset(branch) + AR(1) noise of 0.3 px, with correlation `kept` between
+/// neighbors.
 template <class Offset>
 std::vector<ResidualRow> rowsWith(double kept, Offset offset)
 {
@@ -58,7 +59,7 @@ TEST(ResidualNoise, NoticesBranchesThatAreOff)
     const ResidualNoise noise = residualNoise(rowsWith(0.0, [](int branch) { return branch % 2 == 0 ? 0.6 : -0.6; }));
     EXPECT_TRUE(noise.hasOffsets());
     EXPECT_NEAR(noise.scatterPx, 0.3, 0.03);
-    EXPECT_NEAR(noise.offsetPx, 0.6 * 1.4826, 0.05);   // a robust estimate takes two values for a Gaussian's quartiles
+    EXPECT_NEAR(noise.offsetPx, 0.6 * 1.4826, 0.05);   // a robust estimate takes two values for the quartiles of a Gaussian
 }
 
 TEST(ResidualNoise, OfHardlyAnyMatchesIsLarge)

@@ -13,7 +13,8 @@
 namespace angiopose::core {
 namespace {
 
-/// Rows of straight branches in space, bent sideways by a smooth field of about `offsetPx`, plus white noise of 0.2 px.
+/// Rows of straight branches in space, deformed sideways by a smooth field of about `offsetPx`, plus white noise of 0.2
+/// px.
 std::vector<ResidualRow> deformedRows(double offsetPx, std::uint64_t seed)
 {
     CounterRandom random(seed);
@@ -22,12 +23,12 @@ std::vector<ResidualRow> deformedRows(double offsetPx, std::uint64_t seed)
         const Eigen::Vector3d from(random.uniform(-80.0, 80.0), random.uniform(-80.0, 80.0), 0.0);
         const double angle = random.uniform(0.0, std::numbers::pi);
         const Eigen::Vector3d along(std::cos(angle), std::sin(angle), 0.0);
-        Vector6d tilt;   // perspective: every branch tells a little of all directions
+        Vector6d tilt;   // perspective: every branch carries some information on all directions
         for (double& value : tilt) {
             value = random.normal();
         }
         const double deformation =
-            offsetPx * random.normal();   // branches are farther apart than the field reaches, mostly
+            offsetPx * random.normal();   // branches are mostly farther apart than the correlation length of the field
         for (int i = 0; i < 30; ++i) {
             ResidualRow row;
             row.branchIndex = branch;

@@ -12,7 +12,7 @@ constexpr double betweenMm = 30.0;
 constexpr double wideMm = 2.5;
 constexpr double fineMm = 0.6;
 
-/// Two vessels of one shape beside each other; the image shows one of them.
+/// Two parallel vessels of the same shape; the image shows only one of them.
 struct TerritorySearchTest : ::testing::Test {
     TerritorySearchTest()
     {
@@ -25,7 +25,7 @@ struct TerritorySearchTest : ::testing::Test {
                                   side < 0.0 ? 0 : 1});
             }
         }
-        for (int i = 0; i <= 80; ++i) {   // in the middle between both
+        for (int i = 0; i <= 80; ++i) {   // midway between the two
             const AlignmentPoint& point = points[static_cast<std::size_t>(i)];
             const Eigen::Vector3d middle = point.fromCentroid + Eigen::Vector3d(0.5 * betweenMm, 0.0, depthMm);
             target.points.push_back(*project(camera, middle));
@@ -44,7 +44,7 @@ struct TerritorySearchTest : ::testing::Test {
         TerritorySearch search(camera, lines, radiusPx);
         return search.find(points, radiusMm, start, reach, [](double) { return Verdict::Continue; });
     }
-    /// The best shift to the right when the left vessel is so wide, and the right one, and what is seen.
+    /// Best shift to the right for the given radii of the left and the right vessel and the observed radius, mm.
     double shiftMm(double leftMm, double rightMm, double seenMm) const
     {
         std::vector<double> radiusMm(points.size(), rightMm);

@@ -14,7 +14,7 @@ std::vector<Eigen::Vector3d> straight(const Eigen::Vector3d& from, const Eigen::
     return points;
 }
 
-/// A trunk of 80 mm, left in its middle by a branch of 40 mm, which forks into two of 40 mm.
+/// A trunk of 80 mm with a branch of 40 mm leaving its middle, which bifurcates into two branches of 40 mm.
 TreeSamples forkedSamples()
 {
     VesselTree tree;
@@ -39,7 +39,7 @@ struct VesselFillingTest : ::testing::Test {
 
 TEST_F(VesselFillingTest, CutsBranchesWhereOthersLeaveThem)
 {
-    ASSERT_EQ(5U, filling.pieces().size());   // the trunk is two
+    ASSERT_EQ(5U, filling.pieces().size());   // the trunk is cut into two pieces
     EXPECT_EQ(0, filling.pieces()[0].branchIndex);
     EXPECT_EQ(0, filling.pieces()[1].branchIndex);
     EXPECT_EQ(filling.pieces()[0].to, filling.pieces()[1].from);
@@ -52,7 +52,7 @@ TEST_F(VesselFillingTest, EmptiesATerritoryAsAWhole)
     using Filled = std::vector<std::uint8_t>;
     EXPECT_EQ((Filled{1, 1, 0, 0, 0}), likeliest({30.0, 30.0, -20.0, -20.0, -20.0}));
     EXPECT_EQ(1, filling.emptyTerritories(Filled{1, 1, 0, 0, 0}, 10.0));
-    // What hardly speaks for another state stays like its neighbours.
+    // A piece with weak evidence for the other state keeps the state of its neighbors.
     EXPECT_EQ((Filled{1, 1, 0, 0, 0}), likeliest({30.0, 30.0, -20.0, -20.0, 3.0}));
     EXPECT_EQ((Filled{1, 1, 1, 1, 1}), likeliest({30.0, 30.0, -4.0, 20.0, 20.0}));
 }
@@ -69,7 +69,7 @@ TEST_F(VesselFillingTest, CountsForksThatAreFilled)
 {
     EXPECT_EQ(2, filling.forks(std::vector<std::uint8_t>{1, 1, 1, 1, 1}));
     EXPECT_EQ(1, filling.forks(std::vector<std::uint8_t>{1, 1, 1, 0, 1}));
-    EXPECT_EQ(0, filling.forks(std::vector<std::uint8_t>{1, 0, 1, 0, 1}));   // one way through
+    EXPECT_EQ(0, filling.forks(std::vector<std::uint8_t>{1, 0, 1, 0, 1}));   // only one path passes through
 }
 
 }   // namespace

@@ -51,7 +51,7 @@ TEST(CurveCrossings, LeavesOutCurvesOfAnotherDirection)
     EXPECT_NEAR(crossings[0].turn, std::numbers::pi / 4.0, 1e-9);
 }
 
-/// Whole pixels of a line that rises 1 in 7: within a fifth of a pixel of the line.
+/// A line rasterized to whole pixels that rises 1 in 7 is found within a fifth of a pixel of the true line.
 TEST(CurveCrossings, SmoothsTheStepsOfWholePixels)
 {
     std::vector<Eigen::Vector2d> pixels;
@@ -67,8 +67,7 @@ TEST(CurveCrossings, SmoothsTheStepsOfWholePixels)
     }
 }
 
-/// Straight curves in all directions, looked along in all directions: what the cells yield is what a look at every
-/// curve yields.
+/// For straight curves and queries in all directions, the cells yield the same crossings as testing every curve.
 TEST(CurveCrossings, AreAllFoundAlongLinesOfAnySlope)
 {
     std::mt19937 random(7);
@@ -92,7 +91,7 @@ TEST(CurveCrossings, AreAllFoundAlongLinesOfAnySlope)
         for (const auto& line : lines) {
             Eigen::Matrix2d system;
             system << query.normal, line[0] - line[1];
-            const Eigen::Vector2d at = system.inverse() * (line[0] - query.placePx);   // along the query, of the line
+            const Eigen::Vector2d at = system.inverse() * (line[0] - query.placePx);   // parameters along the query and along the line
             if (std::abs(at[0]) < query.reachPx && at[1] > 0.0 && at[1] < 1.0) {
                 wanted.push_back(at[0]);
             }

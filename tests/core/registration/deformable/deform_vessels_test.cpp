@@ -2,7 +2,7 @@
 
 #include "core/registration/deformable/deformed_tree.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "tests/support/clean_case.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using Motion = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 
-/// A tree of 24 branches that moved since its scan; one view of it, or a second one turned by 70°.
+/// A tree of 24 branches that moved since its scan, in one view or with a second view turned by 70°.
 struct MovedTree {
     explicit MovedTree(const Motion& motion) : moved(clean.tree)
     {
@@ -43,7 +43,7 @@ struct MovedTree {
         return pose;
     }
 
-    /// Mean distance of the points from where they are: in the first view's plane, or in space.
+    /// Mean distance of the points from their true positions, in the plane of the first view or in space, mm.
     double errorMm(const DeformableResult& result, bool isInSpace) const
     {
         const VesselTree deformed = deformedTree(clean.tree, result);
@@ -100,7 +100,7 @@ TEST(DeformVessels, RecoversAKnownMotionInThePlaneOfOneView)
     EXPECT_EQ(result.value().verdict, DeformationVerdict::Deformed);
     EXPECT_LT(tree.errorMm(result.value(), false), 0.3);
     EXPECT_GT(result.value().largestMotionMm, 2.0);
-    EXPECT_TRUE(says(result.value(), says::deformationDepthUnknown));
+    EXPECT_TRUE(says(result.value(), messages::deformationDepthUnknown));
 }
 
 TEST(DeformVessels, RecoversAKnownMotionInSpaceFromTwoViews)
@@ -111,7 +111,7 @@ TEST(DeformVessels, RecoversAKnownMotionInSpaceFromTwoViews)
     ASSERT_TRUE(result);
     EXPECT_EQ(result.value().verdict, DeformationVerdict::Deformed);
     EXPECT_LT(tree.errorMm(result.value(), true), 0.5);
-    EXPECT_FALSE(says(result.value(), says::deformationDepthUnknown));
+    EXPECT_FALSE(says(result.value(), messages::deformationDepthUnknown));
     ASSERT_EQ(result.value().viewPoses.size(), 2u);
     const RigidTransform between = result.value().viewPoses[1] * result.value().viewPoses[0].inverse();
     EXPECT_TRUE(between.matrix().isApprox((tree.poseAt(70.0) * tree.clean.truth.inverse()).matrix(), 1e-6));
@@ -138,7 +138,7 @@ TEST(DeformVessels, CovarianceCoversTheErrorsOfThePoints)
 
 TEST(DeformVessels, SaysInWordsThatOneHalfIsOff)
 {
-    // Across the ray, below the height of the centroid, fading over 2 mm.
+    // A motion across the ray of all points below the centroid, blended over 2 mm.
     const test::CleanCase clean(3);
     const double middle = centroidInPatient(clean.tree).z();
     const Eigen::Vector3d aside = clean.truth.rotation.transpose() * Eigen::Vector3d::UnitX();
@@ -150,7 +150,7 @@ TEST(DeformVessels, SaysInWordsThatOneHalfIsOff)
     ASSERT_TRUE(result);
     EXPECT_NE(result.value().verdict, DeformationVerdict::Rigid);
     const auto reported = std::ranges::find_if(
-        result.value().messages, [](const Message& message) { return message.is(says::deformationPartMoved); });
+        result.value().messages, [](const Message& message) { return message.is(messages::deformationPartMoved); });
     ASSERT_NE(reported, result.value().messages.end());
     const auto shift = std::get<Quantity>(reported->arguments()[2]);
     EXPECT_NEAR(shift.value, 8.0, 3.0) << reported->text();
@@ -172,7 +172,7 @@ TEST(DeformVessels, StopKeepsTheRigidPose)
     EXPECT_EQ(reported, 5);
     EXPECT_EQ(result.value().stopReason, StopReason::StoppedByUser);
     EXPECT_EQ(result.value().verdict, DeformationVerdict::Unsure);
-    EXPECT_TRUE(says(result.value(), says::deformationStopped));
+    EXPECT_TRUE(says(result.value(), messages::deformationStopped));
     EXPECT_EQ(result.value().cameraFromPatient.matrix(), tree.clean.truth.matrix());
     EXPECT_EQ(result.value().branches.size(), tree.clean.tree.branches.size());
 }
@@ -210,24 +210,24 @@ TEST(DeformVessels, RefusesWhatItCannotUse)
         ASSERT_FALSE(result);
         EXPECT_TRUE(result.error().message.is(entry)) << result.error().message;
     };
-    refused({}, says::deformationNoView);
+    refused({}, messages::deformationNoView);
 
     DeformableView points = tree.view();
     points.input.target.curves.clear();
-    for (int k = 0; k < 4; ++k) {   // too far from each other to be points of a curve
+    for (int k = 0; k < 4; ++k) {   // too far apart to be points of one curve
         points.input.target.curves.push_back({k, {{20.0 + 400.0 * (k % 2), 20.0 + 400.0 * (k / 2)}}, {}});
     }
-    refused({points}, says::deformationNeedsCurves);
+    refused({points}, messages::deformationNeedsCurves);
 
     DeformableView skewed = tree.view();
     skewed.rigidCameraFromPatient.rotation(0, 0) += 0.5;
-    refused({skewed}, says::startPoseNotRigid);
+    refused({skewed}, messages::startPoseNotRigid);
 
     DeformableView other = tree.view(70.0);
     other.input.tree.branches.pop_back();
-    refused({tree.view(), other}, says::viewsOfOtherTree);
+    refused({tree.view(), other}, messages::viewsOfOtherTree);
 
-    refused({tree.view()}, says::deformationOptionsUnusable, {.posePriorDeg = 0.0});
+    refused({tree.view()}, messages::deformationOptionsUnusable, {.posePriorDeg = 0.0});
 }
 
 TEST(DeformVessels, NothingSeenStaysRigid)

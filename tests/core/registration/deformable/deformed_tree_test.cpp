@@ -93,7 +93,7 @@ TEST(DeformedTree, SeenFirstFromAnotherViewIsTheSameDeformation)
     EXPECT_EQ(other.cameraFromPatient.matrix(), deformed.viewPoses[1].matrix());
     EXPECT_EQ(other.viewPoses[1].matrix(), deformed.viewPoses[0].matrix());
     EXPECT_EQ(other.branches[1].displacementMm, deformed.branches[1].displacementMm);
-    const Eigen::Matrix3d& turned = other.branches[0].covariance[0];   // the old ray lies across the new one
+    const Eigen::Matrix3d& turned = other.branches[0].covariance[0];   // the old ray is perpendicular to the new one
     EXPECT_NEAR(turned(0, 0), 9.0, 1e-6);
     EXPECT_NEAR(turned(1, 1), 0.2, 1e-6);
     EXPECT_NEAR(turned(2, 2), 0.1, 1e-6);

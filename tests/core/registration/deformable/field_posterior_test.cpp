@@ -11,7 +11,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Random rows of a small tree.
+/// Random motion rows of a small tree.
 struct RandomRows {
     RandomRows()
     {
@@ -29,7 +29,7 @@ struct RandomRows {
         prior.motion = {4.0, 2.0, 1.0, 1.0};
     }
 
-    /// Covariance of what rows say without noise, by its definition.
+    /// Covariance of the noise-free rows, computed from its definition.
     Eigen::MatrixXd signal() const
     {
         const Eigen::MatrixXd kernel = FieldKernel(knots).combined(prior.motion).cast<double>();
@@ -84,7 +84,7 @@ TEST(FieldPosterior, IsTheConditionalGaussian)
     EXPECT_NEAR(posterior.determined(), (signal * inverse).trace(), 0.05);
 }
 
-// Where nothing of the later views was matched, rows of theirs are asked about all the same.
+// Variances are available for rows of the later views even if none of their points were matched.
 TEST(FieldPosterior, TheGeometryOfViewsWithoutRowsKeepsItsPrior)
 {
     RandomRows given;
@@ -116,7 +116,7 @@ TEST(FieldPosterior, BeliefsWithAPoseAreConditionalGaussians)
     const LinearBelief belief =
         FieldPosterior(kernel, given.prior, given.rows).beliefWithPose(byMotion.cast<float>(), pose);
 
-    // By its definition: motions of all knots, then the pose.
+    // Computed from the definition: motions of all knots, then the pose.
     const Eigen::Index size = 3 * knots + 6;
     Eigen::MatrixXd prior = Eigen::MatrixXd::Zero(size, size);
     const Eigen::MatrixXd alike = kernel.combined(given.prior.motion).cast<double>();
@@ -149,7 +149,7 @@ TEST(FieldPosterior, BeliefsWithAPoseAreConditionalGaussians)
 TEST(FieldPosterior, LearnedVariancesFindWhatMoves)
 {
     RandomRows given;
-    for (MotionRow& row : given.rows) {   // a smooth motion of 3 mm, and next to no noise
+    for (MotionRow& row : given.rows) {   // a smooth motion of 3 mm with almost no noise
         const Eigen::Vector3d& place = given.knots.places[row.knot];
         row.valueMm = row.byMotion.dot(Eigen::Vector3d(4.0 * std::sin(place.z() / 80.0), 0.0, 0.0));
         row.variance = 0.01;

@@ -26,7 +26,7 @@ RigidTransform poseAt(int frame)
     return {expSo3({0.0, 0.01 * frame, 0.3}), {2.0 * frame, 0.0, 700.0}};
 }
 
-/// Points that move evenly to the side, seen with noise.
+/// Points that move uniformly to the side, observed with noise.
 DeformationInTime seenAt(const VesselTree& tree, int frame, double sizeMm, CounterRandom& random)
 {
     auto deformed = std::make_shared<DeformableResult>();
@@ -75,7 +75,7 @@ TEST(SmoothInTime, LeavesFastMotionWhereItIsSeenWell)
     const VesselTree tree = straightTree();
     CounterRandom random(8);
     std::vector<DeformationInTime> deformations;
-    for (const int frame : {0, 1, 2, 20, 21}) {   // 2 mm in the gap
+    for (const int frame : {0, 1, 2, 20, 21}) {   // a 2 mm motion in the gap
         DeformationInTime seen = seenAt(tree, frame, 0.01, random);
         auto exact = std::make_shared<DeformableResult>(*seen.deformed);
         for (Eigen::Matrix3d& covariance : exact->branches.front().covariance) {

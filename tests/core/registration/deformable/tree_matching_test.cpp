@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-/// A stem of three knots; at its end two branches of two.
+/// A trunk of three knots with two branches of two knots at its end.
 VesselTree treeWithAFork()
 {
     VesselTree tree;
@@ -23,7 +23,7 @@ TEST(TreeKnots, BranchesThatMeetAreLinkedToOneForest)
     const TreeKnots knots = treeKnots(treeWithAFork(), {3}, 5.0);
 
     ASSERT_EQ(knots.size(), 7u);
-    EXPECT_EQ(knots.links.size(), 6u);   // one piece
+    EXPECT_EQ(knots.links.size(), 6u);   // all links form one connected piece
     EXPECT_EQ(knots.isUsed[6], 0);
     EXPECT_EQ(knots.isUsed[4], 1);
     EXPECT_EQ(knots.branchOf(4), 1u);
@@ -45,7 +45,7 @@ TEST(TreeKnots, LoopsAreCutAndPiecesStayApart)
     EXPECT_TRUE(std::isinf(knots.distancesAlongTree()(0, static_cast<Eigen::Index>(knots.size()) - 1)));
 }
 
-/// A candidate that is off, beside neighbours which agree, loses; where alone, it would win.
+/// A wrong candidate loses if its neighbors agree on another one, although it would win on its own.
 TEST(MatchAlongTree, NeighborsOutvoteTheNearerCurve)
 {
     const TreeKnots knots = treeKnots(treeWithAFork(), {}, 5.0);
@@ -62,7 +62,8 @@ TEST(MatchAlongTree, NeighborsOutvoteTheNearerCurve)
     EXPECT_GT(choices[5].candidates[0].probability, 0.9);
 }
 
-/// The same by the sum over all joint states of five knots: normalised marginals do not depend on the order of knots.
+/// Compares with the sum over all joint states of five knots: normalized marginals do not depend on the order of the
+/// knots.
 TEST(MatchAlongTree, ProbabilitiesAreOfOneJointDistribution)
 {
     VesselTree line;

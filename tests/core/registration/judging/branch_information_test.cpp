@@ -24,7 +24,7 @@ VesselBranch line(int id, const Eigen::Vector3d& from, const Eigen::Vector3d& to
     return branch;
 }
 
-/// Across (1), up (2), a short one along the first (3), one outside the image (4).
+/// Branches: horizontal (1), vertical (2), a short one along the first (3) and one outside the image (4).
 VesselTree cross()
 {
     return {{line(1, {-50, 0, 0}, {50, 0, 0}), line(2, {0, -50, 0}, {0, 50, 0}), line(3, {10, 0, 0}, {14, 0, 0}),
@@ -35,7 +35,7 @@ TEST(BranchInformation, SeesOnlyAcrossTheVessel)
 {
     const auto reported = branchInformation(cross(), crossCamera, pose);
     ASSERT_EQ(reported.size(), 4u);
-    EXPECT_LT(reported[0].information(3, 3), 1e-9);   // along a vessel nothing is told
+    EXPECT_LT(reported[0].information(3, 3), 1e-9);   // no information along a vessel
     EXPECT_GT(reported[0].information(4, 4), 1.0);
     EXPECT_GT(reported[1].information(3, 3), 1.0);
     EXPECT_LT(reported[1].information(4, 4), 1e-9);
@@ -49,7 +49,7 @@ TEST(BranchInformation, LeavesOutWhatLiesOutsideTheImage)
     EXPECT_EQ(reported[3].information.norm(), 0.0);
 }
 
-/// The rows of the information are derivatives: compare them with differences of projections.
+/// The rows of the information are derivatives, compared here with finite differences of projections.
 TEST(BranchInformation, AgreesWithDifferencesOfProjections)
 {
     const Eigen::Vector3d from(10.0, 5.0, 720.0);
@@ -74,7 +74,7 @@ TEST(BranchInformation, AgreesWithDifferencesOfProjections)
 TEST(BranchInformation, NamesTheBranchThatPinsAStep)
 {
     const auto reported = branchInformation(cross(), crossCamera, pose);
-    EXPECT_EQ(branchesThatPin(reported, 3, prior, 1), std::vector{2});   // sideways: the upright vessel
+    EXPECT_EQ(branchesThatPin(reported, 3, prior, 1), std::vector{2});   // horizontally: the vertical vessel
     EXPECT_EQ(branchesThatPin(reported, 4, prior, 1), std::vector{1});
     const auto outside = branchesThatPin(reported, 5, prior, 4);
     EXPECT_EQ(std::ranges::count(outside, 4), 0);

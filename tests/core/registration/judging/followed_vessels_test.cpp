@@ -23,7 +23,7 @@ struct FollowedVesselsTest : ::testing::Test {
 TEST_F(FollowedVesselsTest, AllAreAtTheTruth)
 {
     const FollowedVessels followed = at(clean.truth);
-    EXPECT_GT(followed.share(), 0.9);   // not quite: where two vessels cross, the nearer one may be the other
+    EXPECT_GT(followed.share(), 0.9);   // not all: where two vessels cross, the nearer curve may belong to the other one
     EXPECT_GT(followed.branchesInView, 15);
     EXPECT_GE(followed.branchesFollowed, followed.branchesInView - 1);
 }
@@ -39,7 +39,7 @@ TEST_F(FollowedVesselsTest, CrossingsAreNotFollowed)
 TEST_F(FollowedVesselsTest, WhatIsOutsideTheImageIsNotMissed)
 {
     const double wholeMm = at(clean.truth).inViewMm;
-    problem.camera.width = 512;   // the left half
+    problem.camera.width = 512;   // the left half of the image
     const FollowedVessels followed = at(clean.truth);
     EXPECT_LT(followed.inViewMm, 0.8 * wholeMm);
     EXPECT_GT(followed.share(), 0.9);

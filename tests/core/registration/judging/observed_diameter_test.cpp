@@ -10,7 +10,7 @@
 namespace angiopose::core {
 namespace {
 
-/// A tree on its own projection, with the widths that a test gives them.
+/// A tree on its own projection, with expected and observed widths set by the test.
 struct ObservedDiameterTest : ::testing::Test {
     ObservedDiameter seen() const
     {
@@ -18,7 +18,8 @@ struct ObservedDiameterTest : ::testing::Test {
         return observedDiameter(problem, lines, clean.truth,
                                 projectTree(problem, clean.truth, GridIndex(problem.target.points)));
     }
-    /// `expectedMm` and `seenMm`: of a vessel at a height in the image, 0 at the top and 1 at the bottom.
+    /// Sets the radii `expectedMm` and `seenMm` as functions of the height in the image, 0 at the top and 1 at the
+    /// bottom.
     void setRadii(double (*expectedMm)(double), double (*seenMm)(double))
     {
         const double mmPerPx = millimetersPerPixel(problem.camera, (clean.truth * problem.tree.centroid).z());
@@ -53,14 +54,14 @@ TEST_F(ObservedDiameterTest, VesselsThatTaperAsTheTreeDoesAreLumen)
 
 TEST_F(ObservedDiameterTest, VesselsOfOneWidthTellNothing)
 {
-    setRadii([](double) { return 2.5; }, [](double) { return 2.3; });   // so might a sheath
+    setRadii([](double) { return 2.5; }, [](double) { return 2.3; });   // a sheath could look like this
     EXPECT_NEAR(seen().ratio, 0.92, 0.05);
     EXPECT_FALSE(isLumen(seen()));
 }
 
 TEST_F(ObservedDiameterTest, ACatheterIsNoLumen)
 {
-    setRadii(tapering, [](double) { return 0.9; });   // about as wide as the vessels at the median
+    setRadii(tapering, [](double) { return 0.9; });   // about the median width of the vessels
     EXPECT_NEAR(seen().ratio, 1.0, 0.4);
     EXPECT_FALSE(isLumen(seen()));
 }

@@ -10,7 +10,7 @@
 namespace angiopose::core {
 namespace {
 
-/// 1-σ of the depth at the true pose on some degraded images, mean; the tree has so many points.
+/// Mean 1-σ of the depth at the true pose over several degraded images, for a tree of `points` points.
 double depthStdWith(int points)
 {
     constexpr std::uint64_t images = 6;
@@ -32,15 +32,15 @@ double depthStdWith(int points)
     return sum;
 }
 
-// Points closer than the image is sampled tell nothing new. Counted as if they did, 50 times as many make the depth
-// look three times as certain, while the errors stay as they are.
+// Points closer than the image sampling add no information. Counted as independent, 50 times as many points make the
+// depth look three times as certain while the errors stay the same.
 TEST(PoseUncertainty, DoesNotShrinkWithPointsThatTellNothingNew)
 {
     const double usual = depthStdWith(2000);
     EXPECT_NEAR(depthStdWith(100000), usual, 0.15 * usual);
 }
 
-// What result.json calls the centroid of the vessel tree is that of all of it, whatever the registration uses.
+// The centroid in result.json is that of the whole vessel tree, whichever points the registration uses.
 TEST(PoseUncertainty, IsAboutTheCentroidOfTheWholeTree)
 {
     const Phantom shown = makePhantom(1000, 2000);
@@ -61,13 +61,13 @@ TEST(PoseUncertainty, IsAboutTheCentroidOfTheWholeTree)
     const CentroidPose pose = aboutCentroid(problem.start, problem.tree.centroid);
     const StartPrior prior = startPrior(pose, {});
     const Matrix6d aboutUsed = poseInformation(problem, lines, pose, prior).inverse();
-    Eigen::Matrix<double, 3, 6> motion;   // of the whole tree's centroid for steps about that of the used points
+    Eigen::Matrix<double, 3, 6> motion;   // Jacobian from steps about the centroid of the used points to steps about that of the whole tree
     motion << -skew(arm), Eigen::Matrix3d::Identity();
     const Eigen::Matrix3d expected = motion * aboutUsed * motion.transpose();
     const PoseUncertainty reported = poseKnowledge(problem, lines, problem.start, prior).uncertainty;
     EXPECT_LT((reported.covariance.bottomRightCorner<3, 3>() - expected).norm(), 1e-6 * expected.norm());
     EXPECT_NEAR(reported.depthMm, std::sqrt(expected(2, 2)), 1e-6);
-    const Matrix6d difference = reported.covariance - aboutUsed;   // turns are the same about any place
+    const Matrix6d difference = reported.covariance - aboutUsed;   // rotations are the same about any pivot
     EXPECT_LT((difference.topLeftCorner<3, 3>().norm()), (1e-6 * aboutUsed.topLeftCorner<3, 3>().norm()));
 }
 

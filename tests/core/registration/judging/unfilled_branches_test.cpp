@@ -13,7 +13,7 @@ TEST(UnfilledBranches, AreNamedWhileOthersCarryThePose)
     EXPECT_NE(reported.front().text().find("7"), std::string::npos);
 }
 
-/// Once "24 of 24 branches … The pose rests on the others."
+/// Regression test for the text "24 of 24 branches … The pose rests on the others."
 TEST(UnfilledBranches, AreNoOthersWhereAllAre)
 {
     const Messages reported = wordsOf({{1, 0.9}, {2, 0.8}, {3, 0.95}}, 0.08, 3);

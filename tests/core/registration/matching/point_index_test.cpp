@@ -60,7 +60,7 @@ TEST(FeatureMap, FindsAPointWithinACellsDiagonalOfTheNearest)
 {
     const auto points = randomPoints(300, 0.0, 255.0, 3);
     const FeatureMap map(points, 256, 256);
-    // Both the query and the point may stand half a diagonal away from the centres of their cells.
+    // The query and the point may each be half a diagonal away from the centers of their cells.
     const double tolerance = 2.0 * FeatureMap::cellPx * std::sqrt(2.0);
     for (const Eigen::Vector2d& query : randomPoints(2000, -40.0, 300.0, 4)) {
         EXPECT_LE((map.nearest(query) - query).norm(), nearestDistance(points, query) + tolerance);

@@ -7,13 +7,13 @@
 
 using namespace angiopose;
 
-// What every row of the table of methods promises, whatever it minimises.
+// Guarantees of every row of the method table, whatever the method minimizes.
 
 namespace {
 
 using namespace core;
 
-/// A small tree 800 mm from the source, its exact projections, and a start 1° and 3 mm off.
+/// A small tree 800 mm from the source, its exact projections and an initial pose that is off by 1° and 3 mm.
 struct SmallCase {
     explicit SmallCase(std::uint64_t seed)
     {
@@ -46,10 +46,11 @@ RegistrationOptions quickOptions(std::string_view method)
     return options;
 }
 
-/// Mean distance to the true projections that a method must reach, px.
+/// Largest allowed mean distance of a method's result from the true projections, px.
 double limitPx(std::string_view method)
 {
-    // Edges, brightness, wide kernels and a flow of first order lead near the pose, not onto it.
+    // Methods based on edges, brightness, wide kernels or a first-order flow come near the pose but do not reach it
+    // exactly.
     const std::string_view coarse[] = {"nicp",      "nicp-alternating", "rgbr", "automask", "gradient-matching",
                                        "evolution", "particle",         "cvo"};
     return std::find(std::begin(coarse), std::end(coarse), method) != std::end(coarse) ? 2.0 : 0.1;
@@ -94,7 +95,7 @@ TEST_P(EveryMethod, AStopEndsItAtOnceWithTheReportedPose)
         });
         ASSERT_TRUE(result) << result.error().message;
         if (last.iteration < stopAt) {
-            continue;   // it was done before
+            continue;   // converged before that iteration
         }
         EXPECT_EQ(last.iteration, stopAt);
         EXPECT_EQ(result.value().stopReason, StopReason::StoppedByUser);
@@ -107,7 +108,7 @@ std::vector<std::string_view> methodIds()
 {
     std::vector<std::string_view> ids;
     for (const MethodInfo& info : methodInfos()) {
-        if (info.id != "wire") {   // wants one line, not a tree: wire_test.cpp
+        if (info.id != "wire") {   // requires one line, not a tree: see wire_test.cpp
             ids.push_back(info.id);
         }
     }

@@ -9,7 +9,7 @@
 
 using namespace angiopose;
 
-// CVO, matched branches and graph matching: what each is known for, and what its options do.
+// Characteristic behavior of CVO, matched branches and graph matching, and the effect of their options.
 
 namespace {
 
@@ -32,7 +32,7 @@ MethodSolution solutionOf(const RegistrationInput& input, const RegistrationOpti
     return findMethod(options.method)->solve(problem.value(), options, progress);
 }
 
-/// The clean case with a start so far to the right, at the true angles.
+/// The clean case with an initial pose shifted to the right by `rightMm`, at the true angles.
 RegistrationInput shiftedStart(const CleanCase& clean, double rightMm)
 {
     return clean.from(RigidTransform{Eigen::Matrix3d::Identity(), Eigen::Vector3d(rightMm, 0.0, 0.0)} * clean.truth);
@@ -63,7 +63,7 @@ TEST(Cvo, ItsOptionsCount)
     EXPECT_NE(solutionOf(input, options).cameraFromPatient.matrix(), few.cameraFromPatient.matrix());
 }
 
-// A flow of first order hardly moves along the ray (ALGORITHMS §3.16).
+// A first-order flow hardly moves along the ray (ALGORITHMS §3.16).
 TEST(Cvo, LeavesTheDepthNearTheStarts)
 {
     const CleanCase clean(2);
@@ -104,7 +104,7 @@ TEST(MatchedBranches, TellHowFarTheVesselsMoved)
     EXPECT_EQ(rigid.cameraFromPatient.matrix(), warped.cameraFromPatient.matrix());
 }
 
-// Pairs hold the scale where nearest points alone let the tree run away (compare DtIcp).
+// Matched pairs constrain the scale where nearest points alone let the tree run away (compare DtIcp).
 TEST(MatchedBranches, KeepTheDepthThoughTheImageShowsHalf)
 {
     CleanCase clean(1);
@@ -116,7 +116,7 @@ TEST(MatchedBranches, KeepTheDepthThoughTheImageShowsHalf)
     EXPECT_LT(std::abs((pose * centroid - clean.truth * centroid).z()), 100.0);
 }
 
-// What nearest points do not find: the vessels lie 117 px from where the start puts them.
+// Nearest-point methods fail here: the vessels are 117 px away from their initial projection.
 TEST(GraphMatching, FindsItsWayFromFarBeside)
 {
     const CleanCase clean(2);

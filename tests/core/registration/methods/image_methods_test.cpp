@@ -15,13 +15,13 @@
 
 using namespace angiopose;
 
-// The methods that read the image: what they see, and that they see it.
+// Tests of the image-based methods: the image content they use and whether they use it.
 
 namespace {
 
 using namespace core;
 
-/// A tree 800 mm from the source in a 256² image, and a start 2° and 5 mm off.
+/// A tree 800 mm from the source in a 256² image, with an initial pose that is off by 2° and 5 mm.
 struct DrawnCase {
     explicit DrawnCase(std::uint64_t seed = 3)
     {
@@ -35,7 +35,7 @@ struct DrawnCase {
         input.initialCameraFromPatient = perturbedAboutCentroid(truth, centroidInPatient(tree), 1.0, 3.0, random);
     }
 
-    /// The angiogram: vessels darken a bright field, the target is one stray point that no method may need.
+    /// Adds the angiogram: dark vessels on a bright field. The target is a single stray point that no method may need.
     void showImage()
     {
         const RegistrationProblem drawn = problem();
@@ -86,7 +86,7 @@ TEST(ImageMethods, ReadTheAngiogramNotTheTarget)
     }
 }
 
-// Brightness and edges reach a few vessel radii (ALGORITHMS §3.4, §3.10): from far beside the vessels there is no way.
+// Brightness and edges reach only a few vessel radii (ALGORITHMS §3.4, §3.10), so these methods fail from farther away.
 TEST(ImageMethods, DoNotFindVesselsFarFromTheStart)
 {
     DrawnCase drawn;
@@ -149,7 +149,7 @@ TEST(DrawTube, ShowsTheChordsOfATube)
     EXPECT_EQ(image.at(20, 14), 0.0F);
 }
 
-/// A CTA of the tree: contrast medium in tissue.
+/// A CTA of the tree: contrast agent in tissue.
 std::shared_ptr<const Volume> ctaOf(const VesselTree& tree)
 {
     VolumeGeometry geometry;

@@ -51,7 +51,7 @@ TEST(DtIcp, BothSolversAndTheAffineStageFindTheExactPose)
     EXPECT_LT(meanErrorPx(clean, poseOf(input, options)), 0.1);
 }
 
-// What the method is known for (ALGORITHMS §3.6): shrinking always lowers a one-sided distance, so with branches
+// Known behavior of the method (ALGORITHMS §3.6): shrinking always lowers a one-sided distance, so with branches
 // missing from the image the tree runs away along the ray.
 TEST(DtIcp, RunsAwayInDepthWhereTheImageShowsLittle)
 {
@@ -85,7 +85,7 @@ TEST(DistanceDescent, GradientOfTheSmoothSolverLeadsDownhill)
     }
 }
 
-// The literal step (ALGORITHMS §3.3) turns about the source only: the shift that the start lacks stays lacking.
+// The literal step (ALGORITHMS §3.3) rotates about the source only, so the missing shift is never recovered.
 TEST(Nicp, LiteralStepsHardlyShift)
 {
     const CleanCase clean(1);
@@ -116,7 +116,8 @@ TEST(Nicp, ThePriorHoldsItBack)
     EXPECT_LT(movedMm(held), 0.5 * movedMm(free));
 }
 
-// Held where it is, the source can still be turned about: the overlay is found, the shift hidden (ALGORITHMS §0, F1).
+// With its position fixed, the tree can still rotate about the source: the overlay is found and the shift stays hidden
+// (ALGORITHMS §0, F1).
 TEST(Nicp, ThePriorLeavesTheTurnToIt)
 {
     const CleanCase clean(2);

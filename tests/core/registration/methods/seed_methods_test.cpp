@@ -15,7 +15,7 @@ namespace {
 using namespace core;
 using test::CleanCase;
 
-/// Points as they are, so that every tree point has its exact partner.
+/// Unresampled points, for which every tree point has its exact partner.
 RegistrationOptions exactSamplesWith(PriorPreset preset)
 {
     RegistrationOptions options;
@@ -60,7 +60,7 @@ double seedDistanceMm(const CleanCase& clean, const Outcome& outcome)
     return poseError(centroidInPatient(clean.tree), {outcome.solution.cameraFromPatient, clean.truth}).seedDistanceMm;
 }
 
-/// Where the data hold 5 mm of lateral shift least: turned about the source to hide it.
+/// Initial pose with 5 mm of lateral shift, hidden by a rotation about the source where the data constrain it least.
 RigidTransform valleyStart(const CleanCase& clean)
 {
     const RigidTransform shifted =
@@ -102,7 +102,7 @@ TEST(SeedMethods, ThePriorPerPointNeverLetsTheSourceMove)
     EXPECT_NEAR(seedDistanceMm(clean, held), 5.0, 0.01);
 }
 
-// F2 of ALGORITHMS §0: the auxiliary problem has no prior, so it frees the shift that the prior holds.
+// F2 of ALGORITHMS §0: the auxiliary problem has no prior, so it releases the shift that the prior holds.
 TEST(SeedMethods, AlternationFreesTheShiftThatThePriorHolds)
 {
     const CleanCase clean(1);
@@ -123,7 +123,7 @@ TEST(SeedMethods, MetricPriorPullsLessThanMillimetersBesideRadians)
               0.5 * outcomeErrorPx(clean, solvedBy(solveIterativePnp, input, exactSamplesWith(PriorPreset::SeedMean))));
 }
 
-/// Of eight starts 2° and 5 mm off about the source: about 50 px in the image.
+/// Number of lost starts out of eight that are off by 2° and 5 mm about the source, which is about 50 px in the image.
 int lostStarts(MethodSolver* method, StartScale startScale)
 {
     int lost = 0;
@@ -143,7 +143,7 @@ int lostStarts(MethodSolver* method, StartScale startScale)
     return lost;
 }
 
-// The paper's own figures: 4 % and 1 % lost (ALGORITHMS §3.1, §3.2).
+// The paper reports 4 % and 1 % lost (ALGORITHMS §3.1, §3.2).
 TEST(SeedMethods, LoseFewStartsWhenTheKernelBeginsAtTheSquareOfTheDistance)
 {
     EXPECT_LE(lostStarts(solveDynaWeight, StartScale::LargestSquared), 1);
@@ -227,7 +227,7 @@ TEST(SeedMethods, AStopAtAnyTimeReturnsTheReportedPose)
                 return report.iteration == stopAt ? Verdict::Stop : Verdict::Continue;
             });
             if (static_cast<int>(stopped.reports.size()) < stopAt) {
-                continue;   // it was done before
+                continue;   // converged before that iteration
             }
             EXPECT_EQ(stopped.solution.stopReason, StopReason::StoppedByUser);
             EXPECT_EQ(static_cast<int>(stopped.reports.size()), stopAt);
@@ -284,7 +284,7 @@ TEST(SeedMethods, RepeatBitForBit)
 TEST(SeedMethods, TheDepthGuardHoldsWithoutAPrior)
 {
     CleanCase clean(1);
-    // A target shrunk to a third pulls the tree far away.
+    // A target shrunk to a third pulls the tree far away from the source.
     for (Curve2d& curve : clean.target.curves) {
         for (Eigen::Vector2d& point : curve.pointsPx) {
             point = Eigen::Vector2d(511.5, 511.5) + (point - Eigen::Vector2d(511.5, 511.5)) / 3.0;

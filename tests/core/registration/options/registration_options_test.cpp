@@ -21,7 +21,7 @@ TEST(RegistrationOptions, DefaultsAreFineForEveryMethod)
     }
 }
 
-/// The values at both ends of what a field may be.
+/// Smallest and largest allowed value of a field.
 std::vector<OptionValue> extremesOf(const OptionField& field)
 {
     const OptionRange range = rangeOf(field);
@@ -49,7 +49,7 @@ TEST(RegistrationOptions, SwitchesAndChoicesAreKnownByNameAndByNumber)
 {
     const OptionField& resample = *findOption("resample");
     EXPECT_EQ(valueFrom(resample, "on"), OptionValue(true));
-    EXPECT_EQ(valueFrom(resample, 0.0), OptionValue(false));   // as older case files and scripts have it
+    EXPECT_EQ(valueFrom(resample, 0.0), OptionValue(false));   // as in older case files and scripts
     EXPECT_EQ(valueFrom(resample, 1.0), OptionValue(true));
     EXPECT_FALSE(valueFrom(resample, 0.5) || valueFrom(resample, 2.0) || valueFrom(resample, "yes"));
     EXPECT_EQ(nameOf(resample, true), "on");
@@ -79,7 +79,7 @@ TEST(RegistrationOptions, NamesTheFieldThatIsOutOfRange)
     for (const OptionField& field : optionFields()) {
         RegistrationOptions options;
         if (std::holds_alternative<SwitchOption>(field.type)) {
-            continue;   // it cannot be
+            continue;   // a switch has no value out of range
         }
         const double beyond = rangeOf(field).max + 1.0;
         field.write(options, namesOf(field).empty() ? OptionValue(beyond) : static_cast<std::size_t>(beyond));

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Air around a block of water with a rod of bone along z in it, off the middle.
+/// Air around a block of water that contains an off-center rod of bone along z.
 Volume rodInWater()
 {
     VolumeGeometry geometry;
@@ -25,13 +25,13 @@ Volume rodInWater()
     return scan;
 }
 
-/// Where the bone lies in the patient, projected by the camera, the radiograph is brightest.
+/// The DRR is brightest where the camera projects the bone.
 TEST(BodyRadiograph, ShowsBoneWhereTheCameraSeesIt)
 {
     const Volume scan = rodInWater();
     const ProjectionCamera camera{2000.0, 2000.0, 255.5, 255.5, 512, 512};
     RigidTransform cameraFromPatient;
-    cameraFromPatient.rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;   // from the front, head up
+    cameraFromPatient.rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;   // frontal view, head up
     cameraFromPatient.translation.z() = 750.0;
     const BodyRadiograph body(scan, camera, 256);
     const ImageF picture = body.from(cameraFromPatient);

@@ -10,7 +10,7 @@ namespace {
 
 using namespace core;
 
-/// Points 1 apart from one place towards another.
+/// Points 1 apart from one position toward another.
 template <class Point>
 std::vector<Point> pointsFromTo(const Point& from, const Point& to)
 {
@@ -78,7 +78,7 @@ TEST(BranchGraph, CutsABranchWhereAnotherLeavesIt)
     EXPECT_EQ(graph.edges[1].curve, 0);
     EXPECT_EQ(graph.edges[2].curve, 1);
     EXPECT_EQ(graph.edges[0].to, graph.edges[1].from);
-    EXPECT_EQ(graph.arrivalOf({0, false}), graph.arrivalOf({1, true}));   // both walks end at the fork
+    EXPECT_EQ(graph.arrivalOf({0, false}), graph.arrivalOf({1, true}));   // both walks end at the bifurcation
     EXPECT_EQ(graph.arrivalOf({0, false}), graph.arrivalOf({2, true}));
 }
 
@@ -135,7 +135,7 @@ TEST(TracedPath, TurnsIntoNoOtherVessel)
     const TargetSamples target = targetOf({trunk, side});
     const BranchGraph graph = graphOf(target);
     const TracedPath path = pathFrom(graph, target, outOf(graph, target, {60.0, 100.0}), 200.0);
-    EXPECT_EQ(path.edges.size(), 1U);   // both ways on turn by 90°
+    EXPECT_EQ(path.edges.size(), 1U);   // both continuations turn by 90°
     EXPECT_NE(path.arrivesAt, TracedPath::nowhere);
 }
 

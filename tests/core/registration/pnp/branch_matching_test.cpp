@@ -13,7 +13,7 @@ namespace {
 using namespace core;
 
 struct BranchMatchingTest : testing::Test {
-    /// Of the edges, how many are told to be shown by the curve of their own branch.
+    /// Share of the edges that are assigned to the curve of their own branch.
     double rightShare(const CentroidPose& pose, double reachPx) const
     {
         const std::vector<int> matched = matching.match(pose, reachPx);
@@ -67,7 +67,7 @@ std::vector<Eigen::Vector3d> run(const Eigen::Vector3d& from, const Eigen::Vecto
     return points;
 }
 
-/// A trunk and one branch that leaves it, seen from the front.
+/// A trunk and one side branch, in a frontal view.
 struct TwoBranches {
     TwoBranches()
     {
@@ -84,7 +84,7 @@ struct TwoBranches {
     Centerline2d target;
 };
 
-/// The branch's own curve 6 px to one side, and beside it at 2 px another vessel that leaves no trunk.
+/// The branch's own curve shifted by 6 px, plus an unrelated vessel at 2 px that does not leave the trunk.
 Centerline2d withNearerStranger(const Centerline2d& seen)
 {
     Centerline2d target = seen;
@@ -115,7 +115,7 @@ TEST(BranchMatching, NearnessDecidesWhereNothingMeets)
 {
     TwoBranches two;
     two.target = withNearerStranger(two.target);
-    two.target.curves.erase(two.target.curves.begin());   // the trunk is not seen
+    two.target.curves.erase(two.target.curves.begin());   // the trunk is not visible
     const RegistrationProblem problem = two.problem();
     const BranchMatching matching(problem);
     const int none = BranchMatching::noCurve;
@@ -149,7 +149,7 @@ TEST(PairDeformation, LeavesVesselsThatLieOnTheirPartners)
     EXPECT_EQ(deformOntoPairs(problem, matching.tree(), pose, {}, neverStopped).largestMm, 0.0);
 }
 
-// The branch of 60 mm swings about its root by 10°: the motion is found across the rays, lengths are kept.
+// A branch of 60 mm swings about its root by 10°: the motion across the rays is recovered and lengths are preserved.
 TEST(PairDeformation, FollowsAVesselThatSwingsAndKeepsItsLength)
 {
     const TwoBranches two;

@@ -16,7 +16,7 @@ TEST(GraphScore, IsBestWhereTheTreeLiesOnItsImage)
     CentroidPose shifted = truth;
     shifted.centroidInCamera.x() += 10.0;
     CentroidPose shrunk = truth;
-    shrunk.centroidInCamera *= 4.0;   // along the ray: all of the tree on little of the image
+    shrunk.centroidInCamera *= 4.0;   // along the ray: the whole tree covers only a small part of the image
     EXPECT_GT(score.of(truth), 0.5);
     EXPECT_GT(score.of(truth), score.of(shifted) + 0.1);
     EXPECT_GT(score.of(truth), score.of(shrunk) + 0.1);

@@ -19,8 +19,8 @@ struct KernelFlowTest : testing::Test {
     Vector6d offset;
 };
 
-// The labels are held in the gradient: without directions they do not change. Steps are wide enough for the pairs that
-// come into reach and leave it to cancel out.
+// The gradient treats the labels as constant; without directions they do not change. The steps are wide enough that
+// pairs entering and leaving the kernel support cancel out.
 TEST_F(KernelFlowTest, GradientMatchesDifferences)
 {
     KernelFlow flow(problem, {8.0, false});
@@ -52,7 +52,7 @@ TEST_F(KernelFlowTest, TheSeriesFollowsTheFlowAlongAStep)
     KernelFlow flow(problem, {20.0, false});
     const CentroidPose pose = moved(truth, offset);
     Vector6d step;
-    step << 0.002, 0.003, -0.004, 0.8, 0.5, 3.0;   // some px
+    step << 0.002, 0.003, -0.004, 0.8, 0.5, 3.0;   // a few px
     const KernelFlow::Slope here = flow.at(pose);
     const PowerSeries series = flow.along(step);
     EXPECT_NEAR(series.value(0.0), here.value, 1e-12);

@@ -16,7 +16,8 @@ using namespace core;
 
 const ProjectionCamera kernelCamera{-1877.0, 1877.0, 511.5, 511.5, 1024, 1024};
 
-/// Exact projections of a tree 800 mm from the source; points in the true camera frame, so the true pose is identity.
+/// Exact projections of a tree 800 mm from the source. The points are in the true camera frame, so the true pose is the
+/// identity.
 struct KernelCase {
     explicit KernelCase(std::uint64_t seed, double depthMm = 800.0)
     {
@@ -55,12 +56,12 @@ RigidTransform shiftedBy(const Eigen::Vector3d& shiftMm)
     return {Eigen::Matrix3d::Identity(), shiftMm};
 }
 
-/// The pose that hides a lateral shift best by turning about the source.
+/// The pose that best hides a lateral shift by a rotation about the source.
 RigidTransform onValley(const KernelCase& clean, const Eigen::Vector3d& shiftMm)
 {
     KernelSchedule rotationOnly;
     rotationOnly.freedom = Freedom::Rotation;
-    // Turn first, then shift: exp((0, t)) exp((ω, 0)) keeps t as the seed measures it.
+    // Rotation first, then shift: exp((0, t)) exp((ω, 0)) keeps t as measured by the seed method.
     KernelProblem problem = clean.known();
     std::vector<Eigen::Vector3d> moved;
     for (const Eigen::Vector3d& point : clean.points) {
@@ -202,7 +203,7 @@ TEST(KernelPnp, RotationOnlyTurnsAboutTheSource)
     EXPECT_LT(clean.meanPx(result.pose), 1e-6);
 }
 
-// The ambiguity of the seed: a turn about the source hides 5 mm of lateral shift but for half a pixel.
+// The ambiguity of the seed method: a rotation about the source hides 5 mm of lateral shift to within half a pixel.
 TEST(KernelPnp, AValleyOfPosesHidesALateralShift)
 {
     for (std::uint64_t seed = 0; seed < 4; ++seed) {
@@ -218,7 +219,7 @@ TEST(KernelPnp, AValleyOfPosesHidesALateralShift)
     }
 }
 
-// F1 of ALGORITHMS §0: the offset that stays is λ / (λ + Nκ) of the start's, κ being the misfit per mm².
+// F1 of ALGORITHMS §0: the remaining offset is λ / (λ + Nκ) of the initial one, where κ is the misfit per mm².
 TEST(KernelPnp, ThePriorHoldsThePoseInTheValleyByTheLaw)
 {
     const KernelCase clean(1);

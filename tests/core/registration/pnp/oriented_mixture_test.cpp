@@ -48,7 +48,7 @@ TEST_F(OrientedMixtureTest, IsLeastAtTheTruth)
     }
 }
 
-// The self term is what keeps a tree from shrinking onto one vessel (ALGORITHMS §3.12).
+// The self term keeps a tree from shrinking onto one vessel (ALGORITHMS §3.12).
 TEST_F(OrientedMixtureTest, TheSelfTermChargesCollapse)
 {
     Vector6d unused;

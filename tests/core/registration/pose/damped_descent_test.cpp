@@ -10,7 +10,7 @@ namespace {
 
 constexpr double treeSpreadMm = 40.0;
 
-/// Least squares of atan(steepness · θ − wish), parameter by parameter: a full step from far away overshoots.
+/// Least squares of atan(steepness · θ − wish) per parameter, where a full step from far away overshoots.
 class Arctangents {
 public:
     using State = Vector6d;
@@ -63,7 +63,8 @@ Verdict goOn(const StepOutcome&)
     return Verdict::Continue;
 }
 
-// Only turns are wrong, and the first full step makes them worse. Measured by its shift alone it would evaluation settled.
+// Only the rotations are wrong and the first full step worsens them. Measured by its shift alone, the step would look
+// converged.
 TEST(DampedDescent, ARefusedTurnIsNotTakenForSettled)
 {
     const Vector6d request = 2.5 * Vector6d::Unit(1);

@@ -10,7 +10,7 @@ namespace {
 
 using namespace core;
 
-/// Σ JᵀJ, Σ Jᵀr of random rows whose rotation columns are `scale` times larger, as raw radians are.
+/// Σ JᵀJ and Σ Jᵀr of random rows whose rotation columns are `scale` times larger, as with raw radians.
 NormalEquations randomEquations(double scale)
 {
     CounterRandom random(21);

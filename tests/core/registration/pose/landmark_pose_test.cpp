@@ -37,7 +37,7 @@ std::vector<Landmark> pairsOf(const std::vector<Eigen::Vector3d>& offsets, const
 const std::vector<Eigen::Vector3d> spreadOffsets{
     {30, 5, -20}, {-25, 12, 10}, {4, -30, 25}, {-8, 22, -31}, {18, -9, 33}};
 
-/// The true pose turned and moved as hands do.
+/// The true pose, rotated and shifted as in manual positioning.
 RigidTransform disturbed(double turnDeg, const Eigen::Vector3d& shiftMm)
 {
     const RigidTransform truth = trueCameraFromPatient();

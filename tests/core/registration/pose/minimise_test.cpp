@@ -13,7 +13,7 @@ namespace {
 
 using namespace core;
 
-/// A long curved valley with its floor's lowest point at (1, 1).
+/// Rosenbrock function: a long curved valley with its minimum at (1, 1).
 double rosenbrock(const Eigen::VectorXd& x, Eigen::VectorXd& gradient)
 {
     const double a = 1.0 - x(0);

@@ -22,7 +22,7 @@ PoseLocks locksOf(std::initializer_list<PoseAxis> axes)
     return locks;
 }
 
-/// Turned and shifted from a reference pose; pivot beside the centroid.
+/// A pose rotated and shifted from a reference pose, with the pivot off the centroid.
 struct Scene {
     CentroidPose start{expSo3({0.1, -0.2, 0.05}) * expSo3({0.4, 0.9, -0.3}), {5.0, -8.0, 790.0}};
     PoseFreedom::Frame frame{expSo3({0.4, 0.9, -0.3}), {6.0, -4.0, 9.0}};

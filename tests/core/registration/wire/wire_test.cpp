@@ -9,7 +9,7 @@
 
 using namespace angiopose;
 
-// One path of a tree is seen, by a wire some mm off its axis; the start is the last full pose.
+// Only one path of a tree is visible, marked by a wire a few mm off its axis; the initial pose is the last full pose.
 
 namespace {
 
@@ -26,7 +26,7 @@ Curve3d between(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Ei
     return points;
 }
 
-/// A trunk (1) that forks into 2 and 3; 3 forks into 4 and 5.
+/// A trunk (1) that bifurcates into 2 and 3; 3 bifurcates into 4 and 5.
 VesselTree forkedTree()
 {
     const Eigen::Vector3d root(0, 0, 0);
@@ -43,7 +43,7 @@ VesselTree forkedTree()
     return tree;
 }
 
-/// The wire takes these branches, `offMm` beside their axis in a slow wave.
+/// A wire through the given branches, `offMm` off their axis in a slow wave.
 struct WireInTree {
     explicit WireInTree(const std::vector<int>& branchIds, double offMm = 1.2, VesselTree seenTree = forkedTree())
         : tree(std::move(seenTree))
@@ -131,7 +131,7 @@ TEST(Wire, NamesTheWayItTakesAndThePose)
 
 TEST(Wire, ProbabilitiesAreSharesAndTheOthersAreAlternatives)
 {
-    const WireInTree made({1, 3});   // ends where 4 and 5 begin
+    const WireInTree made({1, 3});   // ends where 4 and 5 originate
     const RegistrationResult result = followed(made.from(moved));
     ASSERT_EQ(result.alternatives.size() + 1, result.wirePaths.size());
     double sum = result.wirePaths.front().probability;
@@ -146,7 +146,7 @@ TEST(Wire, ProbabilitiesAreSharesAndTheOthersAreAlternatives)
     EXPECT_LE(sum, 1.0 + 1e-9);
 }
 
-/// A short piece of wire in one of two branches that run side by side: either may hold it.
+/// A short piece of wire in one of two parallel branches, either of which may contain it.
 WireInTree doubtfulWire()
 {
     VesselTree tree = forkedTree();
@@ -289,7 +289,7 @@ TEST(Wire, RepeatsBitForBit)
               followed(made.from(moved)).cameraFromPatient.matrix());
 }
 
-/// A trunk (1) to a ring of two arcs (2, 3), and a branch (4) from its far side.
+/// A trunk (1) leading to a ring of two arcs (2, 3), with a branch (4) from its far side.
 VesselTree ringTree()
 {
     const Eigen::Vector3d near(0, 0, -40);
@@ -308,7 +308,7 @@ TEST(Wire, PassesARingOnEitherSide)
 {
     EXPECT_EQ(treeKnots(ringTree(), {}, 2.0).cuts.size(), 1U);
     EXPECT_TRUE(treeKnots(forkedTree(), {}, 2.0).cuts.empty());
-    // Each entry sees the ring cut elsewhere, none of them where it is entered.
+    // Each entry point cuts the ring at a different location, never at the entry itself.
     const WireInTree made({1, 2}, 0.8, ringTree());
     EXPECT_EQ(followed(made.from({.rightMm = 2.0})).wirePaths.front().branchIds, (std::vector<int>{1, 2}));
     const WireInTree other({1, 3}, 0.8, ringTree());

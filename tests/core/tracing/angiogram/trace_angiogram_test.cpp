@@ -44,7 +44,7 @@ double meanDistance(const Centerline2d& centerline, const Path& path)
     return sum / static_cast<double>(centerline.pointCount());
 }
 
-/// A straight path prolonged on both sides, to measure the distance across it only.
+/// A straight path extended at both ends, to measure only the distance across it.
 Path longer(const Path& path)
 {
     const Eigen::Vector2d beyond = 20.0 * (path.back() - path.front()).normalized();
@@ -95,7 +95,7 @@ TEST(TraceAngiogram, FindsAFaintBranchBesideAStrongTrunk)
     for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
         frame.pixels[i] += faint.pixels[i] - 120.0F;
     }
-    test::addNoise(frame, 3.0, 5);   // a third of the branch's depth
+    test::addNoise(frame, 3.0, 5);   // a third of the branch's contrast depth
     const Result<AngiogramTrace> trace = core::traceAngiogram(frame, Polarity::VesselsDark);
     ASSERT_TRUE(trace) << trace.error().message;
     const Path apart = test::line({120, 115}, {225, 62.5});
@@ -121,7 +121,7 @@ TEST(TraceAngiogram, CrossingVesselsStayTwoStraightCurves)
         EXPECT_GT(curve.lengthPx(), 175.0);
         const bool rises = (curve.pointsPx.front() - curve.pointsPx.back()).prod() < 0.0;
         for (const Eigen::Vector2d& point : curve.pointsPx) {
-            EXPECT_LT(test::distanceTo(longer(rises ? rising : falling), point), 1.5);   // least sure in the round caps
+            EXPECT_LT(test::distanceTo(longer(rises ? rising : falling), point), 1.5);   // least accurate in the rounded ends
         }
     }
 }
@@ -159,13 +159,13 @@ TEST(TraceAngiogram, ShutterAndBlackBorderGiveNoCurves)
         test::addNoise(noisy, noise, 7);
         const auto trace = core::traceAngiogram(noisy, Polarity::VesselsDark);
         ASSERT_TRUE(trace) << trace.error().message;
-        EXPECT_LT(meanDistance(trace.value().centerline, path), 0.3) << noise;   // nor spurs at its ends
+        EXPECT_LT(meanDistance(trace.value().centerline, path), 0.3) << noise;   // and no spurs at its ends
         EXPECT_EQ(trace.value().fieldMask.at(5, 128), 0);
         EXPECT_NE(trace.value().fieldMask.at(128, 128), 0);
     }
 }
 
-/// Beyond the shutter of the header lies a soft shadow with lines in it, whose edge looks like a vessel.
+/// A soft shadow containing lines lies beyond the shutter of the header; its edge looks like a vessel.
 TEST(TraceAngiogram, NothingIsTracedOnOrBeyondTheShutter)
 {
     const Path path = test::line({90, 80}, {200, 190});
@@ -196,7 +196,7 @@ TEST(TraceAngiogram, NothingIsTracedOnOrBeyondTheShutter)
 
 TEST(TraceAngiogram, TheShutterFitsFramesOfAnySize)
 {
-    for (const int side : {150, 512, 1024}) {   // doubled, as it is, halved
+    for (const int side : {150, 512, 1024}) {   // upsampled by 2, unchanged, downsampled by 2
         const double unit = side / 512.0;
         core::Angiogram run;
         run.frames = {test::drawnFrame(side, side,

@@ -8,7 +8,7 @@ namespace {
 
 using Point = Eigen::Vector3d;
 
-/// Vessels that run straight from node to node, their radii changing evenly.
+/// Vessels that run straight from node to node with linearly changing radii.
 class Vessels {
 public:
     int addNode(const Point& placeMm, double radiusMm)

@@ -14,7 +14,7 @@ namespace {
 
 using test::Tube;
 
-/// Filled vessels; of two at one place the later counts.
+/// An opacified vessel; where two overlap, the later one counts.
 struct Vessel {
     Tube tube;
     double fill = 1.0;
@@ -43,7 +43,7 @@ core::VesselEdge edgeIn(const Tube& tube, int startNode, int endNode)
     return edge;
 }
 
-/// A trunk along z, from it an artery, from that something, and beyond it one more vessel.
+/// A trunk along z, an artery from it, `something` at the end of the artery, and `beyond` after that.
 class LeakingTree {
 public:
     LeakingTree(const Vessel& something, const Vessel& beyond)
@@ -55,7 +55,7 @@ public:
                         edgeIn(beyond.tube, 4, 5)};
     }
 
-    /// How many of the five edges stay.
+    /// Number of the five edges that are kept.
     std::size_t left(const std::vector<Eigen::Vector3d>& startsMm = {{0, 0, 20}, {0, 0, 80}})
     {
         const int removed = core::dropDimParts(graph_, fill_, startsMm, 1.0);
@@ -84,7 +84,7 @@ Vessel atTheEnd(double fill, double radiusMm, double lengthMm = 20.0)
 TEST(DropDimParts, LeavesOutAVeinAndWhatLiesBeyondIt)
 {
     EXPECT_EQ(LeakingTree(goingOn(0.55), atTheEnd(0.55, 3.0)).left(), 3U);
-    EXPECT_EQ(LeakingTree(goingOn(0.55), atTheEnd(0.4, 0.8)).left(), 3U);   // too thin to tell
+    EXPECT_EQ(LeakingTree(goingOn(0.55), atTheEnd(0.4, 0.8)).left(), 3U);   // too thin to measure its brightness
 }
 
 TEST(DropDimParts, KeepsWhatIsFilledOrTooThinToTell)

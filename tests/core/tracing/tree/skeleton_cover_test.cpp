@@ -1,6 +1,6 @@
 #include "core/tracing/tree/skeleton_cover.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/tracing/volume/trace_vessels.h"
 #include "tests/support/drawn_tubes.h"
 
@@ -29,7 +29,7 @@ TEST(SkeletonCover, SaysHowMuchIsFollowedAndWhereMostIsNot)
     grid.size = {101, 11, 11};
     std::vector<std::size_t> skeleton;
     for (int i = 0; i <= 100; ++i) {
-        skeleton.push_back(grid.index(i, 6, 5));   // a voxel beside the line
+        skeleton.push_back(grid.index(i, 6, 5));   // one voxel off the line
     }
     const core::SkeletonCover half = core::skeletonCover(grid, skeleton, lineTo(59.0));
     EXPECT_NEAR(half.share, 0.6, 0.02);
@@ -47,7 +47,7 @@ bool reportsSkeleton(const core::VesselTracingOptions& options)
         test::drawnMask(grid, {{{0, 0, -25}, {0, 0, 25}, 4.0}, {{0, 0, 0}, {24, 0, 10}, 2.0}}), options);
     EXPECT_TRUE(traced);
     return traced && std::ranges::any_of(traced.value().warnings, [](const core::Message& warning) {
-               return warning.is(core::says::skeletonNotFollowed);
+               return warning.is(core::messages::skeletonNotFollowed);
            });
 }
 

@@ -1,4 +1,4 @@
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/tracing/volume/trace_vessels.h"
 #include "tests/support/bodies/simulate_any_scan.h"
 #include "tests/support/tree_agreement.h"
@@ -27,7 +27,7 @@ TEST(AnyScan, SinusesFilledAsArteriesAreAskedAbout)
 {
     const auto traced = core::traceVessels(scanOf(core::ScanKind::HeadCtaAboveBase).volume);
     ASSERT_FALSE(traced);
-    EXPECT_TRUE(traced.error().message.is(core::says::headNeedsSeed)) << traced.error().message;
+    EXPECT_TRUE(traced.error().message.is(core::messages::headNeedsSeed)) << traced.error().message;
 }
 
 TEST(AnyScan, InflowInMrIsTracedFromTheNeckOn)
@@ -48,7 +48,7 @@ TEST(AnyScan, AFilledCarotidInRotationalAngiographyIsTraced)
     EXPECT_GT(test::agreementOf(traced.value().tree, scan.seen, 1.0).found, 0.8);
 }
 
-TEST(AnyScan, TheFallOffOfACoilIsEvenedOutAndTold)
+TEST(AnyScan, TheFallOffOfACoilIsCorrectedAndReported)
 {
     const core::AnyScan scan = scanOf(core::ScanKind::BodyMra);
     const auto traced = core::traceVessels(scan.volume);
@@ -56,7 +56,7 @@ TEST(AnyScan, TheFallOffOfACoilIsEvenedOutAndTold)
     EXPECT_LT(falseShare(traced.value().tree, scan), 0.1);
     EXPECT_GT(test::agreementOf(traced.value().tree, scan.seen, 1.5).found, 0.9);
     EXPECT_TRUE(std::ranges::any_of(traced.value().warnings, [](const core::Message& warning) {
-        return warning.is(core::says::coilBiasCorrected);
+        return warning.is(core::messages::coilBiasCorrected);
     }));
 }
 
@@ -67,7 +67,7 @@ TEST(AnyScan, CtWithoutHounsfieldUnitsHasNoCoil)
     ASSERT_TRUE(traced) << traced.error().message;
     EXPECT_LT(falseShare(traced.value().tree, scan), 0.05);
     EXPECT_TRUE(std::ranges::none_of(traced.value().warnings, [](const core::Message& warning) {
-        return warning.is(core::says::coilBiasCorrected);
+        return warning.is(core::messages::coilBiasCorrected);
     }));
 }
 

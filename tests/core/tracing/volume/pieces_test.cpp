@@ -42,7 +42,7 @@ TracedVessels tracedPieces(const std::vector<Tube>& tubes, const core::VesselTra
     return traced ? std::move(traced).value() : TracedVessels{};
 }
 
-/// A Y and a thinner vessel beside it, as both coronary arteries are.
+/// A Y-shaped vessel and a separate thinner one, as the two coronary arteries.
 std::vector<Tube> twoRoots()
 {
     return {{at(-12, 0, -25), at(-12, 0, 0), 3.0},
@@ -86,7 +86,7 @@ TEST(TracedPieces, TheirPlacesAreSeeds)
     const TracedVessels second = tracedPieces(twoRoots(), {.seedsInPatient = {all.pieces[1].placeInPatient}});
     ASSERT_EQ(second.tree.branches.size(), 1U);
     EXPECT_NEAR(second.tree.branches.front().lengthMm(), all.pieces[1].lengthMm, 0.5);
-    EXPECT_NE(said(second).find("was left out"), std::string::npos) << "the other one is told of";
+    EXPECT_NE(said(second).find("was left out"), std::string::npos) << "the other one is reported";
 }
 
 TEST(TracedPieces, TheLargestAloneIsTracedWhereItIsAskedFor)
@@ -102,7 +102,7 @@ TEST(TracedPieces, TheLargestAloneIsTracedWhereItIsAskedFor)
 TEST(TracedPieces, ManySmallOnesAreToldOfTogether)
 {
     std::vector<Tube> tubes{{at(0, 0, -25), at(0, 0, 25), 3.0}};
-    for (int n = 0; n < 6; ++n) {   // balls of 0.4 % each
+    for (int n = 0; n < 6; ++n) {   // spheres of 0.4 % each
         const double x = n % 2 == 0 ? -18.0 : 18.0;
         tubes.push_back({at(x, -12 + 4.0 * n, 0), at(x, -12 + 4.0 * n, 0.1), 1.1});
     }
@@ -142,7 +142,7 @@ TEST(TracedPieces, AClearGapIsClosed)
 
 TEST(TracedPieces, GapsThatAreNotClearStay)
 {
-    // Side by side, far apart, and a wide vessel before a thin one.
+    // Parallel vessels, distant ones, and a wide vessel in front of a thin one.
     const std::vector<std::vector<Tube>> scenes{{{at(0, 0, -26), at(0, 0, 0), 2.0}, {at(7, 0, 0), at(7, 0, 26), 2.0}},
                                                 {{at(0, 0, -28), at(0, 0, -12), 1.5}, {at(0, 0, 8), at(0, 0, 28), 1.5}},
                                                 {{at(0, 0, -26), at(0, 0, -5), 5.0}, {at(0, 0, 4), at(0, 0, 26), 1.2}}};
@@ -151,7 +151,7 @@ TEST(TracedPieces, GapsThatAreNotClearStay)
     }
 }
 
-/// A ring with a vessel that leads to it and two that leave it.
+/// A ring with one vessel leading to it and two leaving it.
 std::vector<Tube> circleOfWillis()
 {
     std::vector<Tube> tubes{{at(-26, 0, 0), at(-14, 0, 0), 2.0},
@@ -193,7 +193,7 @@ TEST(TracedLoops, ARingAloneIsClosed)
 TEST(TracedLoops, FlawsOfTheLumenAreOpenedAllTheSame)
 {
     core::VoxelMask mask = test::drawnMask(piecesGrid(), {{at(0, 0, -25), at(0, 0, 25), 5.0}});
-    for (int i = 0; i < 64; ++i) {   // a hole across the vessel
+    for (int i = 0; i < 64; ++i) {   // a gap across the vessel
         mask.at(i, 25, 30) = 0;
         mask.at(i, 24, 30) = 0;
     }
@@ -242,7 +242,7 @@ TEST(ForestOfVessels, IsRegisteredAsOne)
     EXPECT_TRUE(result.value().trustworthy);
 }
 
-/// A vessel along z, 5 mm wide to each side, and one that leaves it along x up to the rim of the grid.
+/// A vessel of 5 mm radius along z and a branch along x that reaches the border of the grid.
 TEST(RimStub, IsABulgeThatACropCutsOff)
 {
     core::VolumeGeometry grid;
@@ -289,7 +289,7 @@ TEST(TracedPieces, ACropAcrossAVesselLeavesNoStubs)
     }
 }
 
-/// Every fifth voxel: no vessel, but the most that pieces, skeleton and graph can be given to do.
+/// Random noise in every fifth voxel: no vessels, but the worst case for component, skeleton and graph processing.
 core::VoxelMask noise()
 {
     core::VoxelMask mask(test::gridAround({0.0, 0.0, 0.0}, {120, 120, 120}, {1.0, 1.0, 1.0}));

@@ -1,4 +1,4 @@
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/simulation/simulate_cta.h"
 #include "core/tracing/volume/trace_vessels.h"
 
@@ -10,7 +10,7 @@ using namespace angiopose;
 
 namespace {
 
-/// The same scan with its values moved by so much; one branch is enough.
+/// The same scan with all values shifted by `offset`; a single branch is enough.
 core::Volume scanMovedBy(std::int16_t offset)
 {
     core::Volume scan = core::simulateCta(3, {.branchCount = 2, .rootRadiusMm = 4.0},
@@ -26,7 +26,7 @@ bool warnsOfUnits(const core::Volume& scan, const core::VesselTracingOptions& op
     const auto traced = core::traceVessels(scan, options);
     EXPECT_TRUE(traced) << traced.error().message;
     return traced && std::ranges::any_of(traced.value().warnings, [](const core::Message& warning) {
-               return warning.is(core::says::perhapsNoHounsfield);
+               return warning.is(core::messages::perhapsNoHounsfield);
            });
 }
 

@@ -47,7 +47,7 @@ double meanRadius(const VesselBranch& branch)
            static_cast<double>(branch.radiusMm.size());
 }
 
-/// Largest distance of the branch's points from the axis of the tube.
+/// Largest distance of the branch's points from the tube's axis, mm.
 double offAxis(const VesselBranch& branch, const Tube& tube)
 {
     double largest = 0.0;
@@ -73,7 +73,7 @@ TEST(TraceVesselMask, FindsTheAxisAndRadiusOfATube)
 
 TEST(TraceVesselMask, StaysWithinSharpDeformation)
 {
-    // A wide vessel that goes on as a thin hairpin: the curve is smooth, but not at the price of leaving the lumen.
+    // A wide vessel that continues as a thin hairpin: the curve is smooth but must not leave the lumen.
     const std::vector<Tube> tubes{{place(-8, 0, -40), place(-8, 0, 0), 8.0},
                                   {place(-8, 0, 0), place(-8, 0, 20), 1.2},
                                   {place(-8, 0, 20), place(-3, 0, 20), 1.2},
@@ -139,7 +139,7 @@ TEST(TraceVesselMask, BeginsAtTheAskedRoot)
 TEST(TraceVesselMask, LeavesOutShortSpursAndThinBranches)
 {
     std::vector<Tube> tubes = yShape();
-    tubes.push_back({place(0, 0, -12), place(6, 0, -12), 1.2});   // 3 mm and a tip beyond the wall
+    tubes.push_back({place(0, 0, -12), place(6, 0, -12), 1.2});   // 3 mm with a tip beyond the wall
     EXPECT_EQ(tracedMask(tubes).tree.branches.size(), 2U);
     EXPECT_EQ(tracedMask(tubes, {.minBranchLengthMm = 2.0}).tree.branches.size(), 3U);
     EXPECT_EQ(tracedMask(tubes, {.minBranchRadiusMm = 2.2}).tree.branches.size(), 1U);

@@ -18,7 +18,7 @@ using test::distanceTo;
 using test::shareNear;
 using test::Tube;
 
-/// The first branch of a simulated tree carries a stent.
+/// A simulated CTA whose first branch contains a stent.
 core::SimulatedCta stentedCta(double rootRadiusMm, double voxelMm)
 {
     const int across = static_cast<int>(120.0 / voxelMm);
@@ -29,7 +29,7 @@ core::SimulatedCta stentedCta(double rootRadiusMm, double voxelMm)
                               .hasStent = true});
 }
 
-/// The tree as traced; fails the test where less than that is found, or right.
+/// Traces the tree; the test fails if the found or correct share is below the given minimum.
 core::VesselTree tracedTree(const core::SimulatedCta& cta, double minFound, double minRight)
 {
     auto traced = core::traceVessels(cta.volume);
@@ -54,7 +54,7 @@ TEST(TraceStented, GoesOnThroughAStentInAThinVessel)
 
 TEST(TraceStented, GoesOnThroughAStentWithoutVisibleBlood)
 {
-    for (const double rootRadiusMm : {4.0, 5.0}) {   // 2.2 and 2.7 mm where the stent is
+    for (const double rootRadiusMm : {4.0, 5.0}) {   // 2.2 and 2.7 mm at the stent
         const core::SimulatedCta cta =
             core::simulateCta(2, {.branchCount = 6, .rootRadiusMm = rootRadiusMm},
                               {.size = {120, 120, 120}, .spacingMm = {1.0, 1.0, 1.0}, .hasStent = true});
@@ -102,7 +102,7 @@ TEST(TraceStented, FindsBranchesThatLeaveBetweenTheWires)
 
 TEST(TraceStented, KnowsAStentThatLiesOnBone)
 {
-    for (const std::uint64_t seed : {6U, 8U}) {   // the wires are in one piece with a vertebra
+    for (const std::uint64_t seed : {6U, 8U}) {   // the struts are connected to a vertebra
         const core::SimulatedCta cta = core::simulateCta(
             seed, {.branchCount = 6, .rootRadiusMm = seed == 6 ? 7.5 : 10.0},
             {.size = {160, 160, 160}, .spacingMm = {0.75, 0.75, 0.75}, .calcificationCount = 4, .hasStent = true});
@@ -112,7 +112,7 @@ TEST(TraceStented, KnowsAStentThatLiesOnBone)
     }
 }
 
-/// Wires that are as bright as metal in this scan, some two voxels thick.
+/// Adds struts as bright as metal in this scan, about two voxels thick.
 void addStent(Volume& volume, const core::VesselBranch& branch)
 {
     const Eigen::Affine3d voxelFromPatient = volume.geometry.patientFromVoxel().inverse();
@@ -129,7 +129,7 @@ TEST(TraceStented, KeepsWithinTheStentOfAWideVessel)
 {
     const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {64, 48, 130}, {1.0, 1.0, 1.0});
     const Tube stented{{-9, 0, -62}, {-9, 0, 62}, 9.0};
-    const Tube falseLumen{{10, 0, -62}, {10, 0, 62}, 8.5};   // a torn aorta's, with the tear's flap between
+    const Tube falseLumen{{10, 0, -62}, {10, 0, 62}, 8.5};   // of a dissected aorta, separated by the flap
     Volume volume = test::tubesInTissue(grid, {stented, falseLumen});
     core::VesselBranch axis;
     for (double z = -62.0; z <= 62.0; z += 1.0) {

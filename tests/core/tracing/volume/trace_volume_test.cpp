@@ -45,7 +45,7 @@ TEST(TraceVolume, IsTheSameForAnyNumberOfThreadsAndAxisOrder)
     const auto one = core::traceVessels(volume, {.threads = 1});
     const auto three = core::traceVessels(volume, {.threads = 3});
     ASSERT_TRUE(one && three);
-    // Stored as sagittal slices from the right, feet first.
+    // Stored as sagittal slices starting at the right, feet first.
     Volume turned(test::restored(volume.geometry, {1, 2, 0}, {true, false, true}));
     const Eigen::Vector3i& size = volume.geometry.size;
     for (int k = 0; k < size.z(); ++k) {
@@ -71,7 +71,7 @@ TEST(TraceVolume, IsTheSameForAnyNumberOfThreadsAndAxisOrder)
     }
 }
 
-/// As a picture of 8 bits would hold it, in a frame of air: 0 at -200 HU and below, 255 at 1300 HU.
+/// The scan as an 8-bit image in a frame of air: 0 at -200 HU and below, 255 at 1300 HU.
 Volume asPicture(const Volume& scan, int frame)
 {
     core::VolumeGeometry grid = scan.geometry;
@@ -145,7 +145,7 @@ TEST(TraceVolume, IsTheSameForSeedsInAnyBranchAndForNone)
     }
 }
 
-/// An aorta with an artery, and a heart of two chambers that it touches; 1.5 mm, 90 x 66 x 135 mm.
+/// An aorta with an artery, in contact with a heart of two chambers; 1.5 mm voxels, 90 x 66 x 135 mm.
 Volume aortaAndHeart()
 {
     const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {60, 44, 90}, {1.5, 1.5, 1.5});
@@ -214,7 +214,7 @@ TEST(TraceVolume, RefusesWhatShowsNoContrast)
     EXPECT_NE(traced.error().message.text().find("arterial phase"), std::string::npos);
 }
 
-/// A long bone along z whose uneven marrow is as bright as weak contrast medium.
+/// Adds a long bone along z whose uneven marrow is as bright as weak contrast agent.
 void addBone(Volume& volume)
 {
     const core::VolumeGeometry& grid = volume.geometry;

@@ -15,7 +15,7 @@ bool always()
     return true;
 }
 
-/// A ball of 400 HU, 8 mm wide, around a point, in 0 HU; voxels of 1 mm around the origin.
+/// A sphere of 400 HU, 8 mm wide, around a point in 0 HU; 1 mm voxels around the origin.
 std::shared_ptr<const Volume> ballAt(const Eigen::Vector3d& center)
 {
     VolumeGeometry geometry;
@@ -29,7 +29,7 @@ std::shared_ptr<const Volume> ballAt(const Eigen::Vector3d& center)
     return volume;
 }
 
-/// From the front, head up.
+/// Frontal view, head up.
 ParallelSight seenFromTheFront()
 {
     ParallelSight sight;
@@ -73,7 +73,7 @@ TEST(CastScan, ShowsABallWhereItLies)
     EXPECT_EQ(picture->at(10, 30)[3], 0);
 }
 
-/// As the view of a window has it that was never drawn.
+/// The view of a window that was never painted.
 TEST(CastScan, ShowsNothingToASightThatIsNowhere)
 {
     const auto scan = preparedVolume({ballAt({0, 0, 0}), nullptr, nullptr}, always);
@@ -90,7 +90,7 @@ TEST(CastScan, ShowsNothingToASightThatIsNowhere)
     EXPECT_TRUE(castScan(*scan, solid(5.0), sight, 0.5, always));
 }
 
-/// Opacity of a way of a known length, however long the steps are.
+/// The opacity along a path of known length does not depend on the step size.
 TEST(CastScan, HidesAsMuchAsTheWayThroughDemands)
 {
     const auto scan = preparedVolume({ballAt({0, 0, 0}), nullptr, nullptr}, always);
@@ -125,7 +125,7 @@ TEST(CastScan, TintsWhatTheMaskNames)
         const int x = labels->geometry.voxelAt(i).x();
         labels->voxels[i] = volume->voxels[i] == 0 ? 0 : x < side / 2 ? 1 : 2;
     }
-    for (const auto& shown : {std::shared_ptr<const Volume>(volume), std::shared_ptr<const Volume>()}) {   // or alone
+    for (const auto& shown : {std::shared_ptr<const Volume>(volume), std::shared_ptr<const Volume>()}) {   // with the scan or with the labels only
         const auto scan = preparedVolume({shown, labels, nullptr}, always);
         ASSERT_TRUE(scan);
         const ScanRequest request{ScanPreset::Vessels, 0.9, {}, {}, {{1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}}};
@@ -139,7 +139,7 @@ TEST(CastScan, TintsWhatTheMaskNames)
 
 TEST(CastScan, LeavesOutTheRestWhereVesselsAreKnown)
 {
-    const auto volume = ballAt({12, 0, 0});   // bone, and nothing is known of a vessel there
+    const auto volume = ballAt({12, 0, 0});   // bone, without any vessel information
     auto tree = std::make_shared<VesselTree>();
     tree->branches.emplace_back();
     tree->branches.front().pointsInPatient = {{-12, 0, -10}, {-12, 0, 10}};
@@ -155,7 +155,7 @@ TEST(CastScan, LeavesOutTheRestWhereVesselsAreKnown)
     EXPECT_GT(opacityAt(ScanPreset::VesselsAndBone), 150);
 }
 
-TEST(CastScan, EndsWhenItIsTold)
+TEST(CastScan, EndsWhenItIsReported)
 {
     const auto scan = preparedVolume({ballAt({0, 0, 0}), nullptr, nullptr}, always);
     ASSERT_TRUE(scan);
@@ -164,7 +164,7 @@ TEST(CastScan, EndsWhenItIsTold)
     EXPECT_FALSE(preparedVolume({}, always));
 }
 
-/// A scan without HU: what is brighter than nearly all counts as vessel, by its own values.
+/// In a scan without HU, voxels brighter than nearly all others count as vessel, based on the scan's own values.
 TEST(ScanLook, FindsTheBrightOfAScanWithoutUnits)
 {
     VolumeGeometry geometry;

@@ -21,7 +21,7 @@
 
 namespace angiopose::test {
 
-/// A run of a patient whose name needs more than Latin letters, as a file, and a scan of slices; what is made of both.
+/// A run of a patient whose name needs non-Latin letters, as a file, a scan of slices, and the objects made from both.
 class MadeObjects : public ::testing::Test {
 protected:
     void SetUp() override
@@ -54,7 +54,7 @@ protected:
         return read ? std::move(read).value() : io::SourceImage{};
     }
 
-    /// Five slices of 8 × 9 voxels, 1.25 mm apart, turned about the head-foot axis.
+    /// Writes five slices of 8 × 9 voxels, 1.25 mm apart, rotated about the head-foot axis.
     void writeScan()
     {
         for (int k = 0; k < 5; ++k) {
@@ -143,7 +143,7 @@ protected:
                 "angiopose"};
     }
 
-    /// All kinds, by the name of a file.
+    /// All kinds of objects, by file name.
     std::vector<std::pair<std::string, core::Result<std::string>>> all() const
     {
         return {{"picture", io::secondaryCapture(pictures(1), angiogram, origin)},
@@ -156,7 +156,7 @@ protected:
                 {"measurements", io::measurementReport(measured(), angiogram, origin)}};
     }
 
-    /// The object as a file; empty where it was not made.
+    /// Path of the object written as a file; empty if it could not be made.
     std::string written(const std::string& name, const core::Result<std::string>& object) const
     {
         EXPECT_TRUE(object) << name << ": " << object.error().message;

@@ -1,7 +1,7 @@
 #include "tests/io/dicom/objects/made_objects.h"
 
 #include <dcmtk/config/osconfig.h>
-// DCMTK's macros first.
+// DCMTK's macros must come first.
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmfg/fgplanpo.h>
 #include <dcmtk/dcmpstat/dcmpstat.h>
@@ -17,7 +17,7 @@ namespace {
 
 using test::MadeObjects;
 
-/// What DCMTK makes of an object; its high-level readers had no part in writing it.
+/// Reads the objects with DCMTK, whose high-level readers share no code with the writers.
 class ObjectsByDcmtk : public MadeObjects {
 protected:
     DcmDataset& load(const std::string& name, const core::Result<std::string>& object)

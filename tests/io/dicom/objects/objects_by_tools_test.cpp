@@ -32,7 +32,7 @@ bool isThere(const std::string& command)
     return std::system((command + " > /dev/null 2>&1").c_str()) == 0;
 }
 
-/// Lines with "Error" of the checker of dicom3tools, which knows what each kind of object must have.
+/// Lines with "Error" from the validator of dicom3tools, which knows the required attributes of each IOD.
 std::string errorsIn(const std::string& output)
 {
     std::string errors;

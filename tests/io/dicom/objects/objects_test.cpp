@@ -14,7 +14,7 @@ namespace {
 
 using test::MadeObjects;
 
-/// What this program's own reader finds; the bytes must outlive it.
+/// The object parsed by this program's own reader; the bytes must outlive it.
 io::DicomFile parsedObject(const std::string& content)
 {
     auto file = io::parseDicom(content, "object");
@@ -145,7 +145,7 @@ TEST_F(MadeObjects, ReportsAreWrappedAsTheyAre)
     EXPECT_FALSE(io::encapsulatedPdf("<html>", "Title", io::BurnedInIdentity::None, angiogram, origin));
 }
 
-/// Patient points of the scan come out as camera points: the direction that users of other programs found inverted.
+/// The transform maps patient points of the scan to camera points, a direction that other programs have often inverted.
 TEST_F(MadeObjects, RegistrationTakesPatientPointsToCameraPoints)
 {
     const auto object = io::spatialRegistration(registration(), angiogram, origin);
@@ -197,7 +197,7 @@ TEST_F(MadeObjects, RefusesAPoseThatIsNotRigid)
     EXPECT_FALSE(io::spatialRegistration(broken, angiogram, origin));
 }
 
-/// By this program's reader of segmentations: the voxels, and where they lie.
+/// The voxels and their positions are read back by this program's segmentation reader.
 TEST_F(MadeObjects, SegmentationLiesInTheScan)
 {
     const std::string path = written("segmentation", io::vesselSegmentation(vessels(), "drawn", scan, origin));
@@ -253,7 +253,7 @@ TEST_F(MadeObjects, StateCountsPixelsFromTheCorner)
     const io::DicomDataset image = annotation.items(0x00081140).front();
     EXPECT_EQ(image.text(0x00081155), angiogram.sopInstanceUid);
     EXPECT_EQ(image.integer(0x00081160), 2);
-    // Black up to c - 0.5 - (w - 1) / 2 and white from c - 0.5 + (w - 1) / 2 on.
+    // Black up to c - 0.5 - (w - 1) / 2 and white from c - 0.5 + (w - 1) / 2.
     const io::DicomDataset window = data.items(0x00283110).front();
     EXPECT_EQ(window.number(0x00281050), 600.5);
     EXPECT_EQ(window.number(0x00281051), 1001.0);

@@ -60,7 +60,7 @@ TEST(SystemFiles, APipeThatNobodyWritesToIsNotWaitedFor)
     EXPECT_FALSE(pipe.isRegular());
 }
 
-/// Everything it says, to its end.
+/// All output of the child process until it ends.
 std::string heardFrom(const ChildProcess& child)
 {
     std::string all;
@@ -116,7 +116,7 @@ TEST(OwnProcess, AProgramThatHasEndedIsNotAliveThoughNobodyAskedForIt)
         ::_exit(0);
     }
     siginfo_t ending{};
-    ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(child), &ending, WEXITED | WNOWAIT), 0);   // it stays
+    ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(child), &ending, WEXITED | WNOWAIT), 0);   // it remains as a zombie
     EXPECT_FALSE(io::isAlive(child));
     EXPECT_TRUE(io::isAlive(::getpid()));
     ::waitpid(child, nullptr, 0);

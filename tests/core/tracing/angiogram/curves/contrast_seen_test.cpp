@@ -1,6 +1,6 @@
 #include "core/tracing/angiogram/curves/contrast_seen.h"
 
-#include "core/messages/says_contrast.h"
+#include "core/messages/messages.h"
 #include "core/tracing/angiogram/trace_angiogram.h"
 #include "tests/support/drawn_vessels.h"
 
@@ -16,10 +16,10 @@ constexpr int sidePx = 256;
 bool isKnown(const AngiogramTrace& trace)
 {
     return std::ranges::any_of(trace.warnings,
-                               [](const Message& warning) { return warning.id() == says::frameWithLittleContrast.id; });
+                               [](const Message& warning) { return warning.id() == messages::frameWithLittleContrast.id; });
 }
 
-/// Swung like a vessel, not straight or in one arc like a device.
+/// A path that sways like a vessel, unlike the straight line or single arc of a device.
 test::Path swung(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
 {
     test::Path path;
@@ -49,7 +49,7 @@ TEST(ContrastSeen, FilledVesselsAreNotSpokenOf)
     EXPECT_FALSE(isKnown(traced(forkedVessels(), {.noise = 4.0})));
 }
 
-TEST(ContrastSeen, AShortPieceInNoiseIsTold)
+TEST(ContrastSeen, AShortPieceInNoiseIsReported)
 {
     EXPECT_TRUE(isKnown(traced({test::line({100, 110}, {150, 140})}, {.noise = 4.0})));
 }

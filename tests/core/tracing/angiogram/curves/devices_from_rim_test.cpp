@@ -13,7 +13,7 @@ using core::Mask2d;
 
 const Mask2d field(512, 512, 255);
 
-/// From x = 3 on: straight for `straightPx`, winding after that.
+/// A curve from x = 3 that is straight for `straightPx` and winding after that.
 Curve2d catheterWithVessel(double straightPx, double endRadiusPx)
 {
     Curve2d curve{7, {}, {}};

@@ -22,13 +22,13 @@ TEST(LinesAcross, RunStraightFromRimToRim)
 
 TEST(LinesAcross, VesselsEndInsideOrDeformation)
 {
-    EXPECT_FALSE(core::runsStraightAcross(test::line({3, 20}, {200, 150}), wholeImage));   // ends inside
+    EXPECT_FALSE(core::runsStraightAcross(test::line({3, 20}, {200, 150}), wholeImage));   // ends inside the image
     test::Path deformed;
     for (double x = 3.0; x <= 252.0; x += 1.0) {
         deformed.emplace_back(x, 80.0 + 0.3 * x + 12.0 * std::sin(x / 40.0));
     }
     EXPECT_FALSE(core::runsStraightAcross(deformed, wholeImage));
-    EXPECT_FALSE(core::runsStraightAcross(test::line({3, 40}, {40, 3}), wholeImage));   // a corner
+    EXPECT_FALSE(core::runsStraightAcross(test::line({3, 40}, {40, 3}), wholeImage));   // cuts off a corner
     EXPECT_FALSE(core::runsStraightAcross({}, wholeImage));
     EXPECT_FALSE(core::runsStraightAcross({{3.0, 3.0}}, wholeImage));
 }

@@ -15,7 +15,7 @@ using test::Path;
 const Path edgeVessel = test::line({60.0, 20.0}, {140.0, 230.0});
 const Path edge = test::line({40.0, 160.0}, {215.0, 100.0});
 
-/// A vessel, and a line of bone that lay 3 px higher in the mask image; or the same line with nothing bright beside it.
+/// A vessel and a bone edge that was 3 px higher in the mask image, or the same edge without a bright band next to it.
 core::ImageF frameWithMovedEdge(bool hasBrightSide)
 {
     core::ImageF frame = test::drawnFrame(256, 256, {edgeVessel}, 3.0);

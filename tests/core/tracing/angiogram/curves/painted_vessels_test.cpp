@@ -26,7 +26,7 @@ TEST(PaintedVessels, AreAsWideAsTheirRadiiSay)
     EXPECT_EQ(pixelsAcross(mask, 2), 5);
     EXPECT_EQ(pixelsAcross(mask, 22), 9);
     EXPECT_EQ(pixelsAcross(mask, 41), 11);
-    EXPECT_EQ(pixelsAcross(mask, 47), 7);   // round at the end
+    EXPECT_EQ(pixelsAcross(mask, 47), 7);   // rounded end
     EXPECT_EQ(pixelsAcross(mask, 49), 0);
 }
 

@@ -12,7 +12,7 @@ using core::Curve2d;
 
 constexpr int frameSidePx = 512;
 
-/// 200 px along x, with the given course across and width along it.
+/// A curve of 200 px along x, with the given lateral offset and width at each x.
 template <class Course, class Width>
 Curve2d drawnCurve(int id, Course course, Width width)
 {
@@ -48,7 +48,7 @@ TEST(SuspectCurves, ShortOnesAreNotJudged)
     EXPECT_TRUE(core::suspectCurves({{Curve2d{1, {{3.0, 4.0}}, {1.0}}, Curve2d{}}}, 4).empty());
 }
 
-/// Once round, but for a gap between its ends.
+/// A full circle except for a gap between its ends.
 Curve2d loopOf(int id, double radius, double gapRad)
 {
     Curve2d curve{id, {}, {}};

@@ -12,7 +12,7 @@ namespace {
 
 using core::Mask2d;
 
-/// Components minus holes of an 8-connected mask, from its 2×2 windows (Gray 1971).
+/// Euler number of an 8-connected mask, components minus holes, from its 2×2 windows (Gray 1971).
 int eulerNumber(const Mask2d& mask)
 {
     int sum = 0;

@@ -16,7 +16,7 @@ using core::Curve2d;
 using core::ImageF;
 using core::Polarity;
 
-/// Winds, so that its course alone does not tell a catheter from a vessel.
+/// A winding path, whose shape alone does not distinguish a catheter from a vessel.
 test::Path winding(double y)
 {
     test::Path path;
@@ -118,8 +118,8 @@ TEST(SeenBefore, SaysWhereNoContrastComes)
     EXPECT_TRUE(first.value().warnings.empty()) << "nothing comes before it";
 }
 
-/// Ten frames of a heart that beats by 6 px; two vessels fill from the fourth on, or are filled all the time. `things`
-/// stand still.
+/// Ten frames of a heart that beats by 6 px; two vessels are opacified from frame `firstFilled` on. The `things` stay
+/// stationary.
 Angiogram beatingRun(const std::vector<test::Path>& things, int firstFilled)
 {
     std::vector<ImageF> frames;
@@ -151,7 +151,7 @@ TEST(StillCurves, AreThoseThatStandStillThroughTheRun)
         << "two frames tell nothing";
 }
 
-/// A lead that winds as a vessel does, in runs that begin before the contrast agent and with it.
+/// A lead that winds like a vessel, in runs that start before the contrast agent or with it.
 TEST(StillCurves, AreSetApartWhileVesselsMove)
 {
     for (const int firstFilled : {3, 0}) {

@@ -11,7 +11,7 @@ namespace {
 using core::Centerline2d;
 using core::Curve2d;
 
-/// Points 1 px apart along y = `y`, from x = 0 to 100.
+/// A horizontal curve at y = `y` from x = 0 to 100, with points 1 px apart.
 Curve2d level(int id, double y)
 {
     Curve2d curve{id, {}, {}};

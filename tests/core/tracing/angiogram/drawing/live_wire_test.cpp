@@ -13,7 +13,7 @@ using core::ImageF;
 using core::LiveWire;
 using test::Path;
 
-/// 1 on the axis of the paths, falling to 0 within 3 px.
+/// Vesselness of 1 on the axis of the paths, falling to 0 within 3 px.
 ImageF vesselnessOf(int width, int height, const std::vector<Path>& paths)
 {
     ImageF vesselness(width, height);
@@ -86,7 +86,7 @@ TEST(LiveWire, StaysInTheImageAndAsksForAnAnchor)
 TEST(LiveWire, TheLineIsStraightUntilTheSearchArrives)
 {
     Path arc = test::circle({750.0, 450.0}, 100.0);
-    arc.resize(46);   // half of it, below
+    arc.resize(46);   // the lower half of the circle
     LiveWire wire(vesselnessOf(900, 900, {arc}));
     wire.setAnchor({20.0, 450.0});
     const auto lowest = [&] {

@@ -51,7 +51,7 @@ TEST(BurnedInText, IsFoundWhereOtherThingsAreAsBrightOrDark)
 
 TEST(BurnedInText, LargeLettersAreFoundWhereTheyAreLookedFor)
 {
-    for (const int scale : {3, 5, 6}) {   // 21 to 42 of 300 px
+    for (const int scale : {3, 5, 6}) {   // 21 to 42 px of 300 px
         ImageF frame = angiogram();
         test::writeLetters(frame, {20, 20}, 4, 255.0F, scale);
         const Mask2d text = core::burnedInText(frame, core::informativeLetterShare);

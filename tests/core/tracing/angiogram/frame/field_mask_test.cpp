@@ -14,7 +14,7 @@ using core::Mask2d;
 
 constexpr int side = 300;
 
-/// A round picture on a page of one grey with noise; its left half is as dark as a shutter would be.
+/// A round angiogram on a uniform gray page with noise; the left half of the angiogram is as dark as a shutter.
 ImageF roundPictureOn(float page)
 {
     ImageF frame(side, side);

@@ -1,6 +1,6 @@
 #include "core/tracing/angiogram/frame/report_page.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/tracing/angiogram/trace_angiogram.h"
 #include "tests/support/drawn_letters.h"
 #include "tests/support/drawn_vessels.h"
@@ -24,7 +24,7 @@ void box(ImageF& page, int left, int top, int right, int bottom, float ink)
     }
 }
 
-/// Twelve lines of words in a frame, as of a dose report.
+/// Twelve lines of text in a frame, as in a dose report.
 ImageF page(float paper, float ink)
 {
     ImageF page(512, 512, paper);
@@ -40,20 +40,20 @@ ImageF page(float paper, float ink)
 bool isRefused(const ImageF& frame)
 {
     const auto trace = core::traceAngiogram(frame, core::Polarity::VesselsDark);
-    return !trace && trace.error().message.is(core::says::frameIsReportPage);
+    return !trace && trace.error().message.is(core::messages::frameIsReportPage);
 }
 
 TEST(ReportPage, IsNoAngiogram)
 {
     EXPECT_TRUE(core::isReportPage(page(255.0F, 0.0F)));
-    EXPECT_TRUE(core::isReportPage(page(0.0F, 255.0F)));   // a drawn mask has as few levels
+    EXPECT_TRUE(core::isReportPage(page(0.0F, 255.0F)));   // a drawn mask has just as few gray levels
     EXPECT_TRUE(core::isReportPage(page(200.0F, 30.0F)));
     EXPECT_TRUE(isRefused(page(0.0F, 255.0F)));
 }
 
 TEST(ReportPage, AngiogramsWithWordsInABlackFrameAreNone)
 {
-    ImageF frame(512, 512, 0.0F);   // a narrow field: a quarter of the picture
+    ImageF frame(512, 512, 0.0F);   // a narrow field: a quarter of the image
     const ImageF field = test::drawnFrame(256, 256, {test::line({20, 40}, {240, 220})}, 3.0, {.noise = 3.0});
     for (int y = 0; y < 256; ++y) {
         for (int x = 0; x < 256; ++x) {
@@ -76,7 +76,7 @@ TEST(ReportPage, MasksAndSpecksAreNone)
         }
     }
     EXPECT_FALSE(core::isReportPage(mask));
-    for (int n = 0; n < 400; ++n) {   // a saturated picture with noise
+    for (int n = 0; n < 400; ++n) {   // a saturated image with noise
         mask.at((n * 97) % 290, (n * 61) % 290) = 255.0F;
         mask.at((n * 97) % 290 + 1, (n * 61) % 290 + 1) = 255.0F;
     }

@@ -15,7 +15,7 @@ using core::ImageF;
 
 constexpr double noiseSigma = 8.0;
 
-/// The same vessel in other noise; it ends at `reach` of its length and lies `shiftPx` lower.
+/// The same vessel with another noise seed; it ends at `reach` of its length and is `shiftPx` lower.
 ImageF noisyFrame(std::uint64_t seed, double reach = 1.0, double shiftPx = 0.0)
 {
     const Eigen::Vector2d start(20.0, 30.0 + shiftPx);
@@ -40,7 +40,7 @@ TEST(SteadyFrame, AveragesWhatStandsStill)
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         run.push_back(noisyFrame(seed));
     }
-    EXPECT_NEAR(rmsBetween(core::steadyFrame(run, 6), clean), noiseSigma / 3.0, 0.05 * noiseSigma);   // of nine frames
+    EXPECT_NEAR(rmsBetween(core::steadyFrame(run, 6), clean), noiseSigma / 3.0, 0.05 * noiseSigma);   // mean of nine frames
     EXPECT_NEAR(rmsBetween(core::steadyFrame(run, 0), clean), noiseSigma / std::sqrt(5.0), 0.05 * noiseSigma);
 }
 
@@ -66,7 +66,7 @@ TEST(SteadyFrame, LeavesAMovingVesselAsItIs)
 
 TEST(SteadyFrame, WhatHasChangedTakesNoPart)
 {
-    std::vector<ImageF> run{noisyFrame(1, 0.9), noisyFrame(2)};   // less than one pixel in a hundred fills
+    std::vector<ImageF> run{noisyFrame(1, 0.9), noisyFrame(2)};   // less than one pixel in a hundred is newly opacified
     const ImageF steady = core::steadyFrame(run, 1);
     EXPECT_NE(steady.pixels, run[1].pixels);
     int kept = 0;

@@ -34,10 +34,10 @@ TEST(WidestVessel, FollowsPixelSpacingAndMagnification)
         << "as somebody wants it";
 }
 
-/// A left main artery of 5 mm, which is 36 px wide there, is one curve of that width.
+/// A left main artery of 5 mm, which is 36 px wide in this geometry, is traced as one curve of that width.
 TEST(WidestVessel, AWideLeftMainIsTracedAlongItsMiddle)
 {
-    const test::Path trunk = test::circle({256, -100}, 400.0);   // through the image from side to side
+    const test::Path trunk = test::circle({256, -100}, 400.0);   // across the whole image
     core::Angiogram run;
     run.frames = {test::drawnFrame(512, 512, {trunk}, 18.0, {.noise = 3.0})};
     run.cArm = cArmOf(0.19, 1050, 750);

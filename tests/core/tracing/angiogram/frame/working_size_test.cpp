@@ -32,7 +32,7 @@ TEST(WorkingSize, PixelCentersStayWhereTheyWere)
     EXPECT_EQ(same.front(), Eigen::Vector2d(1.0, 0.0));
 }
 
-/// A vessel across a frame of the given side, a fixed part of it wide.
+/// A vessel across a frame of the given side length, with a width that is a fixed share of it.
 class FrameOfSide : public testing::TestWithParam<int> {};
 
 TEST_P(FrameOfSide, GivesTheSameVessel)

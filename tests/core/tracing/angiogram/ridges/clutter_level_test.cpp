@@ -46,7 +46,7 @@ TEST(ClutterLevel, DoesNotSeeTheVesselsThemselves)
     for (std::size_t i = 0; i < opacity.pixels.size(); ++i) {
         opacity.pixels[i] += 120.0F - drawn.pixels[i];   // 30 times the noise
     }
-    EXPECT_LT(clutterOf(opacity), 2.5 * without);   // their flanks may leave the finest scales more weight
+    EXPECT_LT(clutterOf(opacity), 2.5 * without);   // the flanks of the vessels may give the finest scales more weight
 }
 
 TEST(ClutterLevel, BandsOfALargeImageStandForTheWhole)
@@ -71,7 +71,7 @@ TEST(ClutterLevel, NoiseOfSinglePixelsTakesWeightFromTheFinestScales)
 TEST(ClutterLevel, StructuresOfAllSizesLeaveTheWeightsAlone)
 {
     ImageF opacity = noiseFrame(300, 300, 1.0);
-    for (const double sigmaPx : {1.5, 3.0, 6.0, 12.0}) {   // with as much contrast at each size
+    for (const double sigmaPx : {1.5, 3.0, 6.0, 12.0}) {   // equal contrast at each size
         const ImageF coarser = core::blurred(noiseFrame(300, 300, 40.0 * sigmaPx), sigmaPx);
         for (std::size_t i = 0; i < opacity.pixels.size(); ++i) {
             opacity.pixels[i] += coarser.pixels[i];

@@ -11,7 +11,7 @@ namespace {
 using core::Curve2d;
 using test::Path;
 
-/// Share of the path, sampled px by px, with a curve within 1.5 px.
+/// Share of the path, sampled in steps of 1 px, that has a curve within 1.5 px.
 double foundShare(const core::Centerline2d& centerline, const Path& path)
 {
     const Eigen::Vector2d way = path.back() - path.front();

@@ -18,7 +18,7 @@ using core::Polarity;
 
 const test::Path contrastVessel = test::line({20, 30}, {180, 120});
 
-/// A frame with ribs as dark as the vessel, which is filled or not; the patient has moved by `driftPx`.
+/// A frame with ribs as dark as the vessel, which is opacified or not; the patient has moved by `driftPx`.
 ImageF ribFrame(bool isOpacified, double driftPx, std::uint64_t seed)
 {
     std::vector<test::Path> bars;
@@ -36,7 +36,7 @@ ImageF ribFrame(bool isOpacified, double driftPx, std::uint64_t seed)
     return frame;
 }
 
-/// Drawn when first asked for: every test of this program is a process of its own.
+/// Created on first use, because every test of this program runs in its own process.
 const std::vector<ImageF>& ribRun()
 {
     static const std::vector<ImageF> run{ribFrame(false, 0.0, 1), ribFrame(false, 0.2, 2), ribFrame(true, 1.5, 3),
@@ -62,7 +62,7 @@ TEST(SubtractRun, LeavesTheVesselAlone)
     EXPECT_GT(found, 165.0);
 }
 
-/// Frames of one grey each, so that a difference tells which frame was the mask.
+/// Frames of one gray value each, so that a difference identifies the mask frame.
 std::vector<ImageF> steps(int count)
 {
     std::vector<ImageF> frames;
@@ -75,7 +75,7 @@ std::vector<ImageF> steps(int count)
 float differenceAt(const core::SubtractedRun& subtracted, const std::vector<ImageF>& frames, int frame)
 {
     const auto i = static_cast<std::size_t>(frame);
-    return subtracted.frames[i].pixels.front() - frames[i].pixels.front();   // the frame's middle grey is added back
+    return subtracted.frames[i].pixels.front() - frames[i].pixels.front();   // the middle gray value of the frame is added back
 }
 
 TEST(SubtractRun, AnIntervalTakesTheFrameBefore)
@@ -94,7 +94,7 @@ TEST(SubtractRun, AnIntervalTakesTheFrameBefore)
 
 TEST(SubtractRun, AReversedIntervalWalksBackwards)
 {
-    // DICOM's rule: mask = (first contrast frame - offset) - (frame - first contrast frame).
+    // DICOM rule: mask = (first contrast frame - offset) - (frame - first contrast frame).
     const std::vector<ImageF> frames = steps(8);
     const core::SubtractionPlan plan{.maskFrames = {},
                                      .interval = core::MaskInterval{1, 4},
@@ -146,7 +146,7 @@ TEST(SubtractRun, AShiftByHandIsTaken)
     EXPECT_EQ(subtracted.value().maskShiftsPx, std::vector<Eigen::Vector2d>(4, byHand));
 }
 
-/// Where bones are much darker than the vessels, all frames have about as many ridges.
+/// If bones are much darker than the vessels, all frames have a similar number of ridges.
 TEST(SuggestMaskFrames, TracingTellsWhetherTheFirstFrameShowsContrast)
 {
     std::vector<test::Path> vessels(2);
@@ -203,7 +203,7 @@ TEST(SuggestMaskFrames, AreThoseBeforeTheContrastArrives)
     }
     EXPECT_EQ(core::suggestMaskFrames(plain, Polarity::VesselsDark), (std::vector<int>{0, 1}));
     EXPECT_TRUE(core::suggestMaskFrames({}, Polarity::VesselsDark).empty());
-    std::ranges::fill(plain[0].pixels, 1000.0F);   // shows nothing
+    std::ranges::fill(plain[0].pixels, 1000.0F);   // a frame without any content
     EXPECT_EQ(core::suggestMaskFrames(plain, Polarity::VesselsDark), std::vector<int>{1});
 }
 

@@ -11,7 +11,7 @@ namespace {
 using core::ImageF;
 using core::Polarity;
 
-/// A bolus: the vessel fills up to `reach` of its length.
+/// A bolus: the vessel is opacified up to `reach` of its length.
 ImageF frameFilledTo(double reach, double noise = 4.0)
 {
     const Eigen::Vector2d start(20, 30);

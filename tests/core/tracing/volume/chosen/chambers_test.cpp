@@ -12,7 +12,7 @@ namespace {
 
 using core::VoxelMask;
 
-/// 80 × 60 × 60 mm with a straight vessel of 8 mm radius along x.
+/// A volume of 80 × 60 × 60 mm with a straight vessel of 8 mm radius along x.
 class Chambers : public testing::Test {
 protected:
     Chambers() : mask_(grid()) { addTube({0, 30, 30}, {79, 30, 30}, 8.0); }
@@ -60,8 +60,8 @@ protected:
 
 TEST_F(Chambers, LeakedVeinsLieBeyondANeck)
 {
-    addTube({0, 52, 30}, {79, 52, 30}, 8.0);   // a neighbour,
-    addTube({40, 30, 30}, {40, 52, 30}, 1.5);   // touched at one place
+    addTube({0, 52, 30}, {79, 52, 30}, 8.0);   // a parallel vessel
+    addTube({40, 30, 30}, {40, 52, 30}, 1.5);   // connected at one point
     const auto found = beyond({10, 30, 30});
     EXPECT_TRUE(holds(found, 20, 52, 30));
     EXPECT_FALSE(holds(found, 70, 30, 30));
@@ -73,25 +73,25 @@ TEST_F(Chambers, BranchesStenosesAndAneurysmsAreVessels)
     EXPECT_TRUE(beyond({10, 30, 30}).empty());
     mask_ = VoxelMask(grid());
     addTube({0, 30, 30}, {30, 30, 30}, 8.0);
-    addTube({0, 30, 30}, {79, 30, 30}, 4.5);   // half as wide
-    addTube({50, 30, 30}, {79, 30, 30}, 9.0);   // and wider again
+    addTube({0, 30, 30}, {79, 30, 30}, 4.5);   // a section of half the width
+    addTube({50, 30, 30}, {79, 30, 30}, 9.0);   // and a wider section after it
     EXPECT_TRUE(beyond({10, 30, 30}).empty());
 }
 
 TEST_F(Chambers, WhatIsMuchWiderThanTheSeedsVesselIsNone)
 {
-    addTube({66, 50, 30}, {66, 50, 30}, 20.0);   // with a wide opening
+    addTube({66, 50, 30}, {66, 50, 30}, 20.0);   // a chamber with a wide opening
     const auto found = beyond({10, 30, 30});
     EXPECT_TRUE(holds(found, 66, 50, 30));
     EXPECT_FALSE(holds(found, 20, 30, 30));
-    EXPECT_TRUE(beyond({66, 50, 30}).empty());   // unless it is what was clicked
+    EXPECT_TRUE(beyond({66, 50, 30}).empty());   // unless the chamber itself was clicked
 }
 
 TEST_F(Chambers, ThinSeedsDoNotJudgeTheirTrunk)
 {
     addTube({40, 30, 30}, {40, 80, 30}, 2.0);
     EXPECT_TRUE(beyond({40, 75, 30}).empty());
-    EXPECT_TRUE(beyond({5, 5, 5}).empty());   // in nothing
+    EXPECT_TRUE(beyond({5, 5, 5}).empty());   // outside all vessels
 }
 
 TEST_F(Chambers, SplittingCutsAtTheNeck)

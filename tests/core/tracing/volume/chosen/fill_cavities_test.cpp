@@ -6,7 +6,7 @@ using namespace angiopose;
 
 namespace {
 
-/// 12 × 12 × 12 voxels, all set but a sheet at i = 6 and a hole at (3, 3, 3).
+/// 12 × 12 × 12 voxels, all set except for a sheet at i = 6 and a hole at (3, 3, 3).
 core::VoxelMask blockWithSheetAndHole()
 {
     core::VolumeGeometry geometry;
@@ -47,7 +47,7 @@ TEST(FillCavities, FillsOnlyWhatIsEnclosed)
     core::VoxelMask mask = blockWithSheetAndHole();
     core::fillCavities(mask);
     EXPECT_EQ(mask.at(3, 3, 3), 2);
-    EXPECT_EQ(mask.at(6, 5, 5), 0);   // open at the rim
+    EXPECT_EQ(mask.at(6, 5, 5), 0);   // open at the border
     EXPECT_EQ(mask.at(1, 1, 1), 1);
 }
 

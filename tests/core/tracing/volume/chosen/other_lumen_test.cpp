@@ -1,5 +1,5 @@
 #include "core/tracing/volume/chosen/other_lumen.h"
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 
 #include "core/tracing/volume/trace_vessels.h"
 #include "core/tracing/volume/tracing_warnings.h"
@@ -25,7 +25,7 @@ core::GreatVessel vesselAlong(const Tube& tube)
     return {{trunk}};
 }
 
-/// Of vessels beside the first, which is traced.
+/// Result for a traced vessel with other vessels running parallel to it.
 double besideMm(const Tube& traced, const std::vector<Tube>& others)
 {
     const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {80, 80, 200}, {1.0, 1.0, 1.0});
@@ -37,7 +37,7 @@ double besideMm(const Tube& traced, const std::vector<Tube>& others)
 }
 
 const Tube trueLumen{{0, 0, -90}, {0, 0, 90}, 6.0};
-const Tube falseLumen{{16, 0, -50}, {16, 0, 70}, 8.0};   // two millimetres between them
+const Tube falseLumen{{16, 0, -50}, {16, 0, 70}, 8.0};   // 2 mm between the lumina
 
 TEST(OtherLumen, RunsAlongTheTracedOne)
 {
@@ -64,7 +64,7 @@ bool warnsOfOtherLumen(const std::vector<Tube>& tubes, const std::vector<Eigen::
     const auto traced = core::traceVessels(test::tubesInTissue(grid, tubes), {.seedsInPatient = seeds});
     EXPECT_TRUE(traced) << traced.error().message;
     return traced && std::ranges::any_of(traced.value().warnings, [](const core::Message& warning) {
-               return warning.is(core::says::otherLumenBeside);
+               return warning.is(core::messages::otherLumenBeside);
            });
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using test::Tube;
 
-/// Filled tubes in a body of 120 x 120 x 180 mm.
+/// Opacified tubes in a body of 120 x 120 x 180 mm.
 core::CoarseBlood drawnBlood(const std::vector<Tube>& tubes, const Eigen::Vector3d& voxelMm = {1.5, 1.5, 1.5})
 {
     const Eigen::Vector3i size = Eigen::Vector3d(120, 120, 180).cwiseQuotient(voxelMm).array().round().cast<int>();
@@ -101,7 +101,7 @@ TEST(GreatVessels, AreTheSameInVoxelsOfAnySize)
 TEST(GreatVessels, AreWalkedWhereTheyAreFlattened)
 {
     std::vector<Tube> tubes{{{-30, 20, 30}, {-30, 20, 85}, 9.0}, {{-30, 20, -85}, {-30, 20, -30}, 7.0}};
-    for (double x = -39.0; x <= -21.0; x += 3.0) {   // the true lumen of a torn aorta: 27 mm wide, 9 mm thick
+    for (double x = -39.0; x <= -21.0; x += 3.0) {   // true lumen of a dissected aorta: 27 mm wide, 9 mm thick
         tubes.push_back({{x, 20, -30}, {x, 20, 30}, 4.5});
     }
     const auto found = foundIn(drawnBlood(tubes));
@@ -133,7 +133,8 @@ TEST(GreatVessels, DoNotHoldVesselsOfOtherBlood)
     EXPECT_FALSE(passes(other[0], {0, 0, -50}, 5.0));
 }
 
-/// Over an arch whose true lumen the flap has pressed flat, 9 mm thick, and to `narrowMm` of radius at one place.
+/// An aortic arch whose true lumen is compressed by the flap to a thickness of 9 mm, and to a radius of `narrowMm` at
+/// one point.
 core::CoarseBlood tornArch(double narrowMm, double descendingFill)
 {
     std::vector<Tube> tubes{{{30, 0, -70}, {30, 0, 38}, 13.0}};
@@ -156,7 +157,7 @@ TEST(GreatVessels, GoOnThroughNarrowPlacesOfTheSameBlood)
         return !found.empty() && passes(found[0], {30, 0, -20}, 5.0) && passes(found[0], {-30, 0, -40}, 5.0);
     };
     EXPECT_TRUE(holdsBoth(foundIn(tornArch(3.2, 0.97))));
-    EXPECT_FALSE(holdsBoth(foundIn(tornArch(3.2, 0.83))));   // beside a vein
+    EXPECT_FALSE(holdsBoth(foundIn(tornArch(3.2, 0.83))));   // a vein running next to it
     EXPECT_FALSE(holdsBoth(foundIn(tornArch(1.2, 0.97))));
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr core::BloomingBits bits;
 
-/// Voxels side by side; the first is bright.
+/// A row of voxels; the first one is bright.
 class BloomingVoxels : public testing::Test {
 protected:
     std::vector<bool> bloomingOf(const std::vector<double>& fills, int reach = 8, std::size_t solidAt = 0)

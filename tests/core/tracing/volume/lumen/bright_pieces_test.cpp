@@ -9,7 +9,7 @@ using namespace angiopose;
 
 namespace {
 
-/// Beads of 1 mm³, 2 mm from one middle to the next, in voxels of `voxelMm`, and one bead apart.
+/// Beads of 1 mm³ with centers 2 mm apart, in voxels of `voxelMm`, plus one isolated bead.
 core::VoxelMask beads(double voxelMm, int count)
 {
     core::VolumeGeometry grid;

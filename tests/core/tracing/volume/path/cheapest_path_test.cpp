@@ -24,7 +24,7 @@ VolumeGeometry cheapGrid()
     return grid;
 }
 
-/// Costs of 1 to 40 a millimetre, drawn for each voxel.
+/// Random costs of 1 to 40 per mm for each voxel.
 std::vector<double> drawnCosts(const VolumeGeometry& grid, std::uint64_t seed)
 {
     CounterRandom random(seed);
@@ -47,7 +47,7 @@ double costOfWay(const VolumeGeometry& grid, const std::vector<double>& costs, c
     return sum;
 }
 
-/// By relaxing every step until nothing gets cheaper.
+/// Minimum cost, computed by relaxing every step until no cost decreases.
 double minCost(const VolumeGeometry& grid, const std::vector<double>& costs, const Eigen::Vector3i& from,
                const Eigen::Vector3i& to)
 {
@@ -115,7 +115,7 @@ TEST(CheapestPath, SearchesLittleBesideAStraightVessel)
     const auto way =
         cheapestPath(grid, {1, 12, 10}, {28, 12, 10}, voxelCost(grid, costs, &asked), plenty, progress).voxels;
     EXPECT_EQ(way.size(), 28U);
-    EXPECT_LT(asked, 400U);   // the vessel and its neighbours; searched blindly it is thousands
+    EXPECT_LT(asked, 400U);   // the vessel and its neighboring voxels; an uninformed search would take thousands
 }
 
 TEST(CheapestPath, KeepsOutOfWhatIsClosed)

@@ -10,7 +10,7 @@ namespace {
 
 using namespace core;
 
-/// A straight vessel along x through the middle, beside what `around` says, without noise.
+/// A noise-free scan of a straight vessel along x through the middle, with surroundings given by `around`.
 template <class Around>
 Volume scanAround(double radiusMm, const Around& around)
 {
@@ -49,7 +49,7 @@ TEST(LookAlongPath, FatBesideTheLungIsNotHalfFull)
 
 TEST(LookAlongPath, KnowsTissueInTheMiddleOfAWideVessel)
 {
-    // Narrow at first: 6 mm around the axis of the rest there is nothing but blood.
+    // Narrow at first; within 6 mm of the axis, the rest contains only blood.
     const Volume volume = scanAround(2.0, [](const Eigen::Vector3d& place) {
         return place.x() > 0.0 && place.tail<2>().norm() < 12.0 ? 500.0 : 40.0;
     });

@@ -24,7 +24,7 @@ TEST(PathGround, FindsTheSameShareSooner)
     }
     const PathGround ground(volume);
     double sum = 0.0;
-    for (std::size_t n = 0; n < volume.voxels.size(); n += 7) {   // at the rim, too
+    for (std::size_t n = 0; n < volume.voxels.size(); n += 7) {   // including voxels at the border
         const double share = ground.tube(grid.voxelAt(n), 50.0).share;
         EXPECT_EQ(ground.tubeShare(grid.voxelAt(n), 50.0), share);
         sum += share;

@@ -1,6 +1,6 @@
 #include "core/tracing/volume/path/trace_tubes.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/support/random.h"
 #include "core/tracing/volume/trace_vessels.h"
 #include "tests/support/bodies/simulate_body.h"
@@ -16,7 +16,7 @@ namespace {
 
 using namespace core;
 
-/// A coarser scan than the usual one, so that tests are quick.
+/// A scan coarser than the default, to keep the tests fast.
 const BodyScan& heart()
 {
     static const BodyScan scan = simulateHeart(4, {.spacingMm = {0.7, 0.7, 0.8}});
@@ -36,7 +36,7 @@ TEST(TraceTubes, FindsCoronaryArteriesBesideFilledChambers)
     EXPECT_GT(agreement.found, 0.8);
     EXPECT_GT(agreement.right, 0.9);
     EXPECT_FALSE(findProblem(traced.value().tree));
-    // As everything bright and connected, the seeds' vessels are mostly chambers.
+    // If everything bright and connected is traced, the result from these seeds is mostly heart chambers.
     VesselTracingOptions all = fromOrigins(heart());
     all.tubesOnly = false;
     const auto connected = traceVessels(heart().volume, all);
@@ -66,18 +66,18 @@ TEST(TraceTubes, AsksForASeedAndSaysWhereNoneLeadsOn)
 {
     const auto unseeded = traceTubes(heart().volume, {.tubesOnly = true});
     ASSERT_FALSE(unseeded);
-    EXPECT_TRUE(unseeded.error().message.is(says::tubesNeedSeed));
-    Volume chamber(heart().volume.geometry);   // blood everywhere
+    EXPECT_TRUE(unseeded.error().message.is(messages::tubesNeedSeed));
+    Volume chamber(heart().volume.geometry);   // blood in all voxels
     for (std::int16_t& voxel : chamber.voxels) {
         voxel = 400;
     }
     chamber.voxels.front() = 0;
     const auto nothing = traceTubes(chamber, {.seedsInPatient = {{0.0, 0.0, 0.0}}, .tubesOnly = true});
     ASSERT_FALSE(nothing);
-    EXPECT_TRUE(nothing.error().message.is(says::pathEndInNothing)) << nothing.error().message.text();
+    EXPECT_TRUE(nothing.error().message.is(messages::pathEndInNothing)) << nothing.error().message.text();
 }
 
-/// An artery that ends on a wider vein, filled half as much, as a hepatic artery on the portal vein.
+/// An artery that ends on a wider vein with half the enhancement, as a hepatic artery on the portal vein.
 TEST(TraceTubes, DoesNotGoOnInAVeinThatIsDarkerThoughWider)
 {
     VolumeGeometry grid;

@@ -1,6 +1,6 @@
 #include "core/tracing/volume/path/vessel_path.h"
 
-#include "core/messages/says.h"
+#include "core/messages/messages.h"
 #include "core/simulation/simulate_cta.h"
 #include "core/support/random.h"
 #include "tests/support/tree_agreement.h"
@@ -19,7 +19,7 @@ using namespace core;
 constexpr double tissueHu = 60.0;
 constexpr double bloodHu = 360.0;
 
-/// How deep a place lies inside a vessel, mm; negative outside.
+/// Signed distance of a point inside a vessel, mm; negative outside.
 using Depth = std::function<double(const Eigen::Vector3d& place)>;
 
 /// 80 × 80 × 60 voxels of 0.6 mm around the origin, blurred by partial volume, with noise.
@@ -45,7 +45,7 @@ double evenBlood(const Eigen::Vector3d&)
     return bloodHu;
 }
 
-/// Depth inside a half circle of radius 15 mm about the origin, in z = 0 from −x over +y to +x, 1.5 mm wide.
+/// Depth inside a semicircular vessel of radius 15 mm about the origin, in z = 0 from −x over +y to +x, 1.5 mm wide.
 double insideArc(const Eigen::Vector3d& place)
 {
     const double inPlane = std::hypot(place.x(), place.y());
@@ -88,7 +88,7 @@ TEST(VesselPath, FollowsABentVesselAndMeasuresIt)
     EXPECT_TRUE(path.value().warnings.empty());
 }
 
-/// As a coronary branch around a ventricle that is filled too: the straight way through the chamber is shorter.
+/// A coronary branch around an opacified ventricle: the straight path through the chamber is shorter.
 TEST(VesselPath, DoesNotCutThroughAFilledChamber)
 {
     const Depth heart = [](const Eigen::Vector3d& place) { return std::max(insideArc(place), 12.0 - place.norm()); };
@@ -97,7 +97,7 @@ TEST(VesselPath, DoesNotCutThroughAFilledChamber)
     EXPECT_GT(agreementWithArc(path.value()).overlap, 0.95);
 }
 
-/// As the coil's sensitivity falls off in MR.
+/// Brightness falls along the vessel, as with the coil sensitivity in MR.
 TEST(VesselPath, FollowsAVesselThatGrowsDim)
 {
     const auto fading = [](const Eigen::Vector3d& place) {
@@ -116,8 +116,8 @@ TEST(VesselPath, TakesClicksBesideTheVessel)
     EXPECT_GT(agreementWithArc(path.value()).overlap, 0.95);
 }
 
-/// From the middle of an aorta, in which all is as bright as far as one sees, into a branch: more voxels than are
-/// searched at once.
+/// A path from the middle of an aorta, where everything in view is equally bright, into a branch: more voxels than a
+/// single search covers.
 TEST(VesselPath, LeavesAWideVesselByAThinOne)
 {
     VolumeGeometry grid;
@@ -158,7 +158,7 @@ TEST(VesselPath, SaysWhereItRunsThroughNothing)
     ASSERT_TRUE(path) << path.error().message.text();
     EXPECT_GT(path.value().outsideMm, 5.0);
     ASSERT_EQ(path.value().warnings.size(), 1U);
-    EXPECT_TRUE(path.value().warnings.front().is(says::pathOutside));
+    EXPECT_TRUE(path.value().warnings.front().is(messages::pathOutside));
 }
 
 TEST(VesselPath, RefusesPlacesThatAreNone)
@@ -166,17 +166,17 @@ TEST(VesselPath, RefusesPlacesThatAreNone)
     const Volume scan = scanOf(insideArc, evenBlood);
     const auto outside = vesselBetween(scan, arcStart, {900.0, 0.0, 0.0});
     ASSERT_FALSE(outside);
-    EXPECT_TRUE(outside.error().message.is(says::pathEndOutsideScan));
+    EXPECT_TRUE(outside.error().message.is(messages::pathEndOutsideScan));
     const auto unknown = vesselBetween(scan, {std::nan(""), 0.0, 0.0}, arcEnd);
     ASSERT_FALSE(unknown);
-    EXPECT_TRUE(unknown.error().message.is(says::pathEndOutsideScan));
+    EXPECT_TRUE(unknown.error().message.is(messages::pathEndOutsideScan));
     const auto same = vesselBetween(scan, arcStart, arcStart + Eigen::Vector3d(0.1, 0.0, 0.0));
     ASSERT_FALSE(same);
-    EXPECT_TRUE(same.error().message.is(says::pathEndsTooNear));
+    EXPECT_TRUE(same.error().message.is(messages::pathEndsTooNear));
     const Volume empty(scan.geometry);
     const auto nothing = vesselBetween(empty, arcStart, arcEnd);
     ASSERT_FALSE(nothing);
-    EXPECT_TRUE(nothing.error().message.is(says::pathEndInNothing));
+    EXPECT_TRUE(nothing.error().message.is(messages::pathEndInNothing));
 }
 
 TEST(VesselPath, HearsAStop)
@@ -187,7 +187,7 @@ TEST(VesselPath, HearsAStop)
     EXPECT_TRUE(stopped.isStopped());
 }
 
-/// Branches of a simulated body beside bone, chalk and organs.
+/// Branches of a simulated body next to bone, calcified plaque and organs.
 TEST(VesselPath, TracesEveryBranchOfASimulatedScan)
 {
     const SimulatedCta cta = simulateCta(3, {.branchCount = 6, .rootRadiusMm = 6.0},

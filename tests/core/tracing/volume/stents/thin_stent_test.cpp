@@ -10,7 +10,7 @@ namespace {
 
 using test::Tube;
 
-/// A scan of 40 x 30 x 80 mm in voxels of 1 mm with a bright tube from z = -12 to 12 and blood in other tubes.
+/// A scan of 40 x 30 x 80 mm in 1 mm voxels, with a bright tube from z = -12 to 12 and blood in other tubes.
 class ThinStent : public testing::Test {
 protected:
     static bool isStent(const Tube& metalTube, const std::vector<Tube>& vessels)

@@ -12,7 +12,7 @@ namespace {
 
 using test::Tube;
 
-/// A box of 60 mm around the origin, in voxels of 1 mm.
+/// A box of 60 mm around the origin in 1 mm voxels.
 class WideBasins : public testing::Test {
 protected:
     explicit WideBasins() : grid_(test::gridAround({0, 0, 0}, {60, 60, 60}, {1.0, 1.0, 1.0})) {}
@@ -39,8 +39,8 @@ TEST_F(WideBasins, VesselsThatTouchAreTwo)
 {
     draw({{{-8, 0, -25}, {-8, 0, 25}, 7.0}, {{8, 0, -25}, {8, 0, 25}, 7.0}, {{-8, 0, 0}, {8, 0, 0}, 1.5}});
     EXPECT_NE(at({-8, 0, 0}), at({8, 0, 0}));
-    EXPECT_EQ(std::set<std::uint32_t>(basins_.begin(), basins_.end()).size(), 3U);   // with the outside
-    for (const double z : {-20.0, -3.0, 3.0, 20.0}) {   // walls, too
+    EXPECT_EQ(std::set<std::uint32_t>(basins_.begin(), basins_.end()).size(), 3U);   // including the background
+    for (const double z : {-20.0, -3.0, 3.0, 20.0}) {   // including the walls
         EXPECT_EQ(at({-14, 0, z}), at({-8, 0, 0}));
         EXPECT_EQ(at({-3, 0, z}), at({-8, 0, 0}));
         EXPECT_EQ(at({3, 0, z}), at({8, 0, 0}));

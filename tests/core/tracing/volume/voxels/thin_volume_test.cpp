@@ -65,7 +65,7 @@ TEST(ThinVolume, LeavesALineAsItIs)
 {
     core::VoxelMask mask = cube(12);
     std::vector<std::size_t> line;
-    for (int i = 0; i < 12; ++i) {   // rim to rim
+    for (int i = 0; i < 12; ++i) {   // from border to border
         mask.at(i, 5, i) = 1;
         line.push_back(mask.geometry.index(i, 5, i));
     }
@@ -84,7 +84,7 @@ TEST(ThinVolume, ReducesABallToOneVoxelAndKeepsAHollowOneClosed)
     }
     EXPECT_LE(thin(ball).size(), 3U);
     ball.at(7, 7, 7) = 0;
-    EXPECT_GE(thin(ball).size(), 18U);   // a cavity needs a shell
+    EXPECT_GE(thin(ball).size(), 18U);   // a cavity keeps a closed shell
 }
 
 TEST(ThinVolume, KeepsARingOneVoxelThin)

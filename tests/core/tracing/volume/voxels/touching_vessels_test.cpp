@@ -11,7 +11,7 @@ namespace {
 
 using core::VoxelMask;
 
-/// An artery along x and, beside it, a second vessel of the same kind; both 9 voxels wide, 60 × 32 × 15 mm.
+/// An artery along x and a second vessel of the same shape parallel to it; both are 9 voxels wide, in 60 × 32 × 15 mm.
 class TouchingVessels : public testing::Test {
 protected:
     TouchingVessels() : mask_(grid())
@@ -39,7 +39,7 @@ protected:
         }
     }
 
-    /// Voxels of other blood, seen from the artery, when the second vessel is filled so much.
+    /// Voxels with blood of another brightness, seen from the artery, for a given enhancement of the second vessel.
     std::vector<std::uint32_t> others(double secondFill) const
     {
         core::TracingProgress progress({});
@@ -54,13 +54,13 @@ protected:
 
 TEST_F(TouchingVessels, AVeinIsToldByItsBlood)
 {
-    addBox({30, 12, 7}, {31, 16, 8});   // one voxel wide
+    addBox({30, 12, 7}, {31, 16, 8});   // a contact of one voxel
     const auto vein = others(0.75);
     ASSERT_FALSE(vein.empty());
     for (const std::uint32_t voxel : vein) {
         EXPECT_GE(voxel / 60 % 32, 16U);
     }
-    EXPECT_FALSE(others(1.25).empty());   // veins that the contrast came in by
+    EXPECT_FALSE(others(1.25).empty());   // veins through which the contrast agent arrived
 }
 
 TEST_F(TouchingVessels, BehindAStenosisTheBloodIsTheSame)
@@ -89,7 +89,7 @@ TEST_F(TouchingVessels, SplittingTakesTheVeinAway)
 
 TEST_F(TouchingVessels, AnAvoidedPlaceNeedNotLieInTheMiddle)
 {
-    addBox({20, 12, 3}, {40, 16, 12});   // as wide as the vessels
+    addBox({20, 12, 3}, {40, 16, 12});   // as wide as the vessels themselves
     const core::VesselTracingOptions options{.seedsInPatient = {{50.0, 7.0, 7.0}},
                                              .avoidInPatient = {{5.0, 24.0, 4.0}}};
     core::TracingProgress progress({});
