@@ -8,11 +8,11 @@ namespace angiopose::app {
 CaseController::CaseController(ui::MainWindow& window, QObject* parent)
     : QObject(parent),
       window_(window),
-      notices_(window.strip(), window,
-               [this] {
-                   return registration_.isRunning() || session_.isLoading() || tracing_.isRunning() ||
-                          session_.isWriting();
-               }),
+      notifications_(window.strip(), window,
+                     [this] {
+                         return registration_.isRunning() || session_.isLoading() || tracing_.isRunning() ||
+                                session_.isWriting();
+                     }),
       preview_(document_),
       sync_(document_, preview_,
             {window.angiogramView(), window.treeView(), window.slices(), window.branches(), window.registration(),
@@ -34,10 +34,10 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
              {window.actions(), window.marks(), window.angiogramView(), window.treeView(), window.slices()}),
       start_(document_, window.actions()),
       geometry_(document_, window.geometryPanel()),
-      angiogram_({document_, target_, sync_, notices_, window.actions(), window.angiogramPanel(),
+      angiogram_({document_, target_, sync_, notifications_, window.actions(), window.angiogramPanel(),
                   window.angiogramView(), window.strip(), window}),
       registration_(document_, target_),
-      session_(document_, target_, registration_, preview_, notices_,
+      session_(document_, target_, registration_, preview_, notifications_,
                {window.actions(), window.welcome(), window.angiogramView(), window.strip(), window}),
       profile_(document_, branches_, session_.exporting(),
                {window.actions(), window.profile(), window.angiogramView(), window.treeView(), window.slices()}),
@@ -49,9 +49,9 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       look_(document_, sync_, {window.actions(), window.angiogramPanel(), window.angiogramView(), window.strip()}),
       replay_(document_, preview_, window.actions(), window.strip()),
       judgement_({document_, target_, pose_, registration_, sync_, look_, replay_, window.result(), window.pose()}),
-      gestures_({document_, pose_, review_, judgement_, preview_, notices_, window.actions(), window.pose(),
+      gestures_({document_, pose_, review_, judgement_, preview_, notifications_, window.actions(), window.pose(),
                  window.registration(), window.angiogramView()}),
-      run_({document_, registration_, session_, review_, judgement_, sync_, preview_, notices_, window.actions(),
+      run_({document_, registration_, session_, review_, judgement_, sync_, preview_, notifications_, window.actions(),
             window.registration(), window.result(), window.pose(), window.geometryPanel(), window.treeView(),
             window.strip()}),
       slices_(document_, branches_,
@@ -64,7 +64,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
                    {window.actions(), window.branches(), window.treeView(), window.corner(), window.slices(),
                     window.slicesPage(), window}),
       steps_({document_, target_, pose_, registration_, treeActions_, session_, window}),
-      poses_({document_, target_, branches_, session_, review_, replay_, judgement_, preview_, notices_,
+      poses_({document_, target_, branches_, session_, review_, replay_, judgement_, preview_, notifications_,
               window.actions(), window.angiogramView(), window.result(), window.snapshots(), window.landmarks(),
               window.trialBar(), window.strip(), window}),
       places_(window),
@@ -75,13 +75,13 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       crosshair_(document_, preview_,
                  {window.actions(), window.views(), window.sideBySide(), window.treeView(), window.slices()}),
       angles_(document_, branches_, window.actions(), window),
-      follow_({document_, review_, sync_, preview_, session_.exporting(), notices_, window.actions(), window.result(),
-               window.strip()}),
-      movie_({document_, target_, session_.exporting(), follow_, cine_, notices_, window.actions(), window.strip(),
-              window}),
-      radiograph_({document_, target_, sync_, look_, window.angiogramView(), window.strip()}),
+      follow_({document_, review_, sync_, preview_, session_.exporting(), notifications_, window.actions(),
+               window.result(), window.strip()}),
+      movie_({document_, target_, session_.exporting(), follow_, cine_, notifications_, window.actions(),
+              window.strip(), window}),
+      drr_({document_, target_, sync_, look_, window.angiogramView(), window.strip()}),
       scan_(document_, {window.actions(), window.treeView(), window.corner(), window.slices(), window.strip()}),
-      detectorRadiograph_(document_, sync_, {window.actions(), window.treeView()}),
+      detectorDrr_(document_, sync_, {window.actions(), window.treeView()}),
       preferences_(branches_, {window.actions(), window.angiogramView(), window.treeView(), window.strip(), window}),
       help_(window),
       support_(document_, {window.actions(), window.strip(), window.faultBar(), window})
@@ -138,34 +138,34 @@ void CaseController::connectWindow()
 void CaseController::connectNotes()
 {
     connect(&document_, &CaseDocument::editRefused, this,
-            [this] { notices_.showNote(tr("A registration is running. Stop it to edit.")); });
-    connect(&branches_, &BranchController::refused, &notices_, &Notices::showNote);
-    connect(&treeActions_, &TreeActions::refused, &notices_, &Notices::showNote);
-    connect(&views_, &ViewController::refused, &notices_, &Notices::showNote);
-    connect(&sideBySide_, &SideBySideController::reported, &notices_, &Notices::showNote);
-    connect(&crosshair_, &LinkedCrosshair::reported, &notices_, &Notices::showNote);
-    connect(&pivot_, &PivotController::reported, &notices_, &Notices::showNote);
+            [this] { notifications_.showNote(tr("A registration is running. Stop it to edit.")); });
+    connect(&branches_, &BranchController::refused, &notifications_, &Notifications::showNote);
+    connect(&treeActions_, &TreeActions::refused, &notifications_, &Notifications::showNote);
+    connect(&views_, &ViewController::refused, &notifications_, &Notifications::showNote);
+    connect(&sideBySide_, &SideBySideController::reported, &notifications_, &Notifications::showNote);
+    connect(&crosshair_, &LinkedCrosshair::reported, &notifications_, &Notifications::showNote);
+    connect(&pivot_, &PivotController::reported, &notifications_, &Notifications::showNote);
     connect(&treeActions_, &TreeActions::pivotWanted, &pivot_, &PivotController::pick);
-    connect(&landmarks_, &LandmarkController::refused, &notices_, &Notices::showNote);
-    connect(&landmarks_, &LandmarkController::placed, &notices_, &Notices::showNote);
-    connect(&profile_, &ProfileController::refused, &notices_, &Notices::showNote);
-    connect(&marks_, &MarkController::refused, &notices_, &Notices::showNote);
-    connect(&measure_, &MeasureController::refused, &notices_, &Notices::showNote);
-    connect(&start_, &StartPoseController::refused, &notices_, &Notices::showNote);
-    connect(&start_, &StartPoseController::done, &notices_, &Notices::showNote);
+    connect(&landmarks_, &LandmarkController::refused, &notifications_, &Notifications::showNote);
+    connect(&landmarks_, &LandmarkController::placed, &notifications_, &Notifications::showNote);
+    connect(&profile_, &ProfileController::refused, &notifications_, &Notifications::showNote);
+    connect(&marks_, &MarkController::refused, &notifications_, &Notifications::showNote);
+    connect(&measure_, &MeasureController::refused, &notifications_, &Notifications::showNote);
+    connect(&start_, &InitialPoseController::refused, &notifications_, &Notifications::showNote);
+    connect(&start_, &InitialPoseController::done, &notifications_, &Notifications::showNote);
 }
 
 void CaseController::connectTracing()
 {
-    connect(&tracing_, &TracingController::traced, &notices_, &Notices::showNote);
+    connect(&tracing_, &TracingController::traced, &notifications_, &Notifications::showNote);
     connect(&session_.opening(), &OpenController::tookIn, &tracing_, &TracingController::knowWarnings);
     connect(&tracing_, &TracingController::failed, this,
-            [this](const QString& reason) { notices_.showProblem(tr("Could not trace the vessels"), reason); });
-    connect(&mask_, &MaskController::reported, &notices_, &Notices::showNote);
+            [this](const QString& reason) { notifications_.showProblem(tr("Could not trace the vessels"), reason); });
+    connect(&mask_, &MaskController::reported, &notifications_, &Notifications::showNote);
     connect(&mask_, &MaskController::failed, this,
-            [this](const QString& reason) { notices_.showProblem(tr("Could not trace the vessels"), reason); });
-    connect(&paths_, &PathController::reported, &notices_, &Notices::showNote);
-    connect(&paths_, &PathController::failed, &notices_, &Notices::showNote);
+            [this](const QString& reason) { notifications_.showProblem(tr("Could not trace the vessels"), reason); });
+    connect(&paths_, &PathController::reported, &notifications_, &Notifications::showNote);
+    connect(&paths_, &PathController::failed, &notifications_, &Notifications::showNote);
     connect(&session_.saving(), &SaveController::saved, &mask_, &MaskController::noteSaved);
 }
 
@@ -173,10 +173,11 @@ void CaseController::connectReview()
 {
     connect(&movie_, &MovieController::written, &session_.audit(),
             [this](const QString& path) { session_.audit().note(io::AuditEvent::Exported, {path}); });
-    connect(&support_, &SupportController::written, &notices_,
-            [this](const QString& path) { notices_.showNote(tr("Support bundle saved: %1").arg(path)); });
-    connect(&support_, &SupportController::failed, &notices_,
-            [this](const QString& reason) { notices_.showProblem(tr("Could not save the support bundle"), reason); });
+    connect(&support_, &SupportController::written, &notifications_,
+            [this](const QString& path) { notifications_.showNote(tr("Support bundle saved: %1").arg(path)); });
+    connect(&support_, &SupportController::failed, &notifications_, [this](const QString& reason) {
+        notifications_.showProblem(tr("Could not save the support bundle"), reason);
+    });
     connect(&look_, &LookController::branchWanted, &branches_, [this](int branchId) { branches_.select({branchId}); });
     connect(&window_.registration(), &ui::RegistrationPanel::allViewsToggled, &preview_,
             &PosePreview::setMovesAllViews);

@@ -6,6 +6,7 @@
 #include "app/editing/branch_picking.h"
 #include "app/editing/geometry_controller.h"
 #include "app/editing/history_controller.h"
+#include "app/editing/initial_pose_controller.h"
 #include "app/editing/landmark_controller.h"
 #include "app/editing/mark_controller.h"
 #include "app/editing/mask_controller.h"
@@ -13,7 +14,6 @@
 #include "app/editing/path_controller.h"
 #include "app/editing/pivot_controller.h"
 #include "app/editing/pose_controller.h"
-#include "app/editing/start_pose_controller.h"
 #include "app/editing/tracing_controller.h"
 #include "app/editing/tree_actions.h"
 #include "app/files/session_controller.h"
@@ -23,7 +23,8 @@
 #include "app/preferences/user_preferences.h"
 #include "app/registration/registration_controller.h"
 #include "app/registration/target_provider.h"
-#include "app/review/detector_radiograph_controller.h"
+#include "app/review/detector_drr_controller.h"
+#include "app/review/drr_controller.h"
 #include "app/review/follow_controller.h"
 #include "app/review/judgement_controller.h"
 #include "app/review/look_controller.h"
@@ -31,7 +32,6 @@
 #include "app/review/pose_gestures.h"
 #include "app/review/pose_tools.h"
 #include "app/review/profile_controller.h"
-#include "app/review/radiograph_controller.h"
 #include "app/review/replay_controller.h"
 #include "app/review/scan_controller.h"
 #include "app/review/slice_controller.h"
@@ -39,7 +39,7 @@
 #include "app/review/view_places_controller.h"
 #include "app/run_controller.h"
 #include "app/showing/cine_controller.h"
-#include "app/showing/notices.h"
+#include "app/showing/notifications.h"
 #include "app/showing/patient_controller.h"
 #include "app/showing/pose_preview.h"
 #include "app/showing/review_controller.h"
@@ -94,7 +94,7 @@ private:
     void followTarget();
 
     ui::MainWindow& window_;
-    Notices notices_;
+    Notifications notifications_;
     CaseDocument document_;
     TargetProvider target_;
     PosePreview preview_;
@@ -107,7 +107,7 @@ private:
     LandmarkController landmarks_;
     MeasureController measure_;
     MarkController marks_;
-    StartPoseController start_;
+    InitialPoseController start_;
     GeometryController geometry_;
     AngiogramController angiogram_;
     RegistrationController registration_;
@@ -137,9 +137,9 @@ private:
     AngleController angles_;
     FollowController follow_;
     MovieController movie_;
-    RadiographController radiograph_;
+    DrrController drr_;
     ScanController scan_;
-    DetectorRadiographController detectorRadiograph_;
+    DetectorDrrController detectorDrr_;
     UserPreferences preferences_;
     HelpController help_;
     SupportController support_;

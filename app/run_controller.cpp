@@ -53,8 +53,9 @@ void RunController::connectRun()
     connect(&run, &RegistrationController::finished, this, &RunController::showFinished);
     connect(&on_.preview, &PosePreview::changed, this,
             [this] { on_.result.setDimmed(on_.preview.shown() && on_.preview.colors() == ResidualColors::Hidden); });
-    connect(&run, &RegistrationController::failed, this,
-            [this](const QString& reason) { on_.notices.showProblem(tr("Could not start the registration"), reason); });
+    connect(&run, &RegistrationController::failed, this, [this](const QString& reason) {
+        on_.notifications.showProblem(tr("Could not start the registration"), reason);
+    });
 }
 
 void RunController::start()
@@ -117,9 +118,9 @@ void RunController::showFinished(const core::RegistrationResult& result)
     on_.treeView.requestRender();
     const QString reported = finishedText(result);
     if (result.trustworthy || result.stopReason == core::StopReason::StoppedByUser) {
-        on_.notices.showNote(reported);
+        on_.notifications.showNote(reported);
     } else {
-        on_.notices.showWarnings(reported);
+        on_.notifications.showWarnings(reported);
     }
 }
 

@@ -4,7 +4,7 @@
 #include "app/files/session_controller.h"
 #include "app/registration/registration_controller.h"
 #include "app/review/judgement_controller.h"
-#include "app/showing/notices.h"
+#include "app/showing/notifications.h"
 #include "app/showing/review_controller.h"
 #include "app/showing/view_sync.h"
 
@@ -35,7 +35,7 @@ public:
         JudgementController& judgement;
         ViewSync& sync;
         PosePreview& preview;
-        Notices& notices;
+        Notifications& notifications;
         ui::WindowActions& actions;
         ui::RegistrationPanel& panel;
         ui::ResultPanel& result;

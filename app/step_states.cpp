@@ -107,12 +107,12 @@ StepState geometry(const core::Case& current)
     }
 }
 
-StepState startPose(const core::Case& current)
+StepState initialPose(const core::Case& current)
 {
     if (!current.vessels.tree || !current.shown().angiogram) {
         return {};
     }
-    if (const auto start = core::startPoseOf(current); !start) {
+    if (const auto start = core::initialPoseOf(current); !start) {
         return {StepMark::Look, StepWords::tr("missing"), ui::messageText(start.error().message)};
     }
     return {StepMark::Done,
@@ -173,7 +173,7 @@ StepState review(const core::Case& current)
 std::array<ui::StepState, ui::stepCount> stepStates(const core::Case& current, const StepFacts& facts)
 {
     const StepState exported = facts.exported ? StepState{StepMark::Done, StepWords::tr("written"), {}} : StepState{};
-    return {vessels(current, facts),      angiogram(current, facts), geometry(current), startPose(current),
+    return {vessels(current, facts),      angiogram(current, facts), geometry(current), initialPose(current),
             registration(current, facts), review(current),           exported};
 }
 

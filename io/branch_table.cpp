@@ -26,11 +26,11 @@ std::string cellsOf(std::initializer_list<std::optional<double>> values)
     return cells;
 }
 
-std::string narrowingCells(const std::optional<core::Narrowing>& narrowing)
+std::string stenosisCells(const std::optional<core::StenosisMeasure>& stenosis)
 {
-    return narrowing ? cellsOf({narrowing->percent, narrowing->atMm, narrowing->fromMm, narrowing->toMm,
-                                narrowing->diameterMm, narrowing->referenceMm})
-                     : ",,,,,,";
+    return stenosis ? cellsOf({stenosis->percent, stenosis->atMm, stenosis->fromMm, stenosis->toMm,
+                               stenosis->diameterMm, stenosis->referenceMm})
+                    : ",,,,,,";
 }
 
 std::string doubtsCell(const core::Messages& doubts)
@@ -53,9 +53,9 @@ std::string branchTable(const core::VesselTree& tree)
             const core::BranchProfile& profile = measured.value();
             table += cellsOf({profile.lengthMm, profile.tortuosity, profile.greatestCurvaturePerMm,
                               profile.meanDiameterMm, profile.minDiameterMm, profile.greatestDiameterMm}) +
-                     narrowingCells(profile.narrowing) + doubtsCell(profile.doubts);
+                     stenosisCells(profile.stenosis) + doubtsCell(profile.doubts);
         } else {
-            table += ",,,,,," + narrowingCells({}) + doubtsCell({measured.error().message});
+            table += ",,,,,," + stenosisCells({}) + doubtsCell({measured.error().message});
         }
         table += "\n";
     }

@@ -47,7 +47,7 @@ std::string rowOf(const ObserverTrial& trial)
            toText(trial.rangeMm) + "," + toText(trial.rangeDeg) + "," + toText(trial.durationS) + "," +
            std::to_string(trial.editCount) + (trial.isAbandoned ? ",abandoned," : ",done,") +
            toText(difference.inPlaneMm) + "," + toText(difference.depthMm) + "," + toText(difference.rotationDeg) +
-           "," + poseCells(trial.startPose) + "," + poseCells(trial.finalPose) + "," + poseCells(trial.centerPose);
+           "," + poseCells(trial.initialPose) + "," + poseCells(trial.finalPose) + "," + poseCells(trial.centerPose);
 }
 
 }   // namespace

@@ -21,7 +21,7 @@ struct ObserverTrial {
     double durationS = 0.0;
     int editCount = 0;   ///< undo steps: moves, drags, typed numbers
     bool isAbandoned = false;
-    core::RigidTransform startPose;   ///< cameraFromPatient
+    core::RigidTransform initialPose;   ///< cameraFromPatient
     core::RigidTransform finalPose;
     core::RigidTransform centerPose;   ///< center of the range: the pose before the trial
     Eigen::Vector3d pivotInPatient = Eigen::Vector3d::Zero();   ///< centroid of the tree

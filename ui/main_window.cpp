@@ -95,7 +95,7 @@ MainWindow::MainWindow(QWidget* parent)
         showWith(mode, measure_);
     }
     for (const Command mode :
-         {Command::CheckPoint, Command::OstiumRing, Command::SeenHere, Command::DrawArrow, Command::WriteText}) {
+         {Command::TargetPoint, Command::OstiumRing, Command::SeenHere, Command::DrawArrow, Command::WriteText}) {
         showWith(mode, marks_);
     }
     connect(geometry_, &Section::foldedChanged, this, [this](bool folded) {
@@ -342,7 +342,7 @@ void MainWindow::focusStep(Step step)
             geometry_->focusFirstMissing();
             showInRightColumn(geometry_);
             break;
-        case Step::StartPose:
+        case Step::InitialPose:
             showInRightColumn(pose_);
             pose_->findChild<NumberField*>()->setFocus(Qt::OtherFocusReason);
             break;

@@ -198,7 +198,7 @@ void addMeasure(CLI::App& app, int& exitCode)
                                        "Length, diameters, narrowest point, tortuosity and bends of every branch");
     command->add_option("--profile", arguments->profiledBranch, "Diameter and curvature along this branch, by its id")
         ->excludes(branches);
-    auto* checkPoints =
+    auto* targetPoints =
         command
             ->add_flag(
                 "--check-points", arguments->areCheckPointsWanted,
@@ -207,7 +207,7 @@ void addMeasure(CLI::App& app, int& exitCode)
     command
         ->add_flag_callback(
             "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print target points as JSON")
-        ->needs(checkPoints);
+        ->needs(targetPoints);
     command->footer("Example: angiopose-cli measure case.angiopose --branches --output branches.csv");
     command->callback([arguments, &exitCode] { exitCode = runMeasure(*arguments); });
 }

@@ -2,7 +2,7 @@
 
 #include "app/cli/console.h"
 #include "app/messages/messages.h"
-#include "core/case/start_pose.h"
+#include "core/case/initial_pose.h"
 #include "io/opening/open_case_with.h"
 #include "io/opening/open_result.h"
 

@@ -41,7 +41,7 @@ std::optional<io::Deidentification> deidentificationOf(const DeidentifyArguments
         return {};
     }
     return io::Deidentification{
-        arguments.dates == "shifted" ? io::KeptDates::Shifted : io::KeptDates::None,
+        arguments.dates == "shifted" ? io::DatePolicy::Shifted : io::DatePolicy::None,
         arguments.areLettersBlackedOut ? io::DrawnLetters::BlackedOut : io::DrawnLetters::Reported,
         arguments.patientName};
 }

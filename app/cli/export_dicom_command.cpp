@@ -7,7 +7,7 @@
 #include "app/cli/register_case.h"
 #include "app/messages/messages.h"
 #include "app/texts/dicom_export.h"
-#include "core/case/start_pose.h"
+#include "core/case/initial_pose.h"
 #include "io/support/input_bytes.h"
 
 #include <cstdio>

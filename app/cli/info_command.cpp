@@ -5,7 +5,7 @@
 #include "app/messages/messages.h"
 #include "app/texts/number_text.h"
 #include "core/case/case.h"
-#include "core/case/start_pose.h"
+#include "core/case/initial_pose.h"
 #include "io/angiogram_file.h"
 #include "io/centerline2d_file.h"
 #include "io/fiducial_file.h"

@@ -2,9 +2,9 @@
 #include "app/cli/commands.h"
 #include "core/messages/messages.h"
 #include "io/branch_table.h"
-#include "io/check_point_table.h"
 #include "io/measurement_table.h"
 #include "io/support/atomic_file.h"
+#include "io/target_point_table.h"
 
 #include <cstdio>
 

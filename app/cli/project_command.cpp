@@ -2,8 +2,8 @@
 #include "app/cli/commands.h"
 #include "app/messages/messages.h"
 #include "app/texts/picture_file.h"
+#include "core/case/initial_pose.h"
 #include "core/case/registration_input.h"
-#include "core/case/start_pose.h"
 #include "io/pose_camera_file.h"
 
 #include <cstdio>

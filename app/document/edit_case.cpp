@@ -10,8 +10,8 @@ std::unique_ptr<QUndoCommand> changeVessels(CaseDocument& document, Vessels vess
         return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() < 1e-9;
     };
     const View& shown = document.current().shown();
-    const auto before = core::startPoseOf(document.current());
-    const auto after = core::startPoseOf(shown, vessels);
+    const auto before = core::initialPoseOf(document.current());
+    const auto after = core::initialPoseOf(shown, vessels);
     const bool follows = after && (!before || isSame(before.value(), shown.cameraFromPatient));
     std::vector<View> views = withoutResults(document.current().views);
     if (follows) {

@@ -12,12 +12,12 @@ bool isSamePose(const core::RigidTransform& a, const core::RigidTransform& b)
 
 core::Case withGeometry(core::Case base, const core::CArm& cArm)
 {
-    const auto before = core::startPoseOf(base);
+    const auto before = core::initialPoseOf(base);
     core::View& view = base.shown();
     view.geometry.cArm = cArm;
     const bool wasAtStart = !before || isSamePose(before.value(), view.cameraFromPatient);
     if (wasAtStart) {
-        if (const auto start = core::startPoseOf(base)) {
+        if (const auto start = core::initialPoseOf(base)) {
             view.cameraFromPatient = start.value();
         }
     }

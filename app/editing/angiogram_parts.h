@@ -2,7 +2,7 @@
 
 #include "app/document/case_document.h"
 #include "app/registration/target_provider.h"
-#include "app/showing/notices.h"
+#include "app/showing/notifications.h"
 #include "app/showing/view_sync.h"
 
 class QWidget;
@@ -21,7 +21,7 @@ struct AngiogramParts {
     CaseDocument& document;
     TargetProvider& target;
     ViewSync& sync;
-    Notices& notices;
+    Notifications& notifications;
     ui::WindowActions& actions;
     ui::AngiogramPanel& panel;
     ui::AngiogramView& view;

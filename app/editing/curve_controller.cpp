@@ -51,7 +51,7 @@ CurveController::CurveController(const AngiogramParts& parts, QObject* parent)
       panel_(parts.panel),
       view_(parts.view),
       dialogParent_(parts.dialogParent),
-      notices_(parts.notices),
+      notifications_(parts.notifications),
       tool_(new ui::EditCurvesTool(view_)),
       bar_(new ui::CurveEditBar)
 {
@@ -197,7 +197,7 @@ void CurveController::take(const core::Centerline2d& curves, const ui::Words& wh
 {
     const core::CurvesApart edited = core::takenApart(curves, core::devicesAfterEdit(curvesHere(), curves));
     if (edited.vessels.pointCount() == 0) {
-        notices_.showNote(tr("At least one curve must remain; otherwise there is nothing to register to."));
+        notifications_.showNote(tr("At least one curve must remain; otherwise there is nothing to register to."));
         return;
     }
     std::vector<int> accepted = acceptedHere();
@@ -228,7 +228,8 @@ void CurveController::keepApart(int curveId, bool apart)
     }
     const core::CurvesApart curves = core::takenApart(core::together(before), deviceIds);
     if (curves.vessels.curves.empty()) {
-        notices_.showNote(tr("If only a wire is visible, use the method “Wire or catheter”, which uses every curve."));
+        notifications_.showNote(
+            tr("If only a wire is visible, use the method “Wire or catheter”, which uses every curve."));
         return;
     }
     push({{}, shared(curves.vessels), {}, std::move(accepted), shared(curves.devices)},
@@ -256,7 +257,8 @@ void CurveController::push(core::GivenTarget target, const ui::Words& what)
     const bool isPushed = document_.push(
         std::make_unique<ChangeTarget>(document_, ChangeTarget::Values{std::move(target), std::nullopt, {}}, what));
     if (isPushed && formerFrame && formerFrame != frame) {
-        notices_.showNote(tr("The edited curves of frame %1 were replaced. Undo restores them.").arg(*formerFrame + 1));
+        notifications_.showNote(
+            tr("The edited curves of frame %1 were replaced. Undo restores them.").arg(*formerFrame + 1));
     }
 }
 

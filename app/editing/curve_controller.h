@@ -47,7 +47,7 @@ private:
     ui::AngiogramPanel& panel_;
     ui::AngiogramView& view_;
     QWidget& dialogParent_;
-    Notices& notices_;
+    Notifications& notifications_;
     ui::EditCurvesTool* tool_;
     ui::CurveEditBar* bar_;
     SharedCenterline shownCurves_;

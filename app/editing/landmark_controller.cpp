@@ -186,7 +186,7 @@ void LandmarkController::dropPending()
 std::optional<core::RigidTransform> LandmarkController::poseBefore() const
 {
     const core::Case& current = document_.current();
-    return core::startPoseOf(current) ? std::optional(current.shown().cameraFromPatient) : std::nullopt;
+    return core::initialPoseOf(current) ? std::optional(current.shown().cameraFromPatient) : std::nullopt;
 }
 
 void LandmarkController::placeVessels()

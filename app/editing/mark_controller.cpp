@@ -36,12 +36,12 @@ std::size_t placeOf(MarkMode mode)
 
 bool isOnVessels(MarkMode mode)
 {
-    return mode == MarkMode::CheckPoint || mode == MarkMode::OstiumRing;
+    return mode == MarkMode::TargetPoint || mode == MarkMode::OstiumRing;
 }
 
 VesselMarkKind kindOf(MarkMode mode)
 {
-    return mode == MarkMode::OstiumRing ? VesselMarkKind::OstiumRing : VesselMarkKind::CheckPoint;
+    return mode == MarkMode::OstiumRing ? VesselMarkKind::OstiumRing : VesselMarkKind::TargetPoint;
 }
 
 /// Places a mark on the nearest branch; a ring gets the branch's diameter there. Empty if there is no branch or no
@@ -70,7 +70,7 @@ MarkController::MarkController(CaseDocument& document, const ViewSync& sync, con
                                QObject* parent)
     : QObject(parent), document_(document), sync_(sync), preview_(preview), ui_(ui)
 {
-    constexpr std::array commands{ui::Command::CheckPoint, ui::Command::OstiumRing, ui::Command::SeenHere,
+    constexpr std::array commands{ui::Command::TargetPoint, ui::Command::OstiumRing, ui::Command::SeenHere,
                                   ui::Command::DrawArrow, ui::Command::WriteText};
     for (std::size_t mode = 0; mode < ui::markModeCount; ++mode) {
         connectMode(static_cast<MarkMode>(mode), *ui_.actions[commands[mode]]);
@@ -150,7 +150,7 @@ Eigen::Vector3d MarkController::undeformed(const Eigen::Vector3d& drawnPoint) co
 
 void MarkController::pickPoint(const Eigen::Vector3d& pointInPatient)
 {
-    const bool isPoint = ui_.actions[ui::Command::CheckPoint]->isChecked();
+    const bool isPoint = ui_.actions[ui::Command::TargetPoint]->isChecked();
     if (!isPoint && !ui_.actions[ui::Command::OstiumRing]->isChecked()) {
         return;
     }
@@ -164,7 +164,7 @@ void MarkController::pickPoint(const Eigen::Vector3d& pointInPatient)
         emit refused(ui::messageText(core::messages::markNeedsVessels()));
         return;
     }
-    add(isPoint ? VesselMarkKind::CheckPoint : VesselMarkKind::OstiumRing, point);
+    add(isPoint ? VesselMarkKind::TargetPoint : VesselMarkKind::OstiumRing, point);
 }
 
 void MarkController::place(MarkMode mode, const Eigen::Vector2d& pixel)
@@ -195,8 +195,9 @@ void MarkController::add(VesselMarkKind kind, const Eigen::Vector3d& pointInPati
     std::vector<VesselMark> all = marks();
     all.push_back(*put);
     const auto row = static_cast<int>(all.size()) - 1;
-    changeMarks(std::move(all),
-                [kind] { return kind == VesselMarkKind::CheckPoint ? tr("Add target point") : tr("Add ostium ring"); });
+    changeMarks(std::move(all), [kind] {
+        return kind == VesselMarkKind::TargetPoint ? tr("Add target point") : tr("Add ostium ring");
+    });
     if (row < static_cast<int>(marks().size())) {
         ui_.panel.choose(row);
     }
@@ -205,7 +206,7 @@ void MarkController::add(VesselMarkKind kind, const Eigen::Vector3d& pointInPati
 /// Returns the target point selected in the list, else the only one, else the one drawn nearest.
 std::optional<int> MarkController::chosenCheckPoint(const Eigen::Vector2d& pixel) const
 {
-    const auto isPoint = [this](std::size_t i) { return marks()[i].kind == VesselMarkKind::CheckPoint; };
+    const auto isPoint = [this](std::size_t i) { return marks()[i].kind == VesselMarkKind::TargetPoint; };
     for (const int row : ui_.panel.chosen()) {
         if (static_cast<std::size_t>(row) < marks().size() && isPoint(static_cast<std::size_t>(row))) {
             return marks()[static_cast<std::size_t>(row)].id;

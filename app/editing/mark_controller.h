@@ -3,7 +3,7 @@
 #include "app/document/case_document.h"
 #include "app/showing/pose_preview.h"
 #include "app/showing/view_sync.h"
-#include "core/measuring/check_points.h"
+#include "core/measuring/target_points.h"
 #include "ui/panels/mark_panel.h"
 #include "ui/views/tools/mark_tool.h"
 #include "ui/words/spoken.h"

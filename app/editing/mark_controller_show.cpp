@@ -89,7 +89,7 @@ void MarkController::showHandles()
             return each.markId == drawn[i].id && each.frame == frame;
         });
         if (at && ui_.view.camera().width > 0) {
-            take(isRing ? MarkMode::OstiumRing : MarkMode::CheckPoint, {i, 0}, *at);
+            take(isRing ? MarkMode::OstiumRing : MarkMode::TargetPoint, {i, 0}, *at);
         }
         if (!isRing && seen != current().shown().sightings.end()) {
             take(MarkMode::SeenHere, {i, 0}, seen->pixel);

@@ -22,7 +22,7 @@ std::optional<PoseController::Frame> PoseController::frame() const
     if (!current.vessels.tree) {
         return std::nullopt;
     }
-    const auto start = core::startPoseOf(current);
+    const auto start = core::initialPoseOf(current);
     const auto camera = core::cameraOf(current.shown());
     if (!start || !camera) {
         return std::nullopt;
@@ -37,7 +37,7 @@ std::optional<core::PoseOffset> PoseController::currentOffset() const
         return std::nullopt;
     }
     const core::RigidTransform& pose = dragged_.value_or(document_.current().shown().cameraFromPatient);
-    return core::offsetBetween(context->startPose, pose, context->pivotInPatient, context->camera);
+    return core::offsetBetween(context->initialPose, pose, context->pivotInPatient, context->camera);
 }
 
 bool PoseController::isMovedFromStart() const
@@ -62,7 +62,7 @@ void PoseController::setOffset(const core::PoseOffset& fromStart)
 {
     if (const auto context = frame()) {
         move(
-            core::applyOffset(context->startPose, fromStart, context->pivotInPatient, context->camera),
+            core::applyOffset(context->initialPose, fromStart, context->pivotInPatient, context->camera),
             [] { return tr("Move vessels"); }, burstFor(fieldKind));
     }
 }

@@ -40,7 +40,7 @@ signals:
 
 private:
     struct Frame {
-        core::RigidTransform startPose;
+        core::RigidTransform initialPose;
         core::ProjectionCamera camera;
         Eigen::Vector3d pivotInPatient;
     };

@@ -46,7 +46,7 @@ SubtractionController::SubtractionController(const AngiogramParts& parts, QObjec
       panel_(parts.panel),
       view_(parts.view),
       strip_(parts.strip),
-      notices_(parts.notices),
+      notifications_(parts.notifications),
       shiftTool_(new ui::MaskShiftTool(view_))
 {
     connectCommands();
@@ -129,8 +129,8 @@ void SubtractionController::change(const core::RunTreatment& wanted, const ui::W
 {
     const core::Case& current = document_.current();
     if (!current.shown().angiogram || document_.isLocked()) {
-        notices_.showNote(current.shown().angiogram ? tr("A registration is running. Stop it to edit.")
-                                                    : tr("Open an angiogram first."));
+        notifications_.showNote(current.shown().angiogram ? tr("A registration is running. Stop it to edit.")
+                                                          : tr("Open an angiogram first."));
         showState();
         return;
     }
@@ -181,7 +181,7 @@ void SubtractionController::publish()
     }
     request_.reset();
     if (!outcome) {
-        notices_.showNote(ui::messageText(outcome.error().message));
+        notifications_.showNote(ui::messageText(outcome.error().message));
     } else {
         take(done, outcome.value());
     }
@@ -238,7 +238,7 @@ void SubtractionController::showPreview()
     const Picture picture = takeResult(preview_);
     if (view_.tool() == shiftTool_) {
         if (!picture) {
-            notices_.showNote(ui::messageText(picture.error().message));
+            notifications_.showNote(ui::messageText(picture.error().message));
             view_.setTool(nullptr);
             return;
         }

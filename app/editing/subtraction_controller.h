@@ -63,7 +63,7 @@ private:
     ui::AngiogramPanel& panel_;
     ui::AngiogramView& view_;
     ui::BottomStrip& strip_;
-    Notices& notices_;
+    Notifications& notifications_;
     ui::MaskShiftTool* shiftTool_;
     std::optional<Request> request_;   ///< newest request, not yet answered
     std::optional<Request> computing_;

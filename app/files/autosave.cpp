@@ -177,9 +177,9 @@ void Autosave::discard()
         });
 }
 
-std::vector<LeftBehind> Autosave::leftBehind()
+std::vector<Leftover> Autosave::leftBehind()
 {
-    std::vector<LeftBehind> copies;
+    std::vector<Leftover> copies;
     const QStringList names{QStringLiteral("session-*.angiopose"), QStringLiteral("session-*.vtp")};
     for (const QFileInfo& file : autosaveFolder().entryInfoList(names, QDir::Files)) {
         QLockFile lock(lockOf(file.absoluteFilePath()));
@@ -192,16 +192,16 @@ std::vector<LeftBehind> Autosave::leftBehind()
         copies.push_back(
             {file.absoluteFilePath(), origin.section(u'\n', 0, 0), origin.section(u'\n', 1), file.lastModified()});
     }
-    std::ranges::sort(copies, std::greater{}, &LeftBehind::when);
+    std::ranges::sort(copies, std::greater{}, &Leftover::when);
     return copies;
 }
 
-void Autosave::forget(const LeftBehind& copy)
+void Autosave::forget(const Leftover& copy)
 {
     removeCopy(copy.path);
 }
 
-QString Autosave::keepVessels(const LeftBehind& copy)
+QString Autosave::keepVessels(const Leftover& copy)
 {
     const QDir folder = dataFolder("recovered");
     const QString name = QStringLiteral("vessels-") + copy.when.toString(QStringLiteral("yyyyMMdd-hhmmss"));

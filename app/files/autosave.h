@@ -16,7 +16,7 @@
 namespace angiopose::app {
 
 /// Autosaved copy left by a session that did not close normally.
-struct LeftBehind {
+struct Leftover {
     QString path;   ///< path of the autosaved copy
     QString original;   ///< path of the case file; empty: never saved
     QString title;   ///< title of the case; empty: not known
@@ -41,10 +41,10 @@ public:
     bool isFailing() const { return isFailing_; }   ///< the last attempt failed; an older copy may exist
 
     /// Lists the copies of sessions that are no longer running, newest first.
-    static std::vector<LeftBehind> leftBehind();
-    static void forget(const LeftBehind& copy);
+    static std::vector<Leftover> leftBehind();
+    static void forget(const Leftover& copy);
     /// Moves recovered vessels to a permanent file that cases can refer to; returns its path.
-    static QString keepVessels(const LeftBehind& copy);
+    static QString keepVessels(const Leftover& copy);
 
 signals:
     void saved();

@@ -24,7 +24,7 @@ std::optional<io::Deidentification> deidentificationFor(const ui::PackChoice& ch
 
 io::Deidentification deidentificationOf(const ui::PackChoice& choice)
 {
-    return {choice.shiftedDates == ui::Choice::On ? io::KeptDates::Shifted : io::KeptDates::None,
+    return {choice.shiftedDates == ui::Choice::On ? io::DatePolicy::Shifted : io::DatePolicy::None,
             choice.blackedOut == ui::Choice::On ? io::DrawnLetters::BlackedOut : io::DrawnLetters::Reported,
             choice.pseudonym.trimmed().toStdString()};
 }

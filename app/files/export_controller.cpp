@@ -1,7 +1,7 @@
 #include "app/files/export_controller.h"
 
 #include "app/files/pdf_picture.h"
-#include "app/jobs/radiograph_source.h"
+#include "app/jobs/drr_source.h"
 #include "app/preferences/private_mode.h"
 #include "app/preferences/save_folder.h"
 #include "app/preferences/settings.h"
@@ -13,7 +13,6 @@
 #include "core/registration/deformable/deformed_tree.h"
 #include "io/case_points.h"
 #include "io/centerline2d_file.h"
-#include "io/check_point_table.h"
 #include "io/edited_mask.h"
 #include "io/fiducial_file.h"
 #include "io/measurement_table.h"
@@ -22,6 +21,7 @@
 #include "io/pose_file.h"
 #include "io/results/result_file.h"
 #include "io/support/atomic_file.h"
+#include "io/target_point_table.h"
 #include "io/vessel_tree_file.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/views/angiogram_view.h"
@@ -156,12 +156,11 @@ OverlayPictureOptions ExportController::lookOf(const ui::ExportChoice& choice) c
     options.shape = preview_.shape();
     options.cutout = choice.cutout == ui::Choice::On ? view.scene().cutout() : ui::Cutout{};
     options.isStartBeside = choice.startBeside == ui::Choice::On;
-    if (view.scene().hasRadiograph()) {
+    if (view.scene().hasDrr()) {
         const core::Centerline2d target = target_.current() ? *target_.current() : core::Centerline2d{};
         if (auto input = core::registrationInputOf(document_.current(), target)) {
-            const auto source =
-                std::make_shared<RadiographSource>(std::move(input).value(), document_.current().options);
-            options.radiograph = [source](const core::RigidTransform& pose) { return source->from(pose); };
+            const auto source = std::make_shared<DrrSource>(std::move(input).value(), document_.current().options);
+            options.drr = [source](const core::RigidTransform& pose) { return source->from(pose); };
         }
     }
     return options;

@@ -73,9 +73,9 @@ std::vector<LengthUnit> unitsFor(double unitsAcross)
 
 }   // namespace
 
-OpenDialogs::OpenDialogs(CaseDocument& document, OpenController& open, SaveController& save, Notices& notices,
-                         const Ui& ui, QObject* parent)
-    : QObject(parent), document_(document), open_(open), save_(save), notices_(notices), ui_(ui)
+OpenDialogs::OpenDialogs(CaseDocument& document, OpenController& open, SaveController& save,
+                         Notifications& notifications, const Ui& ui, QObject* parent)
+    : QObject(parent), document_(document), open_(open), save_(save), notifications_(notifications), ui_(ui)
 {
     connect(&open_, &OpenController::seriesChoiceNeeded, this, &OpenDialogs::chooseSeries);
     connect(&open_, &OpenController::inputsMissing, this, &OpenDialogs::askForInputs);
@@ -282,7 +282,7 @@ void OpenDialogs::openSample()
         if (path) {
             open_.open({path.value()});
         } else {
-            notices_.showProblem(tr("Could not create the sample case"), ui::messageText(path.error().message));
+            notifications_.showProblem(tr("Could not create the sample case"), ui::messageText(path.error().message));
         }
     });
 }

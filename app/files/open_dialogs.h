@@ -4,7 +4,7 @@
 #include "app/files/open_controller.h"
 #include "app/files/save_controller.h"
 #include "app/jobs/file_queue.h"
-#include "app/showing/notices.h"
+#include "app/showing/notifications.h"
 
 #include <QObject>
 #include <QStringList>
@@ -31,8 +31,8 @@ public:
         ui::BottomStrip& strip;
         QWidget& dialogParent;
     };
-    OpenDialogs(CaseDocument& document, OpenController& open, SaveController& save, Notices& notices, const Ui& ui,
-                QObject* parent = nullptr);
+    OpenDialogs(CaseDocument& document, OpenController& open, SaveController& save, Notifications& notifications,
+                const Ui& ui, QObject* parent = nullptr);
 
 private:
     void askFiles();
@@ -51,7 +51,7 @@ private:
     CaseDocument& document_;
     OpenController& open_;
     SaveController& save_;
-    Notices& notices_;
+    Notifications& notifications_;
     Ui ui_;
     FileQueue files_;   ///< generates the sample case
 };

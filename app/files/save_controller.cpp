@@ -204,12 +204,12 @@ void SaveController::take(const QString& path, const CaseState& written)
 
 void SaveController::offerRecovery()
 {
-    const std::vector<LeftBehind> copies = Autosave::leftBehind();
+    const std::vector<Leftover> copies = Autosave::leftBehind();
     if (copies.empty()) {
         return;
     }
     std::vector<ui::RecoveryRow> rows;
-    for (const LeftBehind& copy : copies) {
+    for (const Leftover& copy : copies) {
         const QFileInfo original(copy.original);
         const QString title = copy.title.isEmpty() ? tr("Untitled case") : tr("%1 (not saved)").arg(copy.title);
         const QString untitled = copy.holdsVessels() ? tr("Vessels without an angiogram") : title;
@@ -218,7 +218,7 @@ void SaveController::offerRecovery()
                         copy.original.isEmpty() ? QString() : original.absolutePath()});
     }
     auto* dialog = new ui::RecoveryDialog(rows, &window_);
-    const auto copyAt = [copies](const QString& path) { return *std::ranges::find(copies, path, &LeftBehind::path); };
+    const auto copyAt = [copies](const QString& path) { return *std::ranges::find(copies, path, &Leftover::path); };
     connect(dialog, &ui::RecoveryDialog::recoverRequested, this,
             [this, copyAt](const QString& path) { recover(copyAt(path)); });
     connect(dialog, &ui::RecoveryDialog::discardRequested, this, [copyAt](const QStringList& paths) {
@@ -229,7 +229,7 @@ void SaveController::offerRecovery()
     dialog->open();
 }
 
-void SaveController::recover(const LeftBehind& copy)
+void SaveController::recover(const Leftover& copy)
 {
     if (copy.holdsVessels()) {
         recoveredVessels_ = Autosave::keepVessels(copy);

@@ -45,14 +45,14 @@ signals:
     void autosaveFailed(const QString& reason);   ///< autosave keeps trying
     void openElsewhere(const QString& words);   ///< the open case is also open in another window or program
     void reloadWanted(const QString& path);   ///< instead of overwriting changes made elsewhere
-    void recoveryWanted(const app::LeftBehind& copy);
+    void recoveryWanted(const app::Leftover& copy);
     void vesselsRecovered(const QString& path);   ///< vessels without an angiogram and their new file
 
 private:
     bool refusesToSave(const std::function<void()>& whenSaved);   ///< states the reason, or offers to save a part
     void offerVessels(const std::function<void()>& whenSaved);
     void askAboutChange(const QString& path, const std::function<void()>& whenSaved);
-    void recover(const LeftBehind& copy);
+    void recover(const Leftover& copy);
     void forgetRecovered();
     void take(const QString& path, const CaseState& written);
 
@@ -65,8 +65,8 @@ private:
     std::optional<CaseState> keptVessels_;   ///< state saved in a centerline file
     std::optional<CaseState> givenUp_;   ///< state that the user discards in favor of the file
     QString recoveredVessels_;   ///< their file path
-    std::optional<LeftBehind> wanted_;   ///< being opened
-    std::optional<LeftBehind> recovered_;   ///< open; its copy is removed once this session has its own
+    std::optional<Leftover> wanted_;   ///< being opened
+    std::optional<Leftover> recovered_;   ///< open; its copy is removed once this session has its own
 };
 
 }   // namespace angiopose::app

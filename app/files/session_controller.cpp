@@ -19,11 +19,11 @@
 namespace angiopose::app {
 
 SessionController::SessionController(CaseDocument& document, TargetProvider& target,
-                                     RegistrationController& registration, const PosePreview& preview, Notices& notices,
-                                     const Ui& ui, QObject* parent)
+                                     RegistrationController& registration, const PosePreview& preview,
+                                     Notifications& notifications, const Ui& ui, QObject* parent)
     : QObject(parent),
       document_(document),
-      notices_(notices),
+      notifications_(notifications),
       ui_(ui),
       open_(document),
       export_(document, target, preview, ui.view, ui.dialogParent),
@@ -32,8 +32,8 @@ SessionController::SessionController(CaseDocument& document, TargetProvider& tar
       pack_(document, ui.strip, ui.dialogParent),
       deidentify_(ui.strip, ui.dialogParent),
       save_(document, export_, ui.dialogParent),
-      dialogs_(document, open_, save_, notices, {ui.actions, ui.welcome, ui.strip, ui.dialogParent}),
-      studies_(open_, notices, {*ui.actions[ui::Command::HideIdentity], ui.strip, ui.dialogParent}),
+      dialogs_(document, open_, save_, notifications, {ui.actions, ui.welcome, ui.strip, ui.dialogParent}),
+      studies_(open_, notifications, {*ui.actions[ui::Command::HideIdentity], ui.strip, ui.dialogParent}),
       close_(document, save_, registration, ui.actions, ui.dialogParent),
       recent_(document, {ui.actions, ui.welcome}),
       archive_(std::make_unique<ArchiveController>(
@@ -135,22 +135,22 @@ void SessionController::connectOpening()
         recent_.pictureOpened();
         openingNotes_ = notes;
         if (notes.isEmpty()) {
-            notices_.showNote(tr("Opened"));
+            notifications_.showNote(tr("Opened"));
         } else {
-            notices_.showWarnings(ui::joinedSentences(notes));
+            notifications_.showWarnings(ui::joinedSentences(notes));
         }
         offerRecoveryOnce();
     });
     connect(&open_, &OpenController::poseOpened, this, [this](const QStringList& notes) {
         if (notes.size() == 1) {
-            notices_.showNote(notes.front());
+            notifications_.showNote(notes.front());
         } else {
-            notices_.showWarnings(ui::joinedSentences(notes));
+            notifications_.showWarnings(ui::joinedSentences(notes));
         }
     });
     connect(&open_, &OpenController::failed, this, [this](const QString& reason, const QStringList& paths) {
-        notices_.showProblem(paths.size() == 1 ? tr("Could not open the file") : tr("Could not open the files"), reason,
-                             paths);
+        notifications_.showProblem(paths.size() == 1 ? tr("Could not open the file") : tr("Could not open the files"),
+                                   reason, paths);
         save_.keepWork();
         offerRecoveryOnce();
     });
@@ -161,22 +161,23 @@ void SessionController::connectSaving()
     ui::WindowActions& actions = ui_.actions;
     connect(actions[ui::Command::Save], &QAction::triggered, this, [this] { save_.save(); });
     connect(actions[ui::Command::SaveAs], &QAction::triggered, this, [this] { save_.saveAs(); });
-    connect(&save_, &SaveController::failed, this,
-            [this](const QString& reason) { notices_.showProblem(tr("Could not save"), reason, {document_.path()}); });
-    connect(&save_, &SaveController::started, this, [this] { notices_.showNote(tr("Saving…")); });
+    connect(&save_, &SaveController::failed, this, [this](const QString& reason) {
+        notifications_.showProblem(tr("Could not save"), reason, {document_.path()});
+    });
+    connect(&save_, &SaveController::started, this, [this] { notifications_.showNote(tr("Saving…")); });
     connect(&save_, &SaveController::saved, this, [this] {
         recent_.fill();
-        notices_.showNote(tr("Saved"));
+        notifications_.showNote(tr("Saved"));
     });
     connect(&save_, &SaveController::autosaveFailed, this, [this](const QString& reason) {
-        notices_.showWarnings(tr("Autosave failed; AngioPose retries every minute. %1").arg(reason));
+        notifications_.showWarnings(tr("Autosave failed; AngioPose retries every minute. %1").arg(reason));
     });
     connect(&save_, &SaveController::openElsewhere, this, [this](const QString& words) {
-        notices_.showWarnings(ui::joinedSentences(QStringList{words} + openingNotes_));
+        notifications_.showWarnings(ui::joinedSentences(QStringList{words} + openingNotes_));
     });
     connect(&save_, &SaveController::reloadWanted, this, [this](const QString& path) { open({path}); });
     connect(&save_, &SaveController::recoveryWanted, this,
-            [this](const LeftBehind& copy) { open_.openCopy(copy.path, copy.original); });
+            [this](const Leftover& copy) { open_.openCopy(copy.path, copy.original); });
     connect(&save_, &SaveController::vesselsRecovered, this, [this](const QString& path) { open_.open({path}); });
 }
 
@@ -194,11 +195,13 @@ void SessionController::connectExporting()
     connect(actions[ui::Command::ExportDeformed], &QAction::triggered, &export_, &ExportController::askDeformed);
     connect(actions[ui::Command::ExportMask], &QAction::triggered, &export_, &ExportController::askMask);
     connect(actions[ui::Command::ExportVessels], &QAction::triggered, this, [this] { save_.saveVessels(); });
-    connect(&export_, &ExportController::started, this, [this] { notices_.showNote(tr("Writing…")); });
+    connect(&export_, &ExportController::started, this, [this] { notifications_.showNote(tr("Writing…")); });
     connect(&export_, &ExportController::exported, this, &SessionController::exported);
     connect(&export_, &ExportController::written, this,
-            [this](const QString& path) { notices_.showNote(tr("Saved: %1").arg(QFileInfo(path).fileName())); });
-    const auto showFailure = [this](const QString& reason) { notices_.showProblem(tr("Could not export"), reason); };
+            [this](const QString& path) { notifications_.showNote(tr("Saved: %1").arg(QFileInfo(path).fileName())); });
+    const auto showFailure = [this](const QString& reason) {
+        notifications_.showProblem(tr("Could not export"), reason);
+    };
     connect(&export_, &ExportController::failed, this, showFailure);
     connect(&report_, &ReportController::failed, this, showFailure);
 }
@@ -206,21 +209,21 @@ void SessionController::connectExporting()
 void SessionController::connectDicom()
 {
     connect(ui_.actions[ui::Command::ExportDicom], &QAction::triggered, &dicom_, &DicomController::ask);
-    connect(&dicom_, &DicomController::started, this, [this] { notices_.showNote(tr("Writing…")); });
+    connect(&dicom_, &DicomController::started, this, [this] { notifications_.showNote(tr("Writing…")); });
     connect(&dicom_, &DicomController::written, this, [this](const QString& folder, const QStringList& notes) {
         tellWritten(tr("DICOM objects written: %1").arg(QFileInfo(folder).fileName()), notes);
     });
     connect(&dicom_, &DicomController::failed, this,
-            [this](const QString& reason) { notices_.showProblem(tr("Could not export"), reason); });
+            [this](const QString& reason) { notifications_.showProblem(tr("Could not export"), reason); });
 }
 
 /// Reports what was written, with remarks.
 void SessionController::tellWritten(const QString& there, const QStringList& notes)
 {
     if (notes.isEmpty()) {
-        notices_.showNote(there);
+        notifications_.showNote(there);
     } else {
-        notices_.showWarnings(ui::joinedSentences(QStringList{there} + notes));
+        notifications_.showWarnings(ui::joinedSentences(QStringList{there} + notes));
     }
     emit exported();
 }
@@ -228,19 +231,21 @@ void SessionController::tellWritten(const QString& there, const QStringList& not
 void SessionController::connectPacking()
 {
     connect(ui_.actions[ui::Command::PackCase], &QAction::triggered, &pack_, &PackController::ask);
-    connect(&pack_, &PackController::stopped, this, [this] { notices_.showNote(tr("Stopped; nothing was written.")); });
+    connect(&pack_, &PackController::stopped, this,
+            [this] { notifications_.showNote(tr("Stopped; nothing was written.")); });
     connect(&pack_, &PackController::written, this, [this](const QString& path, const QStringList& notes) {
         tellWritten(tr("Case bundle saved: %1").arg(QFileInfo(path).fileName()), notes);
     });
-    connect(&pack_, &PackController::failed, this,
-            [this](const QString& reason) { notices_.showProblem(tr("Could not save the case bundle"), reason); });
+    connect(&pack_, &PackController::failed, this, [this](const QString& reason) {
+        notifications_.showProblem(tr("Could not save the case bundle"), reason);
+    });
 }
 
 void SessionController::connectArchives()
 {
     connect(ui_.actions[ui::Command::OpenArchive], &QAction::triggered, archive_.get(), &ArchiveController::show);
     connect(archive_.get(), &ArchiveController::retrieved, &studies_, &StudyController::lookAtAll);
-    connect(archive_.get(), &ArchiveController::reported, &notices_, &Notices::showNote);
+    connect(archive_.get(), &ArchiveController::reported, &notifications_, &Notifications::showNote);
     connect(ui_.actions[ui::Command::SendToArchive], &QAction::triggered, &dicom_, &DicomController::askToSend);
     connect(&dicom_, &DicomController::wanted, this,
             [this](const ui::DicomChoice& choice) { sender_->ask(dicom_.makerOf(choice)); });
@@ -251,15 +256,16 @@ void SessionController::connectDeidentifying()
 {
     connect(ui_.actions[ui::Command::DeidentifyFiles], &QAction::triggered, &deidentify_, &DeidentifyController::ask);
     connect(&deidentify_, &DeidentifyController::written, this,
-            [this](const QString&, const QString& words) { notices_.showWarnings(words); });
+            [this](const QString&, const QString& words) { notifications_.showWarnings(words); });
     connect(&deidentify_, &DeidentifyController::partlyRefused, this,
             [this](const QString& words, const QString& lines) {
                 ui::MessageDialog::show({tr("Some files were skipped"), words, lines}, &ui_.dialogParent);
             });
     connect(&deidentify_, &DeidentifyController::stopped, this,
-            [this] { notices_.showNote(tr("Stopped; nothing was written.")); });
-    connect(&deidentify_, &DeidentifyController::failed, this,
-            [this](const QString& reason) { notices_.showProblem(tr("Could not de-identify the files"), reason); });
+            [this] { notifications_.showNote(tr("Stopped; nothing was written.")); });
+    connect(&deidentify_, &DeidentifyController::failed, this, [this](const QString& reason) {
+        notifications_.showProblem(tr("Could not de-identify the files"), reason);
+    });
 }
 
 void SessionController::connectAudit(RegistrationController& registration)
@@ -279,7 +285,7 @@ void SessionController::connectAudit(RegistrationController& registration)
             [this](const QString& folder) { audit_.note(AuditEvent::Deidentified, {folder}); });
     connect(sender_.get(), &ArchiveSender::sent, &audit_, [this] { audit_.noteCase(AuditEvent::Sent); });
     const auto showIncomplete = [this](const QString& reason) {
-        notices_.showProblem(tr("The audit log is incomplete"), reason);
+        notifications_.showProblem(tr("The audit log is incomplete"), reason);
     };
     connect(&audit_, &AuditController::failed, this, showIncomplete);
     connect(archive_.get(), &ArchiveController::unaudited, this, showIncomplete);
@@ -289,8 +295,8 @@ void SessionController::connectAudit(RegistrationController& registration)
 void SessionController::openNewWindow()
 {
     if (!QProcess::startDetached(QCoreApplication::applicationFilePath(), {})) {
-        notices_.showProblem(tr("Could not open another window"),
-                             tr("Could not start AngioPose again. Start it from the system menu."));
+        notifications_.showProblem(tr("Could not open another window"),
+                                   tr("Could not start AngioPose again. Start it from the system menu."));
     }
 }
 

@@ -13,7 +13,7 @@
 #include "app/files/study_controller.h"
 #include "app/registration/registration_controller.h"
 #include "app/registration/target_provider.h"
-#include "app/showing/notices.h"
+#include "app/showing/notifications.h"
 
 #include <QObject>
 #include <QStringList>
@@ -47,7 +47,8 @@ public:
         QWidget& dialogParent;
     };
     SessionController(CaseDocument& document, TargetProvider& target, RegistrationController& registration,
-                      const PosePreview& preview, Notices& notices, const Ui& ui, QObject* parent = nullptr);
+                      const PosePreview& preview, Notifications& notifications, const Ui& ui,
+                      QObject* parent = nullptr);
     ~SessionController() override;
 
     /// Shows the notice and the recovery offer, and opens the files of the command line.
@@ -86,7 +87,7 @@ private:
     void offerRecoveryOnce();
 
     CaseDocument& document_;
-    Notices& notices_;
+    Notifications& notifications_;
     Ui ui_;
     OpenController open_;
     ExportController export_;

@@ -50,8 +50,8 @@ QImage imageOf(const core::ImageF& picture)
 
 }   // namespace
 
-StudyController::StudyController(OpenController& open, Notices& notices, const Ui& ui, QObject* parent)
-    : QObject(parent), open_(open), notices_(notices), ui_(ui), pictures_(picturePx, this)
+StudyController::StudyController(OpenController& open, Notifications& notifications, const Ui& ui, QObject* parent)
+    : QObject(parent), open_(open), notifications_(notifications), ui_(ui), pictures_(picturePx, this)
 {
     patience_.setSingleShot(true);
     patience_.setInterval(patienceMs);
@@ -62,7 +62,7 @@ StudyController::StudyController(OpenController& open, Notices& notices, const U
     connect(&job_, &StudyJob::failed, this, [this](const core::Message& reason) {
         ui_.strip.showIdle(tr("Ready"));
         abandon();
-        notices_.showProblem(tr("The folder could not be opened"), ui::messageText(reason), folders_);
+        notifications_.showProblem(tr("The folder could not be opened"), ui::messageText(reason), folders_);
     });
     connect(&ui_.hideIdentity, &QAction::toggled, this, [this] {
         if (browser_ && tree_) {
@@ -179,8 +179,8 @@ void StudyController::take(const SharedStudies& tree)
     const bool isAllRead = !tree->isStopped && !tree->isCutOff && tree->damaged.empty() && isAsListed;
     if (tree->patients.empty() && !isBrowserShown()) {
         abandon();
-        notices_.showProblem(tr("The folder could not be opened"),
-                             ui::messageText(io::messages::seriesNone().about(name_.toStdString())), folders_);
+        notifications_.showProblem(tr("The folder could not be opened"),
+                                   ui::messageText(io::messages::seriesNone().about(name_.toStdString())), folders_);
         return;
     }
     if (usable.size() == 1 && isAllRead && !isBrowserShown()) {

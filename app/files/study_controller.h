@@ -3,7 +3,7 @@
 #include "app/files/open_controller.h"
 #include "app/jobs/series_pictures.h"
 #include "app/jobs/study_job.h"
-#include "app/showing/notices.h"
+#include "app/showing/notifications.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -31,7 +31,7 @@ public:
         ui::BottomStrip& strip;
         QWidget& dialogParent;
     };
-    StudyController(OpenController& open, Notices& notices, const Ui& ui, QObject* parent = nullptr);
+    StudyController(OpenController& open, Notifications& notifications, const Ui& ui, QObject* parent = nullptr);
 
     void look(const QString& place);
     /// Lists several folders of series together under one name.
@@ -56,7 +56,7 @@ private:
     const io::StudySeries* find(const QString& key) const;
 
     OpenController& open_;
-    Notices& notices_;
+    Notifications& notifications_;
     Ui ui_;
     QStringList folders_;   ///< one folder, or several listed together
     QString name_;   ///< display name of all folders

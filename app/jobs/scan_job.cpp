@@ -17,7 +17,7 @@ constexpr double roughStepShare = 1.0;
 struct ScanJob::Ready {
     core::PreparedVolume fine;
     core::PreparedVolume rough;
-    core::SeenLevels levels;
+    core::IntensityLevels levels;
     bool isMask = false;
 };
 
@@ -71,7 +71,7 @@ core::Result<std::shared_ptr<const ScanJob::Ready>> ScanJob::madeReady(const cor
     }
     auto ready = std::make_shared<Ready>();
     ready->isMask = what.scan == nullptr;
-    ready->levels = ready->isMask ? core::SeenLevels() : core::seenLevels(*again.scan, threshold);
+    ready->levels = ready->isMask ? core::IntensityLevels() : core::seenLevels(*again.scan, threshold);
     ready->fine = std::move(*fine);
     ready->rough = std::move(*rough);
     return std::shared_ptr<const Ready>(std::move(ready));

@@ -110,17 +110,17 @@ void Case::setCArm(const CArm& cArm)
     view.geometry = {library::toCore(cArm), {}};
     view.initialCameraFromPatient.reset();
     core::forgetFindings(view);
-    if (const auto start = core::startPoseOf(content_->values)) {
+    if (const auto start = core::initialPoseOf(content_->values)) {
         view.cameraFromPatient = start.value();
     }
 }
 
-Pose Case::startPose() const
+Pose Case::initialPose() const
 {
-    return library::toPublic(library::valueOf(core::startPoseOf(content_->values)));
+    return library::toPublic(library::valueOf(core::initialPoseOf(content_->values)));
 }
 
-void Case::setStartPose(const Pose& cameraFromPatient)
+void Case::setInitialPose(const Pose& cameraFromPatient)
 {
     content_->values.shown().initialCameraFromPatient = library::toCore(cameraFromPatient);
     setCameraFromPatient(cameraFromPatient);

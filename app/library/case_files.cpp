@@ -62,7 +62,7 @@ void putAngiogram(core::Case& values, const std::shared_ptr<const core::Angiogra
     view.angiogram = angiogram;
     view.frame = angiogram->suggestedFrame;
     view.geometry.cArm = angiogram->cArm;
-    if (const auto start = core::startPoseOf(values)) {
+    if (const auto start = core::initialPoseOf(values)) {
         view.cameraFromPatient = start.value();
     }
 }

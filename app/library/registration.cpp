@@ -12,7 +12,7 @@ namespace {
 /// Throws if the view has no initial pose; registration would otherwise start from the identity.
 void requireStart(const core::View& view, const core::Vessels& vessels)
 {
-    if (auto start = core::startPoseOf(view, vessels); !start) {
+    if (auto start = core::initialPoseOf(view, vessels); !start) {
         throw Error("library.no-start",
                     "The geometry of the angiogram gives no initial pose; set one. " + start.error().message.text());
     }

@@ -24,7 +24,7 @@ SimulatedCase simulateCase(std::uint64_t seed, const SimulationOptions& options)
     content->values.vessels.tree = std::make_shared<const core::VesselTree>(std::move(simulated.tree));
     library::putAngiogram(content->values, std::make_shared<const core::Angiogram>(std::move(simulated.angiogram)));
     Case session(std::move(content));
-    session.setStartPose(library::toPublic(simulated.initialCameraFromPatient));
+    session.setInitialPose(library::toPublic(simulated.initialCameraFromPatient));
     return {std::move(session), library::toPublic(simulated.trueCameraFromPatient),
             library::toPublic(simulated.trueTarget), std::move(simulated.missingBranchIds)};
 }

@@ -26,7 +26,7 @@ void bindCase(py::module_& module)
             "cArm", [](const Case& session) { return Fixed<CArm>(session.cArm()); }, &Case::setCArm,
             "assign to change it: recomputes camera and initial pose, replacing earlier values")
         .def_property(
-            "startPose", [](const Case& session) { return fixedArray(session.startPose()); }, &Case::setStartPose,
+            "startPose", [](const Case& session) { return fixedArray(session.initialPose()); }, &Case::setInitialPose,
             "(4, 4), the initial pose; setting it also sets the current pose")
         .def_property(
             "cameraFromPatient", [](const Case& session) { return fixedArray(session.cameraFromPatient()); },

@@ -33,7 +33,7 @@ QString RegistrationController::whyNotReady() const
     if (const auto camera = core::cameraOf(current.shown()); !camera) {
         return ui::messageText(camera.error().message);
     }
-    if (const auto start = core::startPoseOf(current); !start) {
+    if (const auto start = core::initialPoseOf(current); !start) {
         return ui::messageText(start.error().message);
     }
     return ui::messageText(core::findProblem(current.options));

@@ -131,7 +131,7 @@ core::Result<std::vector<ReportedView>> judgedViews(const core::Case& session, c
     }
     OverlayPictureOptions ofOthers = look;
     ofOthers.range.reset();
-    ofOthers.radiograph = nullptr;
+    ofOthers.drr = nullptr;
     ofOthers.cutout = {};
     std::vector<ReportedView> views{std::move(shown).value()};
     for (std::size_t place = 0; place < session.views.size(); ++place) {

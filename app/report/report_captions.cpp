@@ -14,7 +14,7 @@ using report::PageWords;
 /// Whether the vessels are colored by residuals, as opposed to another coloring or none.
 bool showsResiduals(const ReportedView& view)
 {
-    return view.look.coloring == OverlayColoring::Residuals && view.target.pointCount() > 0 && !view.look.radiograph &&
+    return view.look.coloring == OverlayColoring::Residuals && view.target.pointCount() > 0 && !view.look.drr &&
            view.look.vessels != ui::OverlayMode::Hidden;
 }
 
@@ -41,7 +41,7 @@ QString sample(const ui::Color& color, const QString& meaning)
 
 bool hasStartBeside(const ReportedView& view)
 {
-    const auto start = core::startPoseOf(view.session);
+    const auto start = core::initialPoseOf(view.session);
     return start && start.value().matrix() != view.session.shown().cameraFromPatient.matrix();
 }
 

@@ -12,7 +12,7 @@ namespace {
 using report::PageWords;
 
 /// Smaller reductions are within the measurement error of a lumen and are not reported as a stenosis.
-constexpr double minNarrowingPercent = 10.0;
+constexpr double minStenosisPercent = 10.0;
 
 }   // namespace
 
@@ -51,10 +51,10 @@ QString widthWords(const core::VesselBranch& branch)
     }
     const core::BranchProfile& along = profile.value();
     const QString mean = QStringLiteral(" · ⌀ %1 mm").arg(ui::numberText(*along.meanDiameterMm, 1));
-    const bool isNarrowed = along.narrowing && along.narrowing->percent >= minNarrowingPercent;
+    const bool isNarrowed = along.stenosis && along.stenosis->percent >= minStenosisPercent;
     return isNarrowed ? mean + PageWords::tr(", narrowest %1 mm (−%2 %)")
-                                   .arg(ui::numberText(along.narrowing->diameterMm, 1),
-                                        ui::numberText(along.narrowing->percent, 0))
+                                   .arg(ui::numberText(along.stenosis->diameterMm, 1),
+                                        ui::numberText(along.stenosis->percent, 0))
                       : mean;
 }
 

@@ -43,7 +43,7 @@ Rows originRows(const ReportedView& view)
 {
     const auto& result = view.session.shown().result;
     if (!result) {
-        const auto start = core::startPoseOf(view.session);
+        const auto start = core::initialPoseOf(view.session);
         const bool isStart = start && start.value().matrix() == view.session.shown().cameraFromPatient.matrix();
         return {{PageWords::tr("Method"),
                  isStart ? PageWords::tr("none: this is the initial pose") : PageWords::tr("pose set manually")}};

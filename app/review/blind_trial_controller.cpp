@@ -52,7 +52,7 @@ BlindTrialController::BlindTrialController(CaseDocument& document, TargetProvide
 void BlindTrialController::ask()
 {
     const core::Case& current = document_.current();
-    if (!current.vessels.tree || !current.shown().angiogram || !core::startPoseOf(current) || document_.isLocked()) {
+    if (!current.vessels.tree || !current.shown().angiogram || !core::initialPoseOf(current) || document_.isLocked()) {
         emit failed(
             tr("A blind trial needs vessels, an angiogram and an initial pose, and no registration may be running."));
         return;
@@ -97,10 +97,10 @@ void BlindTrialController::start(const ui::BlindTrialSetup& setup)
     trial_.rangeDeg = setup.rangeDeg;
     trial_.centerPose = current.shown().cameraFromPatient;
     trial_.pivotInPatient = core::centroidInPatient(*current.vessels.tree);
-    trial_.startPose =
+    trial_.initialPose =
         core::uniformlyDisplaced(trial_.centerPose, trial_.pivotInPatient, setup.rangeDeg, setup.rangeMm, random);
     document_.beginTrial(std::make_unique<HideWhatIsKnown>(
-        document_, HideWhatIsKnown::Values{trial_.startPose, trial_.startPose, std::nullopt, {}, {}},
+        document_, HideWhatIsKnown::Values{trial_.initialPose, trial_.initialPose, std::nullopt, {}, {}},
         [] { return tr("Blind trial"); }));
     showRunning(true);
     if (QAction* nudge = ui_.actions[ui::Command::Nudge]; !nudge->isChecked()) {

@@ -51,7 +51,7 @@ FollowController::FollowController(const Parts& parts, QObject* parent) : QObjec
     connect(&job_, &FollowJob::failed, this, [this](const core::Message& reason) {
         startedFrom_ = {};   // frees the cine run, which is large
         on_.strip.showIdle(tr("Ready"));
-        on_.notices.showProblem(tr("Could not track the vessels"), ui::messageText(reason));
+        on_.notifications.showProblem(tr("Could not track the vessels"), ui::messageText(reason));
     });
     connect(&on_.document, &CaseDocument::changed, this, &FollowController::followDocument);
     connect(&on_.sync, &ViewSync::frameShown, this, &FollowController::showFrame);
@@ -73,7 +73,7 @@ void FollowController::start()
         return;
     }
     if (const QString why = whyNot(); !why.isEmpty()) {
-        on_.notices.showNote(why);
+        on_.notifications.showNote(why);
         return;
     }
     on_.review.stopMotion();
@@ -88,7 +88,7 @@ void FollowController::take(const std::vector<core::FollowedFrame>& frames)
     const core::Case startedFrom = std::exchange(startedFrom_, {});   // frees the cine run, which is large
     const core::FollowedRun run = core::followedFrom(startedFrom.shown().frame, frames);
     if (!isAsStarted(startedFrom, run)) {
-        on_.notices.showNote(tr("The vessels were moved in the meantime. Track them again."));
+        on_.notifications.showNote(tr("The vessels were moved in the meantime. Track them again."));
         return;
     }
     if (!on_.document.push(std::make_unique<KeepFollowed>(on_.document, KeepFollowed::Values{run},
@@ -101,7 +101,7 @@ void FollowController::take(const std::vector<core::FollowedFrame>& frames)
         lost == 0
             ? tr("Tracked through %1 frames: scroll or play them").arg(count)
             : tr("Tracked through %1 frames; %2 of them do not show the vessels well enough").arg(count).arg(lost);
-    on_.notices.showNote(followed + periodWords(core::periodsOf(startedFrom, frames)));
+    on_.notifications.showNote(followed + periodWords(core::periodsOf(startedFrom, frames)));
 }
 
 /// Whether the poses belong to these vessels and this cine run and start from the current pose.

@@ -2,7 +2,7 @@
 
 #include "app/files/export_controller.h"
 #include "app/jobs/follow_job.h"
-#include "app/showing/notices.h"
+#include "app/showing/notifications.h"
 #include "app/showing/review_controller.h"
 #include "app/showing/view_sync.h"
 
@@ -31,7 +31,7 @@ public:
         ViewSync& sync;
         PosePreview& preview;
         ExportController& exporting;
-        Notices& notices;
+        Notifications& notifications;
         ui::WindowActions& actions;
         ui::ResultPanel& panel;
         ui::BottomStrip& strip;

@@ -107,9 +107,9 @@ void LookController::holdHidden(bool held)
 
 void LookController::showStyle()
 {
-    ui_.view.scene().setMode(heldHidden_ || isRadiograph_ ? ui::OverlayMode::Hidden : style_);
+    ui_.view.scene().setMode(heldHidden_ || isDrr_ ? ui::OverlayMode::Hidden : style_);
     redraw();
-    emit radiographWanted(isRadiograph_ && !heldHidden_);
+    emit drrWanted(isDrr_ && !heldHidden_);
 }
 
 bool LookController::hasRadii() const
@@ -120,7 +120,7 @@ bool LookController::hasRadii() const
            });
 }
 
-QString LookController::radiographWords() const
+QString LookController::drrWords() const
 {
     return document_.current().vessels.scan ? tr("Vessels as DRR of the scan") : tr("Vessels as DRR of tubes");
 }
@@ -129,9 +129,9 @@ void LookController::nextStyle()
 {
     using enum ui::OverlayMode;
     const bool isLast = style_ == Tube || !hasRadii();   // outlines and tubes require radii
-    style_ = isRadiograph_ || isLast ? Centerline : style_ == Centerline ? Outline : Tube;
-    isRadiograph_ = !isRadiograph_ && isLast;
-    ui_.strip.showStatus(isRadiograph_          ? radiographWords()
+    style_ = isDrr_ || isLast ? Centerline : style_ == Centerline ? Outline : Tube;
+    isDrr_ = !isDrr_ && isLast;
+    ui_.strip.showStatus(isDrr_                 ? drrWords()
                          : style_ == Centerline ? tr("Vessels as centerlines")
                          : style_ == Outline    ? tr("Vessels as outlines")
                                                 : tr("Vessels as tubes"));

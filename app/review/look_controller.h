@@ -44,7 +44,7 @@ public:
 signals:
     void changed();   ///< appearance of the overlay or inversion of the image
     void branchWanted(int branchId);   ///< requests selection of the branch
-    void radiographWanted(bool wanted);   ///< DRR of the vessels instead of their lines
+    void drrWanted(bool wanted);   ///< DRR of the vessels instead of their lines
 
 private:
     void connectOverlay();
@@ -53,7 +53,7 @@ private:
     void redraw();
     void showStyle();
     void nextStyle();
-    QString radiographWords() const;
+    QString drrWords() const;
     void nextCutout();
     void changeOpacity(double by);
     void scaleWindow(double factor);
@@ -68,7 +68,7 @@ private:
     Ui ui_;
     BrightnessMemory brightness_;
     ui::OverlayMode style_ = ui::OverlayMode::Centerline;
-    bool isRadiograph_ = false;   ///< DRR instead of `style_`
+    bool isDrr_ = false;   ///< DRR instead of `style_`
     bool heldHidden_ = false;
     std::vector<core::BranchResidual> worstFirst_;
     double millimetersPerPixel_ = 0.0;

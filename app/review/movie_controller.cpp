@@ -20,15 +20,15 @@ MovieController::MovieController(const Parts& parts, QObject* parent)
       on_(parts),
       job_({[this](const QString& path) {
                 on_.strip.showIdle(tr("Ready"));
-                on_.notices.showNote(tr("Saved: %1").arg(QFileInfo(path).fileName()));
+                on_.notifications.showNote(tr("Saved: %1").arg(QFileInfo(path).fileName()));
                 emit written(path);
             },
             [this](const core::Error& error) {
                 on_.strip.showIdle(tr("Ready"));
                 if (error.isStop()) {
-                    on_.notices.showNote(ui::messageText(error.message));
+                    on_.notifications.showNote(ui::messageText(error.message));
                 } else {
-                    on_.notices.showProblem(tr("Could not export"), ui::messageText(error.message));
+                    on_.notifications.showProblem(tr("Could not export"), ui::messageText(error.message));
                 }
             },
             [this](double fraction) {
@@ -44,11 +44,11 @@ void MovieController::ask()
 {
     const core::Case& current = on_.document.current();
     if (!current.vessels.tree || !current.shown().angiogram) {
-        on_.notices.showNote(tr("Open vessels and an angiogram first."));
+        on_.notifications.showNote(tr("Open vessels and an angiogram first."));
         return;
     }
     if (job_.isRunning() || on_.document.isLocked()) {
-        on_.notices.showNote(tr("Another task is running. Wait for it to finish."));
+        on_.notifications.showNote(tr("Another task is running. Wait for it to finish."));
         return;
     }
     const auto& result = current.shown().result;

@@ -5,7 +5,7 @@
 #include "app/jobs/job.h"
 #include "app/review/follow_controller.h"
 #include "app/showing/cine_controller.h"
-#include "app/showing/notices.h"
+#include "app/showing/notifications.h"
 #include "app/texts/movie.h"
 #include "ui/dialogs/movie_dialog.h"
 
@@ -24,7 +24,7 @@ public:
         ExportController& exporting;
         const FollowController& follow;
         const CineController& cine;
-        Notices& notices;
+        Notifications& notifications;
         ui::WindowActions& actions;
         ui::BottomStrip& strip;
         QWidget& dialogParent;

@@ -34,7 +34,7 @@ PoseGestures::PoseGestures(const Parts& parts, QObject* parent)
     connectTool();
     connect(&on_.pose, &PoseController::previewed, this, &PoseGestures::preview);
     connect(&on_.pose, &PoseController::previewEnded, this, &PoseGestures::endPreview);
-    connect(&on_.pose, &PoseController::refused, &on_.notices, &Notices::showNote);
+    connect(&on_.pose, &PoseController::refused, &on_.notifications, &Notifications::showNote);
 }
 
 void PoseGestures::show()
@@ -76,7 +76,8 @@ void PoseGestures::showNudgeMode(bool on)
     on_.review.stopMotion();
     on_.panel.showNudgeMode(on);
     on_.panel.setActiveAxis(std::nullopt);
-    on_.notices.showNote(on ? tr("Nudge mode: arrow keys move, drag moves or rolls, N exits") : tr("Nudge mode off"));
+    on_.notifications.showNote(on ? tr("Nudge mode: arrow keys move, drag moves or rolls, N exits")
+                                  : tr("Nudge mode off"));
 }
 
 void PoseGestures::preview(const core::RigidTransform& pose)
@@ -96,7 +97,7 @@ void PoseGestures::endPreview()
 void PoseGestures::copyMatrix()
 {
     QGuiApplication::clipboard()->setText(matrixText(on_.document.current().shown().cameraFromPatient));
-    on_.notices.showNote(tr("Copied: camera-from-patient matrix, 4 × 4, mm"));
+    on_.notifications.showNote(tr("Copied: camera-from-patient matrix, 4 × 4, mm"));
 }
 
 }   // namespace angiopose::app

@@ -2,7 +2,7 @@
 
 #include "app/editing/pose_controller.h"
 #include "app/review/judgement_controller.h"
-#include "app/showing/notices.h"
+#include "app/showing/notifications.h"
 #include "app/showing/pose_preview.h"
 #include "app/showing/review_controller.h"
 #include "ui/views/tools/nudge_tool.h"
@@ -29,7 +29,7 @@ public:
         ReviewController& review;
         JudgementController& judgement;
         PosePreview& preview;
-        Notices& notices;
+        Notifications& notifications;
         ui::WindowActions& actions;
         ui::PosePanel& panel;
         ui::RegistrationPanel& registration;

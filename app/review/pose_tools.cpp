@@ -20,7 +20,7 @@ PoseTools::PoseTools(const Parts& on, QObject* parent)
 {
     connectLooks(on);
     connectTrial(on);
-    connect(&auxiliary_, &AuxiliaryController::refused, &on.notices, &Notices::showNote);
+    connect(&auxiliary_, &AuxiliaryController::refused, &on.notifications, &Notifications::showNote);
 }
 
 /// Ensures that only one alternative pose is shown at a time.
@@ -40,7 +40,7 @@ void PoseTools::connectLooks(const Parts& on)
 
 void PoseTools::connectTrial(const Parts& on)
 {
-    Notices* notices = &on.notices;
+    Notifications* notifications = &on.notifications;
     connect(&blindTrial_, &BlindTrialController::aboutToStart, this,
             [this, review = &on.review, session = &on.session] {
                 review->stopMotion();
@@ -48,10 +48,11 @@ void PoseTools::connectTrial(const Parts& on)
                 session->saving().autosaveSoon();
             });
     connect(&on.session, &SessionController::aboutToClose, &blindTrial_, &BlindTrialController::abandon);
-    connect(&blindTrial_, &BlindTrialController::logged, notices,
-            [notices](const QString& path) { notices->showNote(tr("Logged: %1").arg(QFileInfo(path).fileName())); });
-    connect(&blindTrial_, &BlindTrialController::failed, notices,
-            [notices](const QString& reason) { notices->showProblem(tr("Blind trial"), reason); });
+    connect(&blindTrial_, &BlindTrialController::logged, notifications, [notifications](const QString& path) {
+        notifications->showNote(tr("Logged: %1").arg(QFileInfo(path).fileName()));
+    });
+    connect(&blindTrial_, &BlindTrialController::failed, notifications,
+            [notifications](const QString& reason) { notifications->showProblem(tr("Blind trial"), reason); });
 }
 
 }   // namespace angiopose::app

@@ -9,7 +9,7 @@
 #include "app/review/replay_controller.h"
 #include "app/review/snapshot_controller.h"
 #include "app/review/solution_controller.h"
-#include "app/showing/notices.h"
+#include "app/showing/notifications.h"
 #include "app/showing/review_controller.h"
 
 #include <QObject>
@@ -43,7 +43,7 @@ public:
         ReplayController& replay;
         JudgementController& judgement;
         PosePreview& preview;
-        Notices& notices;
+        Notifications& notifications;
         ui::WindowActions& actions;
         ui::AngiogramView& view;
         ui::ResultPanel& result;

@@ -45,7 +45,7 @@ core::RigidTransform PosePreview::poseIn(std::size_t view) const
         return other.cameraFromPatient;
     }
     if (shown_ == PreviewOf::Start) {
-        const auto start = core::startPoseOf(other, current.vessels);
+        const auto start = core::initialPoseOf(other, current.vessels);
         return start ? start.value() : other.cameraFromPatient;
     }
     return core::poseMovedAlong(current, view, pose_);

@@ -141,7 +141,7 @@ void ReviewController::setFlickering(bool on)
 
 void ReviewController::flick()
 {
-    const auto start = core::startPoseOf(document_.current());
+    const auto start = core::initialPoseOf(document_.current());
     if (!start || document_.isLocked()) {
         stopMotion();
         return;

@@ -18,7 +18,7 @@ bool isOrientationKnown(const core::View& view, const core::Vessels& vessels)
     constexpr double farthestDeg = 45.0;
     core::View byAngles = view;
     byAngles.initialCameraFromPatient.reset();
-    const auto expected = core::startPoseOf(byAngles, vessels);
+    const auto expected = core::initialPoseOf(byAngles, vessels);
     if (!expected) {
         return false;
     }

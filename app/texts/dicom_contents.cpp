@@ -148,7 +148,7 @@ OverlayPictureOptions lookOfRun(const DicomGround& ground)
     const core::View& view = ground.session.shown();
     look.isStartBeside = false;
     look.coloring = OverlayColoring::Branches;
-    look.radiograph = nullptr;
+    look.drr = nullptr;
     look.widthPx = look.widthPx > 0 ? look.widthPx : view.angiogram->width();
     if (!look.range) {
         look.range = core::displayRange(view.angiogram->frames[static_cast<std::size_t>(view.frame)]);

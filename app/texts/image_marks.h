@@ -2,8 +2,8 @@
 
 #include "app/texts/deformed_vessels.h"
 #include "core/case/case.h"
-#include "core/measuring/check_points.h"
 #include "core/measuring/image_scale.h"
+#include "core/measuring/target_points.h"
 #include "core/support/message.h"
 #include "ui/scenes/image_mark.h"
 

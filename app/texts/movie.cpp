@@ -16,7 +16,7 @@ constexpr core::DisplayRange darkGround{0.0, 1.0};
 OverlayPictureOptions steadyLook(const core::Case& session, OverlayPictureOptions options, const MoviePlan& plan)
 {
     options.isStartBeside = false;
-    options.radiograph = plan.content == MovieContent::Turn ? nullptr : options.radiograph;
+    options.drr = plan.content == MovieContent::Turn ? nullptr : options.drr;
     const core::Angiogram& run = *session.shown().angiogram;
     if (plan.content == MovieContent::Turn) {
         options.range = darkGround;

@@ -5,7 +5,7 @@
 #include "app/texts/image_marks.h"
 #include "app/texts/number_text.h"
 #include "core/case/case_patients.h"
-#include "core/case/start_pose.h"
+#include "core/case/initial_pose.h"
 #include "core/evaluation/trial/branch_distances.h"
 #include "core/imaging/display_range.h"
 #include "ui/scenes/burn_marks.h"
@@ -148,7 +148,7 @@ ScaleEnd colorVessels(ui::OverlayScene& scene, const core::Case& session, const 
 ScaleEnd styleScene(ui::OverlayScene& scene, const core::Case& session, const core::Centerline2d& target,
                     const OverlayPictureOptions& options, const DrawnVessels& drawn)
 {
-    scene.setMode(options.radiograph ? ui::OverlayMode::Hidden : options.vessels);
+    scene.setMode(options.drr ? ui::OverlayMode::Hidden : options.vessels);
     scene.setDepthCue(options.depthCue);
     scene.setCutout(options.cutout);
     if (options.range) {
@@ -167,7 +167,7 @@ std::vector<ui::ImageMark> marksIn(const core::Case& session, const OverlayPictu
     std::vector<ui::ImageMark> marks =
         marksOf({session.shown(), session.vessels.tree.get()}, session.shown().frame, toText);
     const PlacedView placed{session, session.shownView, session.shown().frame,
-                            options.radiograph ? VesselShape::Rigid : options.shape};
+                            options.drr ? VesselShape::Rigid : options.shape};
     const std::vector<ui::ImageMark> places = placedMarks(placed, toText);
     marks.insert(marks.end(), places.begin(), places.end());
     return marks;
@@ -205,7 +205,7 @@ core::Result<Picture> drawOne(const core::Case& session, const core::Centerline2
         return camera.error();
     }
     ui::OverlayScene scene;
-    const DrawnVessels drawn = shownVessels(session, options.radiograph ? VesselShape::Rigid : options.shape);
+    const DrawnVessels drawn = shownVessels(session, options.drr ? VesselShape::Rigid : options.shape);
     dressScene(scene, session, camera.value(), drawn.tree);
     const ScaleEnd scale = styleScene(scene, session, target, options, drawn);
     const core::ImageF& frame = session.shown().angiogram->frames.front();
@@ -213,12 +213,12 @@ core::Result<Picture> drawOne(const core::Case& session, const core::Centerline2
     const int height =
         std::max(1, static_cast<int>(std::lround(static_cast<double>(width) * frame.height / frame.width)));
     scene.setLineWidthPx(std::max(1.5, width / 512.0 * 1.5));
-    if (options.radiograph) {
-        const auto radiograph = options.radiograph(session.shown().cameraFromPatient);
-        if (!radiograph) {
-            return radiograph.error();
+    if (options.drr) {
+        const auto drr = options.drr(session.shown().cameraFromPatient);
+        if (!drr) {
+            return drr.error();
         }
-        scene.setRadiograph(radiograph.value());
+        scene.setDrr(drr.value());
     }
     auto rendered = drawScene<Picture>(scene, width, height, wholeImage(frame),
                                        exportTexts(session, target, options, drawn, heading), scale.px, scale.mm);
@@ -272,7 +272,7 @@ core::Result<Picture> drawAs(const core::Case& session, const core::Centerline2d
     if (!options.isStartBeside) {
         return drawOne<Picture>(session, target, options, options.words);
     }
-    const auto start = core::startPoseOf(session);
+    const auto start = core::initialPoseOf(session);
     if (!start) {
         return start.error();
     }

@@ -36,7 +36,7 @@ struct OverlayPictureOptions {
     bool isStartBeside = false;
     std::optional<core::Message> words = std::nullopt;   ///< caption at the bottom left, for one of several images
     /// Computes a DRR from a pose, shown instead of the vessel lines; not set: lines.
-    std::function<core::Result<core::ImageF>(const core::RigidTransform& cameraFromPatient)> radiograph = nullptr;
+    std::function<core::Result<core::ImageF>(const core::RigidTransform& cameraFromPatient)> drr = nullptr;
 };
 
 /// Overlay image as used in reports: angiogram, projected tree at the case's pose, colors (of residuals against

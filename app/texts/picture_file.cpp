@@ -35,7 +35,7 @@ OverlayPictureOptions withoutVessels(OverlayPictureOptions options)
     options.coloring = OverlayColoring::Branches;
     options.cutout = {};
     options.isStartBeside = false;
-    options.radiograph = nullptr;
+    options.drr = nullptr;
     return options;
 }
 

@@ -15,7 +15,7 @@ QString missingIn(const core::Case& current)
 {
     const auto camera = core::cameraOf(current.shown());
     const bool isCameraMissing = !camera;
-    const bool isStartMissing = current.vessels.tree && !core::startPoseOf(current);
+    const bool isStartMissing = current.vessels.tree && !core::initialPoseOf(current);
     if (!isCameraMissing && !isStartMissing) {
         return {};
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/measuring/check_points.h"
+#include "core/measuring/target_points.h"
 #include "ui/panels/mark_panel.h"
 
 #include <QString>

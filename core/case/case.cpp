@@ -2,9 +2,9 @@
 
 namespace angiopose::core {
 
-Result<RigidTransform> startPoseOf(const Case& session)
+Result<RigidTransform> initialPoseOf(const Case& session)
 {
-    return startPoseOf(session.shown(), session.vessels);
+    return initialPoseOf(session.shown(), session.vessels);
 }
 
 }   // namespace angiopose::core

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/case/start_pose.h"
+#include "core/case/initial_pose.h"
 #include "core/case/vessels.h"
 #include "core/case/view.h"
 #include "core/registration/registration.h"
@@ -26,6 +26,6 @@ struct Case {
 };
 
 /// Returns the initial pose of the shown view.
-Result<RigidTransform> startPoseOf(const Case& session);
+Result<RigidTransform> initialPoseOf(const Case& session);
 
 }   // namespace angiopose::core

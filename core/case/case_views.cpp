@@ -79,7 +79,7 @@ std::vector<View> atStart(const Case& session)
 {
     return withPoses(session, [&session](std::size_t place) {
         const View& view = session.views[place];
-        const auto start = startPoseOf(view, session.vessels);
+        const auto start = initialPoseOf(view, session.vessels);
         return start ? start.value() : view.cameraFromPatient;
     });
 }

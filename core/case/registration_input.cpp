@@ -54,7 +54,7 @@ Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& v
     input.camera = camera.value();
     input.cameraSpread = cameraSpreadOf(view);
     input.initialCameraFromPatient = view.cameraFromPatient;
-    if (const auto start = startPoseOf(view, vessels)) {
+    if (const auto start = initialPoseOf(view, vessels)) {
         input.lockReference = start.value();
     }
     input.lockPivotInPatient = vessels.pickedPivotInPatient;

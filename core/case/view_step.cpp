@@ -1,6 +1,6 @@
 #include "core/case/view_step.h"
 
-#include "core/case/start_pose.h"
+#include "core/case/initial_pose.h"
 #include "core/messages/messages.h"
 
 #include <algorithm>
@@ -73,7 +73,7 @@ bool isIsocenterKnown(const CArm& first, const CArm& view)
 /// Rotation between the gantries, with the vessels placed where the view's own initial pose puts them.
 RigidTransform turnedInPlace(const RigidTransform& step, const View& first, const View& view, const Vessels& vessels)
 {
-    const auto start = startPoseOf(view, vessels);
+    const auto start = initialPoseOf(view, vessels);
     if (!start || !vessels.tree) {
         return step;
     }
@@ -121,8 +121,8 @@ Result<ViewStep> stepToView(const View& first, const View& view, const Vessels& 
     if (byGantries) {
         return byGantries;
     }
-    const auto startOfFirst = startPoseOf(first, vessels);
-    const auto start = startPoseOf(view, vessels);
+    const auto startOfFirst = initialPoseOf(first, vessels);
+    const auto start = initialPoseOf(view, vessels);
     if (!startOfFirst || !start) {
         return start ? startOfFirst.error() : start.error();
     }

@@ -74,7 +74,7 @@ constexpr double curvatureReachMm = 3.0;
 constexpr double minCurvatureArcMm = 2.0;   // minimum arc length for measuring curvature
 constexpr double referenceReachMm = 30.0;   // beyond this distance, bifurcations have changed the vessel
 constexpr double recoveryReachMm = 20.0;
-constexpr double narrowingEnds = 0.9;   // fraction of the reference diameter at which a stenosis ends
+constexpr double stenosisEnds = 0.9;   // fraction of the reference diameter at which a stenosis ends
 constexpr double unknownHere = std::numeric_limits<double>::quiet_NaN();
 
 /// Whether every point has a valid radius.
@@ -152,7 +152,7 @@ double narrowness(const ProfileSample& sample)
 }
 
 /// Returns the narrowest place among the samples with a reference; at least one must have it.
-Narrowing narrowestOf(const std::vector<ProfileSample>& samples)
+StenosisMeasure narrowestOf(const std::vector<ProfileSample>& samples)
 {
     std::size_t least = 0;
     for (std::size_t i = 1; i < samples.size(); ++i) {
@@ -161,10 +161,10 @@ Narrowing narrowestOf(const std::vector<ProfileSample>& samples)
     }
     std::size_t from = least;
     std::size_t to = least;
-    while (from > 0 && narrowness(samples[from]) < narrowingEnds) {
+    while (from > 0 && narrowness(samples[from]) < stenosisEnds) {
         --from;
     }
-    while (to + 1 < samples.size() && narrowness(samples[to]) < narrowingEnds) {
+    while (to + 1 < samples.size() && narrowness(samples[to]) < stenosisEnds) {
         ++to;
     }
     return {std::max(0.0, 100.0 * (1.0 - narrowness(samples[least]))),
@@ -213,7 +213,7 @@ void lowerWhereNothingRecovers(std::vector<ProfileSample>& samples)
 }
 
 /// Adds the reference and the narrowest place; excludes the ends of the branch over one diameter.
-void addNarrowing(BranchProfile& profile)
+void addStenosis(BranchProfile& profile)
 {
     std::vector<ProfileSample>& samples = profile.samples;
     const double endMm = std::min(*profile.meanDiameterMm, 0.25 * profile.lengthMm);
@@ -226,7 +226,7 @@ void addNarrowing(BranchProfile& profile)
     lowerWhereNothingRecovers(samples);
     const auto hasReference = [](const ProfileSample& sample) { return std::isfinite(sample.referenceMm); };
     if (std::ranges::any_of(samples, hasReference)) {
-        profile.narrowing = narrowestOf(samples);
+        profile.stenosis = narrowestOf(samples);
     } else {
         profile.doubts.push_back(messages::profileNoReference());
     }
@@ -242,7 +242,7 @@ void addDiameters(BranchProfile& profile)
     profile.meanDiameterMm = sum / static_cast<double>(profile.samples.size());
     profile.minDiameterMm = least->diameterMm;
     profile.greatestDiameterMm = greatest->diameterMm;
-    addNarrowing(profile);
+    addStenosis(profile);
 }
 
 }   // namespace

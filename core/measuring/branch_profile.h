@@ -18,7 +18,7 @@ struct ProfileSample {
 };
 
 /// The narrowest place of a branch relative to its reference diameter.
-struct Narrowing {
+struct StenosisMeasure {
     double percent = 0.0;   ///< diameter stenosis; 0: not narrower than the reference
     double atMm = 0.0;
     double fromMm = 0.0;   ///< start and end: where the diameter is within a tenth of the reference
@@ -37,7 +37,7 @@ struct BranchProfile {
     std::optional<double> meanDiameterMm;   ///< mean over the length; nothing without radii
     std::optional<double> minDiameterMm;
     std::optional<double> greatestDiameterMm;
-    std::optional<Narrowing> narrowing;   ///< nothing without a reference
+    std::optional<StenosisMeasure> stenosis;   ///< nothing without a reference
     Messages doubts;   ///< measurements that failed, and why
 };
 

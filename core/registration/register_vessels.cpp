@@ -2,7 +2,7 @@
 
 #include "core/messages/messages.h"
 #include "core/registration/deformation_check.h"
-#include "core/registration/held_depth.h"
+#include "core/registration/depth_constraint.h"
 #include "core/registration/image_orientation_check.h"
 #include "core/registration/judging/distance_metrics.h"
 #include "core/registration/judging/judge_pose.h"
@@ -167,7 +167,7 @@ RegistrationResult judgeWithCare(const RegistrationProblem& problem, const Regis
 {
     RegistrationResult result = judgePose(problem, options, solution);
     const auto held =
-        solution.isSettled ? withDepthHeld(problem, options, solution, result) : std::optional<MethodSolution>();
+        solution.isSettled ? withConstrainedDepth(problem, options, solution, result) : std::optional<MethodSolution>();
     if (held) {
         result = judgePose(problem, options, *held);
     }

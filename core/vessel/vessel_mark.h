@@ -8,12 +8,12 @@
 
 namespace angiopose::core {
 
-enum class VesselMarkKind { CheckPoint, OstiumRing };
+enum class VesselMarkKind { TargetPoint, OstiumRing };
 
 /// A named mark on the vessels: a target point, for evaluating a pose, or the ring of an ostium.
 struct VesselMark {
     int id = 0;   ///< unique among the marks of a case; sightings in the views refer to it
-    VesselMarkKind kind = VesselMarkKind::CheckPoint;
+    VesselMarkKind kind = VesselMarkKind::TargetPoint;
     std::string name;
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm; center of a ring
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   ///< ring only: unit vector along its branch

@@ -112,7 +112,7 @@ const auto& sealedParts()
                    }},
         SealedPart{"geometry", messages::partGeometry(),
                    [](const Json&, const Json& view) { return memberAt(view, {"geometry"}); }},
-        SealedPart{"start", messages::partStartPose(),
+        SealedPart{"start", messages::partInitialPose(),
                    [](const Json&, const Json& view) {
                        return memberAt(view, {"pose", "initial"});
                    }},

@@ -1,6 +1,6 @@
 #include "io/case/view_inputs.h"
 
-#include "core/case/start_pose.h"
+#include "core/case/initial_pose.h"
 #include "io/angiogram_file.h"
 #include "io/centerline2d_file.h"
 #include "io/dicom/c_arm_tags.h"
@@ -134,9 +134,9 @@ core::Status complete(View& view, const ViewNotes& notes, const core::Vessels& v
                  [&](const core::Message& warning) { return !isSpacingGiven || !isAboutMissingSpacing(warning); });
     fillFromHeader(view.geometry.cArm, angiogram.cArm);
     if (!notes.hasCurrentPose) {
-        const auto start = core::startPoseOf(view, vessels);
+        const auto start = core::initialPoseOf(view, vessels);
         if (!start) {
-            return core::Error(messages::caseNoStartPose(start.error().message).about("pose.initial"));
+            return core::Error(messages::caseNoInitialPose(start.error().message).about("pose.initial"));
         }
         view.cameraFromPatient = start.value();
     }

@@ -104,7 +104,7 @@ void addMethod(DicomItem& root, const Method& method)
 
 void sayWhatWasDone(DicomItem& root, const Deidentification& requested)
 {
-    const bool areShifted = requested.dates == KeptDates::Shifted;
+    const bool areShifted = requested.dates == DatePolicy::Shifted;
     root.text(0x00120062, "CS", "YES");
     root.text(0x00120063, "LO", "AngioPose " ANGIOPOSE_VERSION ": what describes the image was copied");
     for (const Method& method : {basicProfile, cleanGraphics, cleanStructure, cleanDescriptors}) {

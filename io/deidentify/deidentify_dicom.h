@@ -10,7 +10,7 @@ namespace angiopose::io {
 
 /// Options of a de-identification.
 struct Deidentification {
-    KeptDates dates = KeptDates::None;
+    DatePolicy dates = DatePolicy::None;
     DrawnLetters letters = DrawnLetters::Reported;
     std::string patientName{};   ///< also used as the ID; empty: a pseudonym
 };

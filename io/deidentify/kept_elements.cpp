@@ -254,7 +254,7 @@ private:
             case EVR_DA:
             case EVR_DT:
             case EVR_TM:
-                return its_.dates == KeptDates::Shifted ? shifted(element.ident(), values) : std::nullopt;
+                return its_.dates == DatePolicy::Shifted ? shifted(element.ident(), values) : std::nullopt;
             case EVR_SH:
                 return as(tagOf(element) == stackTag && values.size() == 1 && isNumber(values[0]));
             case EVR_LO:

@@ -36,14 +36,14 @@ private:
     std::string key_;
 };
 
-enum class KeptDates { None, Shifted };
+enum class DatePolicy { None, Shifted };
 
 /// Replacements for names, UIDs and dates in one data set.
 struct Replacements {
     const Pseudonyms& pseudonyms;
     const IdentityWords& words;
     std::string patient;   ///< determines the shift of the dates
-    KeptDates dates = KeptDates::None;
+    DatePolicy dates = DatePolicy::None;
     KeptContent* content = nullptr;   ///< for objects other than images
 };
 

@@ -61,7 +61,7 @@ void putImage(core::View& view, const LoadedInputs& inputs)
 
 void goToStart(core::Case& target)
 {
-    if (const auto start = core::startPoseOf(target)) {
+    if (const auto start = core::initialPoseOf(target)) {
         target.shown().cameraFromPatient = start.value();
     }
 }

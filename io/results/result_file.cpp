@@ -8,12 +8,12 @@
 #include "io/case/fields/geometry_fields.h"
 #include "io/case/fields/result_fields.h"
 #include "io/case/nameless_case.h"
-#include "io/check_point_table.h"
 #include "io/edited_curves.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 #include "io/support/json_text.h"
 #include "io/support/message_json.h"
+#include "io/target_point_table.h"
 
 #include <algorithm>
 #include <exception>

@@ -127,9 +127,9 @@ TEST_F(OverlayPicture, LeavesTheVesselsOutBesideTheSwipe)
     EXPECT_EQ(differing(swiped, bare, plain.width / 2 + 2, plain.width), 0);
 }
 
-TEST_F(OverlayPicture, PutsTheStartPoseBesideThePose)
+TEST_F(OverlayPicture, PutsTheInitialPoseBesideThePose)
 {
-    const core::RigidTransform start = core::startPoseOf(sample).value();
+    const core::RigidTransform start = core::initialPoseOf(sample).value();
     sample.shown().cameraFromPatient = start;
     sample.shown().cameraFromPatient.translation.x() += 8.0;
     const core::ColorImage after = drawn(options);
@@ -158,15 +158,15 @@ core::ImageF blockAt(const core::Case& shown, const core::RigidTransform& pose)
     return picture;
 }
 
-TEST_F(OverlayPicture, ShowsTheRadiographOfEachPoseBeforeAndAfter)
+TEST_F(OverlayPicture, ShowsTheDrrOfEachPoseBeforeAndAfter)
 {
-    const core::RigidTransform start = core::startPoseOf(sample).value();
+    const core::RigidTransform start = core::initialPoseOf(sample).value();
     sample.shown().cameraFromPatient = start;
     sample.shown().cameraFromPatient.translation.x() += 20.0;
     OverlayPictureOptions hidden = options;
     hidden.vessels = ui::OverlayMode::Hidden;
     const core::ColorImage bare = drawn(hidden);
-    options.radiograph = [this](const core::RigidTransform& pose) -> core::Result<core::ImageF> {
+    options.drr = [this](const core::RigidTransform& pose) -> core::Result<core::ImageF> {
         return blockAt(sample, pose);
     };
     const core::ColorImage after = drawn(options);
@@ -179,12 +179,12 @@ TEST_F(OverlayPicture, ShowsTheRadiographOfEachPoseBeforeAndAfter)
     EXPECT_GT(differing(left, right, 0, bare.width), 1000) << "at another pose";
 }
 
-TEST_F(OverlayPicture, LeavesTheRadiographOutBesideTheSwipe)
+TEST_F(OverlayPicture, LeavesTheDrrOutBesideTheSwipe)
 {
     OverlayPictureOptions hidden = options;
     hidden.vessels = ui::OverlayMode::Hidden;
     const core::ColorImage bare = drawn(hidden);
-    options.radiograph = [this](const core::RigidTransform&) -> core::Result<core::ImageF> {
+    options.drr = [this](const core::RigidTransform&) -> core::Result<core::ImageF> {
         return core::ImageF(sample.shown().angiogram->width(), sample.shown().angiogram->height(), 1.0F);
     };
     options.cutout = {ui::Cutout::Shape::RightOf, {sample.shown().angiogram->width() / 2.0 - 0.5, 0.0}, 0.0};

@@ -118,7 +118,7 @@ TEST(WindowGeometry, SaysWhatContradictsAndTakesItBack)
     EXPECT_TRUE(core::contradictionsOf(w.current().shown()).empty());
 }
 
-TEST(WindowLandmarks, PairsClickedInBothViewsGiveTheStartPoseAsOneStep)
+TEST(WindowLandmarks, PairsClickedInBothViewsGiveTheInitialPoseAsOneStep)
 {
     OpenWindow w;
     w.openSample();
@@ -181,7 +181,7 @@ TEST(WindowLandmarks, NodesAreDrawnToTheirPlaceMovedAndRemoved)
     EXPECT_EQ(w.window.angiogramView().tool(), nullptr);
 }
 
-TEST(WindowStartPose, ComesFromHandOrAnglesInOneStepEach)
+TEST(WindowInitialPose, ComesFromHandOrAnglesInOneStepEach)
 {
     OpenWindow w;
     w.openSample();
@@ -194,7 +194,7 @@ TEST(WindowStartPose, ComesFromHandOrAnglesInOneStepEach)
 
     w.press(Qt::Key_Backspace, Qt::ControlModifier);
     EXPECT_FALSE(w.current().shown().initialCameraFromPatient);
-    EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, core::startPoseOf(w.current()).value()), 1e-12);
+    EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, core::initialPoseOf(w.current()).value()), 1e-12);
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_TRUE(w.current().shown().initialCameraFromPatient);
     EXPECT_EQ(w.history().index(), 2);

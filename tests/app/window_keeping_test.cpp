@@ -188,7 +188,7 @@ TEST(WindowKeeping, OffersRecoveryThoughAFileIsGiven)
         EXPECT_EQ(w.controller.document().path(), path);
     }
     settings::noticeAccepted.write(wasAccepted);
-    for (const LeftBehind& copy : Autosave::leftBehind()) {
+    for (const Leftover& copy : Autosave::leftBehind()) {
         Autosave::forget(copy);
     }
 }
@@ -218,7 +218,7 @@ TEST(WindowKeeping, AsksWhereTheCaseOfARecoveredCopyWasSavedSince)
     w.controller.saving().save();
     ASSERT_TRUE(questionOf(w));
     EXPECT_EQ(test::readText(path.toStdString()), later);
-    for (const LeftBehind& left : Autosave::leftBehind()) {
+    for (const Leftover& left : Autosave::leftBehind()) {
         Autosave::forget(left);
     }
 }

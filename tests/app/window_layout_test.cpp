@@ -225,7 +225,7 @@ TEST_F(WindowStepLayout, ShowsSlicesAndTheTreeLargeWhileAScanIsTraced)
     EXPECT_TRUE(w.window.slicesPage().isVisible());
     EXPECT_GT(w.window.treeView().width(), before.width() + 100);
     EXPECT_GT(w.window.treeView().height(), before.height() + 60);
-    goTo(w.window, Step::StartPose);
+    goTo(w.window, Step::InitialPose);
     EXPECT_FALSE(w.window.column(ColumnSide::Right).isFolded());
     EXPECT_FALSE(w.window.slicesPage().isVisible());
     EXPECT_NEAR(w.window.treeView().width(), before.width(), 2);

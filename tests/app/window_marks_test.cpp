@@ -1,4 +1,4 @@
-#include "core/measuring/check_points.h"
+#include "core/measuring/target_points.h"
 #include "core/vessel/place_on_tree.h"
 #include "io/case/case_file.h"
 #include "tests/app/open_window.h"

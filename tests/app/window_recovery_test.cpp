@@ -36,7 +36,7 @@ public:
     }
     ~CrashedSessions()
     {
-        for (const LeftBehind& copy : Autosave::leftBehind()) {
+        for (const Leftover& copy : Autosave::leftBehind()) {
             Autosave::forget(copy);
         }
     }

@@ -107,7 +107,7 @@ TEST_F(WindowReport, TellsTheFiguresOfTheFrameItShows)
     EXPECT_EQ(reported.find("median"), std::string::npos) << reported;
 }
 
-TEST_F(WindowReport, CallsTheStartPoseSo)
+TEST_F(WindowReport, CallsTheInitialPoseSo)
 {
     w.openSample();
     w.waitForJudgement();

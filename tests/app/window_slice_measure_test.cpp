@@ -139,7 +139,7 @@ TEST_F(WindowSliceMeasure, OtherModesEndItAndSeedsAreSetAgain)
     EXPECT_FALSE(w.window.actions()[ui::Command::MeasureLength]->isChecked());
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_G, Qt::ShiftModifier);
     EXPECT_TRUE(model().tool());
-    EXPECT_FALSE(w.window.actions()[ui::Command::CheckPoint]->isChecked());
+    EXPECT_FALSE(w.window.actions()[ui::Command::TargetPoint]->isChecked());
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_Escape);
     EXPECT_FALSE(model().tool());
     EXPECT_FALSE(w.window.actions()[ui::Command::MeasureAngle]->isChecked());

@@ -68,7 +68,7 @@ TEST(WindowTrial, LogsTheTrialAndGivesTheCaseBack)
     OpenWindow w;
     prepare(w);
     const core::RigidTransform before = w.current().shown().cameraFromPatient;
-    const core::RigidTransform start = core::startPoseOf(w.current()).value();
+    const core::RigidTransform start = core::initialPoseOf(w.current()).value();
     const std::size_t known = w.current().shown().snapshots.size();
     const int step = w.history().index();
     const test::TemporaryFolder folder;
@@ -82,7 +82,7 @@ TEST(WindowTrial, LogsTheTrialAndGivesTheCaseBack)
 
     EXPECT_FALSE(w.controller.poses().blindTrial().isRunning());
     EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, before), 0.0);
-    EXPECT_EQ(test::distance(core::startPoseOf(w.current()).value(), start), 0.0);
+    EXPECT_EQ(test::distance(core::initialPoseOf(w.current()).value(), start), 0.0);
     EXPECT_TRUE(w.current().shown().result);
     ASSERT_TRUE(QTest::qWaitFor([&] { return w.current().shown().snapshots.size() == known + 1; }, test::patienceMs));
     const core::PoseSnapshot& observed = w.current().shown().snapshots.back();

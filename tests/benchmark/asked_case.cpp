@@ -7,7 +7,7 @@ namespace {
 
 constexpr double maxMm = 1000.0;   // error of points that a wrong pose puts behind the source
 
-double offMm(const AskedCase& asked, const Eigen::Vector3d& found, const Eigen::Vector3d& there)
+double offMm(const RequestedCase& asked, const Eigen::Vector3d& found, const Eigen::Vector3d& there)
 {
     const auto drawn = core::project(asked.input.camera, found);
     const auto shown = core::project(asked.trueCamera, there);
@@ -19,7 +19,7 @@ double offMm(const AskedCase& asked, const Eigen::Vector3d& found, const Eigen::
 
 }   // namespace
 
-double overlayErrorMm(const AskedCase& asked, const core::RigidTransform& cameraFromPatient)
+double overlayErrorMm(const RequestedCase& asked, const core::RigidTransform& cameraFromPatient)
 {
     double sum = 0.0;
     double count = 0.0;

@@ -8,7 +8,7 @@
 namespace angiopose::benchmarks {
 
 /// A registration problem with its true answer, from any generator.
-struct AskedCase {
+struct RequestedCase {
     std::string tree;   ///< cases of one tree are not independent
     std::string kind;
     core::RegistrationInput input;
@@ -21,6 +21,6 @@ struct AskedCase {
 
 /// Overlay error of a pose: mean distance over the points of the shown vessels from their true positions, mm at their
 /// depth. A wrong camera does not count as an error where the overlay fits nevertheless.
-double overlayErrorMm(const AskedCase& asked, const core::RigidTransform& cameraFromPatient);
+double overlayErrorMm(const RequestedCase& asked, const core::RigidTransform& cameraFromPatient);
 
 }   // namespace angiopose::benchmarks

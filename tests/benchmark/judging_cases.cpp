@@ -99,9 +99,9 @@ void addFile(std::vector<RootedTree>& trees, const std::string& path, const std:
     }
 }
 
-AskedCase fromForeign(const ForeignCase& made)
+RequestedCase fromForeign(const ForeignCase& made)
 {
-    AskedCase asked;
+    RequestedCase asked;
     asked.input = made.input;
     asked.trueCamera = made.input.camera;
     asked.trueInCamera.resize(made.input.tree.branches.size());
@@ -113,10 +113,10 @@ AskedCase fromForeign(const ForeignCase& made)
     return asked;
 }
 
-AskedCase fromDeformed(const DeformedCase& made)
+RequestedCase fromDeformed(const DeformedCase& made)
 {
     const DeformedView& view = made.views.front();
-    AskedCase asked;
+    RequestedCase asked;
     asked.input.tree = made.tree;
     asked.input.target = view.target;
     asked.input.camera = view.camera;
@@ -159,10 +159,10 @@ std::size_t judgingKindCount()
     return kinds().size();
 }
 
-AskedCase judgingCase(const std::vector<RootedTree>& trees, std::size_t tree, std::size_t kind, std::uint64_t trial)
+RequestedCase judgingCase(const std::vector<RootedTree>& trees, std::size_t tree, std::size_t kind, std::uint64_t trial)
 {
     const Kind& asked = kinds()[kind];
-    AskedCase made;
+    RequestedCase made;
     if (asked.motion) {
         const core::CounterRandom random = core::CounterRandom(47'000 + 1000 * kind).fork(100 * tree + trial);
         made = fromDeformed(makeDeformedCase(centerd(trees[tree].tree), *asked.motion, {0.0}, random));

@@ -16,6 +16,7 @@ std::size_t judgingKindCount();
 
 /// Makes a case, the same on every call, with generators that were not used to choose thresholds here (foreign/targets,
 /// deformed_cases, wrong_geometry).
-AskedCase judgingCase(const std::vector<RootedTree>& trees, std::size_t tree, std::size_t kind, std::uint64_t trial);
+RequestedCase judgingCase(const std::vector<RootedTree>& trees, std::size_t tree, std::size_t kind,
+                          std::uint64_t trial);
 
 }   // namespace angiopose::benchmarks

@@ -246,7 +246,7 @@ void spoilCamera(core::ProjectionCamera& camera, ForeignRandom& random)
 }
 
 /// Mirrors the image. Rotating it would not do: a rotated pose would explain it.
-void mirror(AskedCase& asked, ForeignRandom& random)
+void mirror(RequestedCase& asked, ForeignRandom& random)
 {
     const Eigen::Vector2d last(asked.trueCamera.width - 1.0, asked.trueCamera.height - 1.0);
     const Eigen::Index axis = random.uniform() < 0.5 ? 0 : 1;
@@ -279,7 +279,7 @@ core::CameraSpread headersSpread(const core::ProjectionCamera& camera)
 
 }   // namespace
 
-AskedCase mixedCase(std::uint64_t number)
+RequestedCase mixedCase(std::uint64_t number)
 {
     const RootedTree tree = grownTree(number / casesPerTree);
     ForeignRandom random(500'009 + 31 * number);
@@ -287,7 +287,7 @@ AskedCase mixedCase(std::uint64_t number)
     const bool isMirrored = !isOther && random.uniform() < 0.05;
     const RootedTree shown = isOther ? grownTree(number / casesPerTree + 1000) : tree;
     const core::VesselTree moved = movedTree(shown, random);
-    AskedCase asked;
+    RequestedCase asked;
     asked.tree = tree.name;
     const std::vector<std::size_t> filled = drawnFilling(shown, asked.kind, random);
     const Imaging imaging = drawnImaging(shown.tree, random);

@@ -10,6 +10,6 @@ namespace angiopose::benchmarks {
 /// opacification, motion, noise, gaps, foreign vessels, catheters, wrong geometry and initial poses drawn at random
 /// over wide ranges. Shares no code with the generators of the test set (foreign/targets, deformed_cases) or with the
 /// program's simulator. Every four consecutive numbers share one tree.
-AskedCase mixedCase(std::uint64_t number);
+RequestedCase mixedCase(std::uint64_t number);
 
 }   // namespace angiopose::benchmarks

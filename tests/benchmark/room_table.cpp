@@ -3,7 +3,7 @@
 // are traced, initial poses come from the headers. Right: both views together are reliable, and the joint pose lies
 // within 2 mm of the truth, in 3-D, in the mean over the tree.
 
-#include "core/case/start_pose.h"
+#include "core/case/initial_pose.h"
 #include "core/simulation/study/simulated_room.h"
 #include "core/support/parallel_for.h"
 #include "core/workflow/register_case.h"
@@ -93,7 +93,7 @@ Outcome outcomeOf(const Room& room, std::uint64_t seed)
         read.geometry.cArm = angiogram.value().cArm;
         read.frame = view.angiogram.suggestedFrame;
         read.angiogram = std::make_shared<const core::Angiogram>(std::move(angiogram).value());
-        read.cameraFromPatient = core::startPoseOf(read, session.vessels).value();
+        read.cameraFromPatient = core::initialPoseOf(read, session.vessels).value();
     }
     const auto found = core::registerCase(session);
     if (!found) {

@@ -108,7 +108,7 @@ double squaredError(const TrustRun& run)
 
 }   // namespace
 
-TrustRun runOf(const AskedCase& asked)
+TrustRun runOf(const RequestedCase& asked)
 {
     TrustRun run{asked.tree, asked.kind, asked.isImpossible, 0.0, {}};
     const auto result = core::registerVessels(asked.input, {});

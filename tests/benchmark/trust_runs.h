@@ -18,7 +18,7 @@ struct TrustRun {
 };
 
 /// Registers by the default method.
-TrustRun runOf(const AskedCase& asked);
+TrustRun runOf(const RequestedCase& asked);
 
 std::size_t treeCount(const std::vector<TrustRun>& runs);
 

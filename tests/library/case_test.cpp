@@ -27,7 +27,7 @@ TEST_F(CaseOfLibrary, OfArraysIsWrittenWithItsInputsAndOpensAgain)
     EXPECT_TRUE(fs::exists(at("made.angiogram.dcm")));
     const Case read = readCase(at("made.angiopose"));
     EXPECT_EQ(simulated.session.title(), read.title());
-    EXPECT_EQ(simulated.session.startPose(), read.startPose());
+    EXPECT_EQ(simulated.session.initialPose(), read.initialPose());
     EXPECT_EQ(simulated.session.tree().points, read.tree().points);
     EXPECT_EQ(simulated.session.frame(), read.frame());
     EXPECT_TRUE(read.warnings().empty());
@@ -38,7 +38,7 @@ TEST_F(CaseOfLibrary, OfTwoFilesIsTheCaseOfTheseFiles)
     SimulatedCase simulated = test::smallCase();
     writeCase(simulated.session, at("made.angiopose"));
     Case fromFiles = readCase(at("made.tree.vtp"), at("made.angiogram.dcm"));
-    fromFiles.setStartPose(simulated.session.startPose());
+    fromFiles.setInitialPose(simulated.session.initialPose());
     Case fromCase = readCase(at("made.angiopose"));
     EXPECT_EQ(registerCase(fromCase).cameraFromPatient, registerCase(fromFiles).cameraFromPatient);
     writeResult(fromCase, at("result.json"));
@@ -67,11 +67,11 @@ TEST_F(CaseOfLibrary, WithoutGeometryAsksForAStartPose)
     } catch (const Error& error) {
         EXPECT_EQ("library.no-start", error.id());
     }
-    bare.setStartPose(simulated.session.startPose());
+    bare.setInitialPose(simulated.session.initialPose());
     EXPECT_LT(registerCase(bare).metrics.medianPx, 5.0);
 }
 
-TEST_F(CaseOfLibrary, ACArmGivesAPlainImageCameraAndStartPose)
+TEST_F(CaseOfLibrary, ACArmGivesAPlainImageCameraAndInitialPose)
 {
     const Case known = test::smallCase().session;
     const Angiogram run = known.angiogram();
@@ -79,8 +79,8 @@ TEST_F(CaseOfLibrary, ACArmGivesAPlainImageCameraAndStartPose)
     EXPECT_THROW(plain.camera(), Error);
     plain.setCArm(known.cArm());
     EXPECT_EQ(known.camera().fx, plain.camera().fx);
-    EXPECT_EQ(plain.startPose(), plain.cameraFromPatient());
-    EXPECT_LT((plain.startPose() - known.startPose()).norm(), 100.0);
+    EXPECT_EQ(plain.initialPose(), plain.cameraFromPatient());
+    EXPECT_LT((plain.initialPose() - known.initialPose()).norm(), 100.0);
 }
 
 TEST_F(CaseOfLibrary, RefusesTheCameraOfAnotherImageAndBranchesItDoesNotHave)
@@ -129,7 +129,7 @@ TEST_F(CaseOfLibrary, TwoViewsAgreeOnOnePlace)
     first.image = {};
     RegistrationInput second = first;
     Pose turn = Pose::Identity();   // a second camera at a right angle, rotated about the vessels
-    const double depth = one.session.startPose()(2, 3);
+    const double depth = one.session.initialPose()(2, 3);
     turn.topLeftCorner<3, 3>() << 0, 0, 1, 0, 1, 0, -1, 0, 0;
     turn.topRightCorner<3, 1>() << -depth, 0, depth;
     second.initialCameraFromPatient = turn * first.initialCameraFromPatient;

@@ -210,11 +210,11 @@ ui::BranchMarks marksOf(const core::VesselTree& tree)
     return {id(1), {id(3)}, {id(0), id(5)}, {id(2), id(7)}, {}};
 }
 
-core::ImageF radiographOf(const core::ImageF& contrast)
+core::ImageF drrOf(const core::ImageF& contrast)
 {
-    core::ImageF radiograph = contrast;
-    std::ranges::transform(radiograph.pixels, radiograph.pixels.begin(), [](float gray) { return std::abs(gray); });
-    return radiograph;
+    core::ImageF drr = contrast;
+    std::ranges::transform(drr.pixels, drr.pixels.begin(), [](float gray) { return std::abs(gray); });
+    return drr;
 }
 
 }   // namespace
@@ -252,7 +252,7 @@ std::vector<OverlayState> overlayStates(std::uint64_t seed)
               }),
         state("radiograph, lens", -2,
               [&c, simulated](ui::OverlayScene& s) {
-                  s.setRadiograph(radiographOf(c.trueContrast));
+                  s.setDrr(drrOf(c.trueContrast));
                   s.setCutout({ui::Cutout::Shape::Disc, {230.0, 260.0}, 70.0});
               }),
         state("shrunk, inverted, swipe", -3,

@@ -66,7 +66,7 @@ enum class Command {
     MeasureLength,
     MeasureAngle,
     MeasureArea,
-    CheckPoint,
+    TargetPoint,
     OstiumRing,
     SeenHere,
     DrawArrow,

@@ -98,7 +98,7 @@ std::span<const CommandRow> CommandTable::angiogramCommands()
         {Command::MeasureLength, "measure-a-length", QT_TR_NOOP("Measure length"), "Shift+D", Switch | StartsGroup},
         {Command::MeasureAngle, "measure-an-angle", QT_TR_NOOP("Measure angle"), "Shift+G", Switch},
         {Command::MeasureArea, "measure-an-area", QT_TR_NOOP("Measure area"), "Shift+O", Switch},
-        {Command::CheckPoint, "set-a-check-point", QT_TR_NOOP("Add target point"), "Shift+X", Switch | StartsGroup},
+        {Command::TargetPoint, "set-a-check-point", QT_TR_NOOP("Add target point"), "Shift+X", Switch | StartsGroup},
         {Command::OstiumRing, "set-the-ring-of-an-ostium", QT_TR_NOOP("Add ostium ring"), "Shift+Q", Switch},
         {Command::SeenHere, "say-where-a-check-point-is-seen", QT_TR_NOOP("Mark target point in image"), "Shift+S",
          Switch},

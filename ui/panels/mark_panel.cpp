@@ -20,7 +20,7 @@ namespace {
 
 constexpr int shownMarks = 6;
 enum MarkColumn { MarkName, MarkValue, MarkColumnCount };
-constexpr std::array markCommands{Command::CheckPoint, Command::OstiumRing, Command::SeenHere, Command::DrawArrow,
+constexpr std::array markCommands{Command::TargetPoint, Command::OstiumRing, Command::SeenHere, Command::DrawArrow,
                                   Command::WriteText};
 
 QString markModeWord(std::size_t mode)

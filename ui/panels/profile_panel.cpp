@@ -25,11 +25,11 @@ QString numberOrNone(std::optional<double> value, int decimals, const QString& p
 
 }   // namespace
 
-QString narrowingWords(const core::Narrowing& narrowing)
+QString stenosisWords(const core::StenosisMeasure& stenosis)
 {
     return ProfilePanel::tr("%1 % at %2 mm (%3 of %4 mm, %5 mm long)")
-        .arg(numberText(narrowing.percent, 0), numberText(narrowing.atMm, 1), numberText(narrowing.diameterMm, 2),
-             numberText(narrowing.referenceMm, 2), numberText(narrowing.toMm - narrowing.fromMm, 1));
+        .arg(numberText(stenosis.percent, 0), numberText(stenosis.atMm, 1), numberText(stenosis.diameterMm, 2),
+             numberText(stenosis.referenceMm, 2), numberText(stenosis.toMm - stenosis.fromMm, 1));
 }
 
 ProfilePanel::ProfilePanel(QWidget* parent)
@@ -86,7 +86,7 @@ void ProfilePanel::showProfile(const core::VesselBranch& branch, const core::Bra
     numbers_[Length]->setText(numberOrNone(profile.lengthMm, 1, millimeters));
     numbers_[Diameter]->setText(numberOrNone(profile.meanDiameterMm, 2, millimeters));
     numbers_[MinDiameter]->setText(numberOrNone(profile.minDiameterMm, 2, millimeters));
-    numbers_[Stenosis]->setText(profile.narrowing ? narrowingWords(*profile.narrowing) : QStringLiteral("–"));
+    numbers_[Stenosis]->setText(profile.stenosis ? stenosisWords(*profile.stenosis) : QStringLiteral("–"));
     numbers_[Tortuosity]->setText(numberOrNone(profile.tortuosity, 3, QStringLiteral("%1")));
     const double deformationMm = 1.0 / profile.greatestCurvaturePerMm;
     numbers_[Curvature]->setText(deformationMm > straightFromMm ? tr("straight")

@@ -39,6 +39,6 @@ private:
 };
 
 /// Formats a stenosis: "63 % at 24.5 mm (1.30 of 3.50 mm, 8.5 mm long)".
-QString narrowingWords(const core::Narrowing& narrowing);
+QString stenosisWords(const core::StenosisMeasure& stenosis);
 
 }   // namespace angiopose::ui

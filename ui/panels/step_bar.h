@@ -9,7 +9,7 @@ class QHBoxLayout;
 namespace angiopose::ui {
 
 /// Workflow steps of a case, in order.
-enum class Step { Vessels, Angiogram, Geometry, StartPose, Register, Review, Export };
+enum class Step { Vessels, Angiogram, Geometry, InitialPose, Register, Review, Export };
 inline constexpr int stepCount = 7;
 
 enum class StepMark { Open, Done, Look };

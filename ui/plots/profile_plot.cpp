@@ -59,7 +59,7 @@ void ProfilePlot::showProfile(const core::BranchProfile& profile)
     profile_ = profile;
     pointedAt_.reset();
     highestMm_ = std::fmax(highestOf(profile_, diameterIn, 0.0),
-                           profile_.narrowing ? highestOf(profile_, referenceIn, 0.0) : 0.0);
+                           profile_.stenosis ? highestOf(profile_, referenceIn, 0.0) : 0.0);
     highestBend_ = highestOf(profile_, deformationIn, minHighestCurvature);
     update();
 }
@@ -126,12 +126,12 @@ void ProfilePlot::paintEvent(QPaintEvent*)
         paintCurve(painter, referenceIn, highestMm_, QPen(toQColor(tones.label), 1.2, Qt::DashLine));
         paintCurve(painter, diameterIn, highestMm_, QPen(toQColor(tones.accent), 1.6));
     }
-    if (profile_.narrowing) {
+    if (profile_.stenosis) {
         core::ProfileSample narrowest;
-        narrowest.arcMm = profile_.narrowing->atMm;
+        narrowest.arcMm = profile_.stenosis->atMm;
         painter.setPen(Qt::NoPen);
         painter.setBrush(toQColor(tones.attention));
-        painter.drawEllipse(placeOf(narrowest, profile_.narrowing->diameterMm / highestMm_), 3.2, 3.2);
+        painter.drawEllipse(placeOf(narrowest, profile_.stenosis->diameterMm / highestMm_), 3.2, 3.2);
     }
     if (pointedAt_) {
         const double x = placeOf(profile_.samples[*pointedAt_], 0.0).x();

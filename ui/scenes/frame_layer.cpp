@@ -62,7 +62,7 @@ void GrayTexture::show(const core::Image2d<std::uint8_t>& picture, std::uint64_t
 FrameLayer::FrameLayer() : ShaderActor(wholePicture(), frameShaders())
 {
     actor()->GetProperty()->SetTexture("frame", frame_.texture());
-    actor()->GetProperty()->SetTexture("radiograph", radiograph_.texture());
+    actor()->GetProperty()->SetTexture("radiograph", drr_.texture());
 }
 
 void FrameLayer::show(const OverlayContent& content, const PicturePlace& place)
@@ -70,8 +70,8 @@ void FrameLayer::show(const OverlayContent& content, const PicturePlace& place)
     if (!frame_.shows(content.frame.revision())) {
         frame_.show(content.frame.gray(), content.frame.revision());
     }
-    if (!radiograph_.shows(content.radiograph.revision())) {
-        radiograph_.show(bytesOf(content.radiograph.share()), content.radiograph.revision());
+    if (!drr_.shows(content.drr.revision())) {
+        drr_.show(bytesOf(content.drr.share()), content.drr.revision());
     }
     showPlace(content.cutout, place);
     const ViewRect part = place.seen();
@@ -94,7 +94,7 @@ void FrameLayer::showGray(const OverlayContent& content)
 void FrameLayer::showTint(const OverlayContent& content)
 {
     const Palette& tones = palette(ThemeMode::Dark);
-    const bool isShown = !content.radiograph.isEmpty() && !content.isVeiled;
+    const bool isShown = !content.drr.isEmpty() && !content.isVeiled;
     vtkUniforms& uniforms = fragmentUniforms();
     uniforms.SetUniformf("tintDepth", isShown ? static_cast<float>(deepestTint * content.opacity) : 0.0F);
     uniforms.SetUniform3f("tintTone", floatTone(branchColors(tones).auxiliary).data());

@@ -33,7 +33,7 @@ private:
     void showTint(const OverlayContent& content);
 
     GrayTexture frame_;
-    GrayTexture radiograph_;
+    GrayTexture drr_;
 };
 
 }   // namespace angiopose::ui

@@ -5,9 +5,9 @@
 #include "core/vessel/centerline2d.h"
 #include "core/vessel/vessel_tree.h"
 #include "ui/scenes/cutout.h"
+#include "ui/scenes/drr_tint.h"
 #include "ui/scenes/gray_frame.h"
 #include "ui/scenes/projected_tree.h"
-#include "ui/scenes/radiograph_tint.h"
 #include "ui/scenes/resample_frame.h"
 #include "ui/scenes/revision.h"
 #include "ui/scenes/view_rect.h"
@@ -46,7 +46,7 @@ struct DepthRange {
 struct OverlayContent {
     GrayFrame frame;
     Interpolation interpolation = Interpolation::Smooth;
-    RadiographTint radiograph;
+    DrrTint drr;
     Cutout cutout;
     ViewRect viewRect{-0.5, 511.5, -0.5, 511.5};   ///< part of the image that fills the view
 

@@ -52,8 +52,7 @@ void OverlayPainter::drawRows(const OverlayScene& scene, Canvas canvas, int firs
         std::copy(bare.data() + (canvas.row(rows.from) - canvas.pixels),
                   bare.data() + (canvas.row(rows.to) - canvas.pixels), canvas.row(rows.from));
         if (!content.isVeiled) {
-            content.radiograph.blend({content.frame.width(), content.frame.height(), part}, content.opacity, canvas,
-                                     rows);
+            content.drr.blend({content.frame.width(), content.frame.height(), part}, content.opacity, canvas, rows);
         }
         fillStrokes(mesh, rowCount - firstRow, canvas, rows);
         applyCutout(content.cutout, part, bare, canvas, rows);

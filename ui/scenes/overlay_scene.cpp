@@ -149,15 +149,15 @@ void OverlayScene::setOpacity(double opacity)
     parts_->content.revision = nextRevision();
 }
 
-void OverlayScene::setRadiograph(const core::ImageF& radiograph)
+void OverlayScene::setDrr(const core::ImageF& drr)
 {
-    parts_->content.radiograph.setRadiograph(radiograph);
+    parts_->content.drr.setDrr(drr);
     parts_->content.revision = nextRevision();
 }
 
-bool OverlayScene::hasRadiograph() const
+bool OverlayScene::hasDrr() const
 {
-    return !parts_->content.radiograph.isEmpty();
+    return !parts_->content.drr.isEmpty();
 }
 
 void OverlayScene::setLineWidthPx(double devicePixels)

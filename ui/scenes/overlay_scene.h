@@ -32,7 +32,7 @@ public:
     void setOpacity(double opacity);
     /// Sets the DRR of the vessels over the whole frame at any resolution, bright on 0; shown in every mode. Empty:
     /// none.
-    void setRadiograph(const core::ImageF& radiograph);
+    void setDrr(const core::ImageF& drr);
     void setCutout(const Cutout& cutout);
     void setLineWidthPx(double devicePixels);
     void setTracedCenterline(const core::Centerline2d& traced);   ///< thin dotted curves, hidden by default
@@ -51,7 +51,7 @@ public:
     void setViewRect(const ViewRect& rect);
     const core::ImageF& frame() const;
     OverlayMode mode() const;
-    bool hasRadiograph() const;
+    bool hasDrr() const;
     DepthCue depthCue() const;
     const Cutout& cutout() const;
     ViewRect viewRect() const;

@@ -82,7 +82,7 @@ core::ColorImage bareFrame(OverlayScene& scene)
     const OverlayMode mode = scene.mode();
     const Cutout cutout = scene.cutout();
     scene.setMode(OverlayMode::Hidden);
-    scene.setCutout(scene.hasRadiograph() ? cutout : Cutout{});
+    scene.setCutout(scene.hasDrr() ? cutout : Cutout{});
     core::ColorImage frame = drawBands(scene, std::max(1, scene.frame().width), std::max(1, scene.frame().height));
     scene.setMode(mode);
     scene.setCutout(cutout);
@@ -117,7 +117,7 @@ core::Result<VectorPicture> drawVectors(OverlayScene& scene, int width, int heig
     VectorPicture picture{width, height, {}, {}, {}, {}};
     picture.backdrops.push_back({bareFrame(scene), 0.0, 1.0 * width});
     picture.shapes = visibleShapes(overlayShapes(scene.content(), {viewRect, width, height}), picture,
-                                   scene.hasRadiograph() ? Cutout{} : scene.cutout(), viewRect);
+                                   scene.hasDrr() ? Cutout{} : scene.cutout(), viewRect);
     annotate(picture, texts, scaleMaximumPx, scaleMaximumMm);
     return picture;
 }

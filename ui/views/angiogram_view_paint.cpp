@@ -181,7 +181,7 @@ void AngiogramView::bringAnnotationsUpToDate()
     AngiogramAnnotations& annotations = interaction_->annotations;
     const ImageTool* tool = interaction_->tool;
     annotations.mmPerImagePx = interaction_->mmPerImagePx();
-    annotations.hidesScale = scene_.hasRadiograph() || (tool && tool->hidesOverlay());
+    annotations.hidesScale = scene_.hasDrr() || (tool && tool->hidesOverlay());
     annotations.taken = barsInWhole_;
     annotations.sides = interaction_->isOrientationKnown
                             ? imageSides(interaction_->camera, interaction_->cameraFromPatient)

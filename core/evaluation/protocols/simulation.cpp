@@ -73,7 +73,7 @@ RigidTransform perturbed(const RigidTransform& truth, const SharedPhantom& phant
     return expSe3(twist) * truth;
 }
 
-RigidTransform startPose(const SharedPhantom& phantom, const SimulationSetting& setting, CounterRandom random)
+RigidTransform initialPose(const SharedPhantom& phantom, const SimulationSetting& setting, CounterRandom random)
 {
     RigidTransform start = perturbed(phantom.scene.trueCameraFromPatient, phantom, setting, random);
     start.translation.z() += setting.depthStdMm * random.normal();
@@ -90,7 +90,7 @@ TrialMaker prepareSimulation(std::size_t condition, std::uint64_t seed)
         if (setting.target == Target::Degraded) {
             degradeTarget(phantom, random.fork(1), trial);
         }
-        trial.input.initialCameraFromPatient = startPose(phantom, setting, random.fork(0));
+        trial.input.initialCameraFromPatient = initialPose(phantom, setting, random.fork(0));
         return trial;
     };
 }

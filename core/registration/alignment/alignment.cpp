@@ -39,7 +39,7 @@ struct Alignment::Match {
     double squaredDistance;
     double gate;   ///< cos⁴ of the angle between the directions
 
-    bool find(const TargetLines& target, const SeenPoint& seen, double limitPx)
+    bool find(const TargetLines& target, const PointInCamera& seen, double limitPx)
     {
         line = &target.nearest(seen.u, seen.v);
         du = seen.u - line->x;
@@ -48,7 +48,7 @@ struct Alignment::Match {
         return squaredDistance <= limitPx * limitPx;
     }
 
-    void compare(const SeenPoint& seen)
+    void compare(const PointInCamera& seen)
     {
         const double cosine = seen.su * line->tx + seen.sv * line->ty;
         // The normal points to the same side of the branch whichever way the curve was traced.
@@ -82,7 +82,7 @@ Alignment::Alignment(std::vector<AlignmentPoint> points, const ProjectionCamera&
     buffers_.residuals.reserve(points_.size());
 }
 
-inline bool Alignment::match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, SeenPoint& seen,
+inline bool Alignment::match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, PointInCamera& seen,
                              Match& match) const
 {
     if (!seePlace(camera_, point, pose, seen) || !match.find(*target_, seen, limitPx)) {
@@ -94,7 +94,7 @@ inline bool Alignment::match(const AlignmentPoint& point, const CentroidPose& po
 }
 
 /// d(residual) / d(log of the focal length, cx px, cy px).
-inline Eigen::Vector3d Alignment::cameraGradient(const SeenPoint& seen, const Match& found) const
+inline Eigen::Vector3d Alignment::cameraGradient(const PointInCamera& seen, const Match& found) const
 {
     const double along = found.normalX * (seen.u - camera_.cx) + found.normalY * (seen.v - camera_.cy);
     return {along, found.normalX, found.normalY};
@@ -120,7 +120,7 @@ inline void Alignment::addForward(double scalePx, const Matched& matched, Agreem
         const auto branch = static_cast<std::size_t>(points_[i].branchIndex);
         const double importance = visibility_[branch] * visibility_[branch];
         costShare += importance;
-        const SeenPoint* seen = matched(i, found);
+        const PointInCamera* seen = matched(i, found);
         if (seen == nullptr) {
             continue;
         }
@@ -139,7 +139,7 @@ inline void Alignment::addForward(double scalePx, const Matched& matched, Agreem
 
 void Alignment::evaluate(const CentroidPose& pose, double scalePx, Agreement& agreement) const
 {
-    SeenPoint seen;
+    PointInCamera seen;
     const auto matched = [&](std::size_t i, Match& found) {
         return match(points_[i], pose, cutOff * scalePx, seen, found) ? &seen : nullptr;
     };
@@ -148,13 +148,13 @@ void Alignment::evaluate(const CentroidPose& pose, double scalePx, Agreement& ag
 
 void Alignment::searchBothDirections(const CentroidPose& pose, double scalePx, Agreement& agreement)
 {
-    std::vector<SeenPoint>& seen = buffers_.reverse.seen();
+    std::vector<PointInCamera>& seen = buffers_.reverse.seen();
     seen.resize(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
         seen[i].isInFront = seePlace(camera_, points_[i], pose, seen[i]);
         seeDirection(camera_, points_[i], pose, seen[i]);
     }
-    const auto matched = [&](std::size_t i, Match& found) -> const SeenPoint* {
+    const auto matched = [&](std::size_t i, Match& found) -> const PointInCamera* {
         if (!seen[i].isInFront || !found.find(*target_, seen[i], cutOff * scalePx)) {
             return nullptr;
         }
@@ -178,7 +178,7 @@ void Alignment::addReverse(double scalePx, Agreement& agreement) const
         }
         const TargetLines::Line& line = lines[k * ReverseMatching::lineStride];
         const auto number = static_cast<std::size_t>(partners[k]);
-        const SeenPoint& seen = buffers_.reverse.seen()[number];
+        const PointInCamera& seen = buffers_.reverse.seen()[number];
         const double visibility = visibility_[static_cast<std::size_t>(points_[number].branchIndex)];
         const double du = seen.u - line.x;
         const double dv = seen.v - line.y;
@@ -197,7 +197,7 @@ double Alignment::loss(const CentroidPose& pose, double scalePx) const
 {
     const double perSquaredScale = -0.5 / (scalePx * scalePx);
     double costShare = 0.0;
-    SeenPoint seen;
+    PointInCamera seen;
     Match found;
     for (const AlignmentPoint& point : points_) {
         const double visibility = visibility_[static_cast<std::size_t>(point.branchIndex)];
@@ -213,7 +213,7 @@ void Alignment::collectRows(const CentroidPose& pose, double scalePx, std::vecto
     rows.clear();
     rows.reserve(points_.size());
     const double perSquaredScale = -0.5 / (scalePx * scalePx);
-    SeenPoint seen;
+    PointInCamera seen;
     Match found;
     for (const AlignmentPoint& point : points_) {
         ResidualRow row;
@@ -235,7 +235,7 @@ void Alignment::collectAgreement(const CentroidPose& pose, double scalePx, std::
     agreement.clear();
     agreement.reserve(points_.size());
     const double perSquaredScale = -0.5 / (scalePx * scalePx);
-    SeenPoint seen;
+    PointInCamera seen;
     Match found;
     for (const AlignmentPoint& point : points_) {
         const auto pixel = project(camera_, pose.rotation * point.fromCentroid + pose.centroidInCamera);
@@ -253,7 +253,7 @@ void Alignment::collectResiduals(const CentroidPose& pose, double limitPx, std::
 {
     residuals.clear();
     residuals.reserve(points_.size());
-    SeenPoint seen;
+    PointInCamera seen;
     Match found;
     for (const AlignmentPoint& point : points_) {
         const bool agrees = match(point, pose, limitPx, seen, found) && found.gate > agreeingGate;

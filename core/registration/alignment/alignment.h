@@ -73,9 +73,9 @@ public:
 
 private:
     struct Match;
-    bool match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, SeenPoint& seen,
+    bool match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, PointInCamera& seen,
                Match& match) const;
-    Eigen::Vector3d cameraGradient(const SeenPoint& seen, const Match& found) const;
+    Eigen::Vector3d cameraGradient(const PointInCamera& seen, const Match& found) const;
     template <class Matched>
     void addForward(double scalePx, const Matched& matched, Agreement& agreement) const;
     void addReverse(double scalePx, Agreement& agreement) const;

@@ -15,7 +15,7 @@ struct AlignmentPoint {
 };
 
 /// Tree point as seen under one pose.
-struct SeenPoint {
+struct PointInCamera {
     Eigen::Vector3d turned;   ///< offset from the centroid, camera axes, mm
     Eigen::Vector3d inCamera;
     double perDepth;   ///< 1/mm
@@ -30,7 +30,7 @@ inline constexpr double endOnShare = 0.3;
 
 /// Projects the point under a pose; returns false if it does not project.
 inline bool seePlace(const ProjectionCamera& camera, const AlignmentPoint& point, const CentroidPose& pose,
-                     SeenPoint& seen)
+                     PointInCamera& seen)
 {
     seen.turned.noalias() = pose.rotation * point.fromCentroid;
     seen.inCamera = seen.turned + pose.centroidInCamera;
@@ -42,7 +42,7 @@ inline bool seePlace(const ProjectionCamera& camera, const AlignmentPoint& point
 
 /// Computes the projected direction of the branch; call after seePlace.
 inline void seeDirection(const ProjectionCamera& camera, const AlignmentPoint& point, const CentroidPose& pose,
-                         SeenPoint& seen)
+                         PointInCamera& seen)
 {
     const Eigen::Vector3d tangent = pose.rotation * point.tangent;
     const double su = camera.fx * (tangent.x() - seen.inCamera.x() * seen.perDepth * tangent.z());
@@ -55,7 +55,8 @@ inline void seeDirection(const ProjectionCamera& camera, const AlignmentPoint& p
 }
 
 /// d(distance along the normal) / d(rotation rad, shift mm).
-inline Vector6d distanceGradient(const ProjectionCamera& camera, const SeenPoint& seen, double normalX, double normalY)
+inline Vector6d distanceGradient(const ProjectionCamera& camera, const PointInCamera& seen, double normalX,
+                                 double normalY)
 {
     const double ax = normalX * camera.fx * seen.perDepth;
     const double ay = normalY * camera.fy * seen.perDepth;

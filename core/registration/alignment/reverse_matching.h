@@ -13,8 +13,8 @@ public:
     static constexpr std::size_t lineStride = 2;   ///< neighboring lines have correlated noise
 
     /// Tree points, to be filled by the caller that projects them.
-    std::vector<SeenPoint>& seen() { return seen_; }
-    const std::vector<SeenPoint>& seen() const { return seen_; }
+    std::vector<PointInCamera>& seen() { return seen_; }
+    const std::vector<PointInCamera>& seen() const { return seen_; }
 
     /// Updates the partners for the current points.
     void match(const TargetLines& target, int width, int height, double reachPx);
@@ -25,7 +25,7 @@ public:
 private:
     bool isUpToDate(double reachPx) const;
 
-    std::vector<SeenPoint> seen_;
+    std::vector<PointInCamera> seen_;
     std::vector<Eigen::Vector2d> matchedAt_;   ///< positions of the points when the partners were computed
     double reachPx_ = 0.0;
     ProjectedPoints grid_;

@@ -3,7 +3,7 @@
 #include "core/imaging/image_filters.h"
 #include "core/imaging/mask_morphology.h"
 #include "core/registration/methods/pose_trials.h"
-#include "core/registration/picture/radiograph.h"
+#include "core/registration/picture/drr.h"
 #include "core/registration/picture/rank_correlation.h"
 #include "core/registration/picture/vessel_picture.h"
 #include "core/registration/pose/minimise.h"
@@ -52,7 +52,7 @@ std::vector<std::size_t> around(const ImageF& covered, double marginPx)
 class MaskedSimilarity {
 public:
     MaskedSimilarity(const RegistrationProblem& problem, const RegistrationOptions& options)
-        : options_(options), radiograph_(problem), picture_(halved(vesselPicture(problem)))
+        : options_(options), drr_(problem), picture_(halved(vesselPicture(problem)))
     {
     }
 
@@ -62,14 +62,14 @@ public:
 
     double of(const RigidTransform& pose) const
     {
-        return rankCorrelation(drawn(blurred(radiograph_.from(pose), blurPx_)), shown_);
+        return rankCorrelation(drawn(blurred(drr_.from(pose), blurPx_)), shown_);
     }
 
 private:
     std::vector<float> drawn(const ImageF& image) const;
 
     const RegistrationOptions& options_;
-    Radiograph radiograph_;
+    Drr drr_;
     ImageF picture_;
     double blurPx_ = 0.0;
     std::vector<std::size_t> pixels_;
@@ -81,8 +81,8 @@ void MaskedSimilarity::beginStage(double blurPx, const std::vector<RigidTransfor
     blurPx_ = blurPx;
     ImageF covered(picture_.width, picture_.height);
     for (const RigidTransform& pose : poses) {
-        const ImageF radiograph = radiograph_.from(pose);
-        std::transform(covered.pixels.begin(), covered.pixels.end(), radiograph.pixels.begin(), covered.pixels.begin(),
+        const ImageF drr = drr_.from(pose);
+        std::transform(covered.pixels.begin(), covered.pixels.end(), drr.pixels.begin(), covered.pixels.begin(),
                        [](float a, float b) { return a + b; });
     }
     const std::vector<std::size_t> mask = around(covered, 0.5 * options_.automask.marginPx + 2.0 * blurPx);

@@ -133,10 +133,10 @@ std::optional<Message> findProblem(const RegistrationInput& input, const VesselT
         return messages::imageNotOfCamera();
     }
     if (!isRigid(input.initialCameraFromPatient)) {
-        return messages::startPoseNotRigid();
+        return messages::initialPoseNotRigid();
     }
     if (reachesBehindSource(usedTree, input.initialCameraFromPatient)) {
-        return messages::startPoseBehindSource();
+        return messages::initialPoseBehindSource();
     }
     return {};
 }

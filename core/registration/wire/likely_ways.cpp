@@ -77,7 +77,7 @@ struct WayTip {
 /// Aligns a curve with all outward paths at once; paths share their common beginning.
 class WayTable {
 public:
-    WayTable(const Outwards& outwards, const SeenKnots& seen, const WireCurve& curve, const WireModel& model)
+    WayTable(const Outwards& outwards, const ObservedKnots& seen, const WireCurve& curve, const WireModel& model)
         : outwards_(outwards), seen_(seen), curve_(curve), model_(model), cells_(outwards.knots.size() * curve.size())
     {
         for (std::size_t at = 0; at < outwards_.knots.size(); ++at) {
@@ -131,7 +131,7 @@ private:
                 if (before.cost >= best.cost) {
                     continue;
                 }
-                const SeenStep step = seenStep(model_, steps[move.knots], curve_, k, move.points, seen_.mmPerPx);
+                const ObservedStep step = seenStep(model_, steps[move.knots], curve_, k, move.points, seen_.mmPerPx);
                 const float sum = before.cost + static_cast<float>(step.cost + perMm * step.lengthMm);
                 best = sum < best.cost ? WayCell{sum, before.start} : best;
             }
@@ -142,7 +142,7 @@ private:
     const WayCell& cell(std::size_t at, std::size_t k) const { return cells_[at * curve_.size() + k]; }
 
     const Outwards& outwards_;
-    const SeenKnots& seen_;
+    const ObservedKnots& seen_;
     const WireCurve& curve_;
     const WireModel& model_;
     std::vector<WayCell> cells_;
@@ -176,7 +176,7 @@ EndBranches endBranchesOf(const TreeKnots& knots, const Outwards& outwards, cons
 
 }   // namespace
 
-std::vector<TreeWay> likelyWays(const TreeKnots& knots, const SeenKnots& seen, const WireCurve& curve,
+std::vector<TreeWay> likelyWays(const TreeKnots& knots, const ObservedKnots& seen, const WireCurve& curve,
                                 const WireModel& model, std::size_t most, const std::function<bool()>& shouldContinue)
 {
     const KnotNeighbors neighbors = neighborsOf(knots);

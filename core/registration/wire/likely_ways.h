@@ -23,7 +23,7 @@ struct TreeWay {
 /// Finds the possible paths of a wire through the tree as seen at one pose (ALGORITHMS §6.22), best first, at most
 /// `most`: the best one for each pair of first and last branch. Wires enter at the eight widest ends. `seen` contains
 /// all knots. `shouldContinue` is called between entries.
-std::vector<TreeWay> likelyWays(const TreeKnots& knots, const SeenKnots& seen, const WireCurve& curve,
+std::vector<TreeWay> likelyWays(const TreeKnots& knots, const ObservedKnots& seen, const WireCurve& curve,
                                 const WireModel& model, std::size_t most, const std::function<bool()>& shouldContinue);
 
 }   // namespace angiopose::core

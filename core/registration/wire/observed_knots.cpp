@@ -4,11 +4,11 @@
 
 namespace angiopose::core {
 
-SeenKnots seenKnots(const TreeKnots& knots, const std::vector<std::size_t>& which, const ProjectionCamera& camera,
-                    const RigidTransform& cameraFromPatient, double depthMm)
+ObservedKnots seenKnots(const TreeKnots& knots, const std::vector<std::size_t>& which, const ProjectionCamera& camera,
+                        const RigidTransform& cameraFromPatient, double depthMm)
 {
     const Eigen::Vector2d farAway(-1e6, -1e6);
-    SeenKnots seen;
+    ObservedKnots seen;
     seen.mmPerPx = millimetersPerPixel(camera, std::max(minProjectableDepthMm, depthMm));
     seen.pixels.reserve(which.size());
     seen.radiusMm.reserve(which.size());

@@ -11,7 +11,7 @@
 namespace angiopose::core {
 
 /// Knots as seen at one pose.
-struct SeenKnots {
+struct ObservedKnots {
     std::vector<Eigen::Vector2d> pixels;   ///< far outside the image if a knot does not project
     std::vector<double> radiusMm;   ///< 0 where unknown
     double mmPerPx = 1.0;   ///< at the depth of the tree
@@ -20,7 +20,7 @@ struct SeenKnots {
 };
 
 /// Projects the knots with the indices `which`, in that order. `depthMm` is the distance of the tree from the source.
-SeenKnots seenKnots(const TreeKnots& knots, const std::vector<std::size_t>& which, const ProjectionCamera& camera,
-                    const RigidTransform& cameraFromPatient, double depthMm);
+ObservedKnots seenKnots(const TreeKnots& knots, const std::vector<std::size_t>& which, const ProjectionCamera& camera,
+                        const RigidTransform& cameraFromPatient, double depthMm);
 
 }   // namespace angiopose::core

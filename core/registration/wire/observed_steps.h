@@ -6,14 +6,14 @@
 namespace angiopose::core {
 
 /// Cost of a move that ends at the given knot and point (WireModel).
-struct SeenStep {
+struct ObservedStep {
     double lengthMm = 0.0;   ///< the longer of wire and axis
     double cost = 0.0;   ///< cost of its shape
 };
 
 /// `ofTreePx` is the vector from the first to the last knot of the move. `k` is the point where it ends.
-inline SeenStep seenStep(const WireModel& model, const Eigen::Vector2d& ofTreePx, const WireCurve& curve, std::size_t k,
-                         std::size_t points, double mmPerPx)
+inline ObservedStep seenStep(const WireModel& model, const Eigen::Vector2d& ofTreePx, const WireCurve& curve,
+                             std::size_t k, std::size_t points, double mmPerPx)
 {
     const Eigen::Vector2d& along = curve.tangents[k];
     const Eigen::Vector2d ofTree =

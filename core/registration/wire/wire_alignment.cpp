@@ -15,7 +15,7 @@ struct WarpCell {
 /// All alignments of the first knots with the first points.
 class Warping {
 public:
-    Warping(const SeenKnots& seen, const WireCurve& curve, const WireModel& model)
+    Warping(const ObservedKnots& seen, const WireCurve& curve, const WireModel& model)
         : seen_(seen), curve_(curve), model_(model), cells_(seen.size() * curve.size())
     {
         for (std::size_t j = 0; j < seen.size(); ++j) {
@@ -67,7 +67,7 @@ private:
             if (j < move.knots || k < move.points) {
                 continue;
             }
-            const SeenStep step =
+            const ObservedStep step =
                 seenStep(model_, seen_.pixels[j] - seen_.pixels[j - move.knots], curve_, k, move.points, seen_.mmPerPx);
             const double sum = at(j - move.knots, k - move.points).cost + step.cost + perMm * step.lengthMm;
             best = sum < best.cost ? WarpCell{sum, step.lengthMm, move} : best;
@@ -91,7 +91,7 @@ private:
         return pairs;
     }
 
-    const SeenKnots& seen_;
+    const ObservedKnots& seen_;
     const WireCurve& curve_;
     const WireModel& model_;
     std::vector<WarpCell> cells_;
@@ -104,7 +104,7 @@ double WireAlignment::followedPx(const WireCurve& curve) const
     return pairs.empty() ? 0.0 : curve.alongPx[pairs.back().point] - curve.alongPx[pairs.front().point];
 }
 
-WireAlignment alignWire(const SeenKnots& seen, const WireCurve& curve, const WireModel& model)
+WireAlignment alignWire(const ObservedKnots& seen, const WireCurve& curve, const WireModel& model)
 {
     return Warping(seen, curve, model).cheapest();
 }

@@ -25,6 +25,6 @@ struct WireAlignment {
 };
 
 /// Cheapest alignment (dynamic time warping with free ends). `seen` contains the knots of the path, in order.
-WireAlignment alignWire(const SeenKnots& seen, const WireCurve& curve, const WireModel& model);
+WireAlignment alignWire(const ObservedKnots& seen, const WireCurve& curve, const WireModel& model);
 
 }   // namespace angiopose::core

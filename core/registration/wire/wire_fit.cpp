@@ -115,7 +115,7 @@ private:
 };
 
 /// Sigmas per px, along and across the wire, of the difference between a step of the path and that of the wire.
-Eigen::Matrix2d shapeOf(const WireModel& model, const SeenStep& step, const Eigen::Matrix2d& axes, double mmPerPx)
+Eigen::Matrix2d shapeOf(const WireModel& model, const ObservedStep& step, const Eigen::Matrix2d& axes, double mmPerPx)
 {
     if (step.cost >= model.turnedCost * step.lengthMm / model.shapeMm || step.lengthMm <= WireModel::minStepMm) {
         return Eigen::Matrix2d::Zero();
@@ -124,7 +124,7 @@ Eigen::Matrix2d shapeOf(const WireModel& model, const SeenStep& step, const Eige
     return mmPerPx * perMm * Eigen::Vector2d(1.0 / model.stretch, 1.0 / model.turn).asDiagonal() * axes;
 }
 
-std::vector<WireSight> sightsOf(const WireProblem& problem, const TreeWay& way, const SeenKnots& seen,
+std::vector<WireSight> sightsOf(const WireProblem& problem, const TreeWay& way, const ObservedKnots& seen,
                                 const WireAlignment& alignment, const WireModel& model)
 {
     const WireCurve& curve = problem.curveOf(way);
@@ -135,8 +135,8 @@ std::vector<WireSight> sightsOf(const WireProblem& problem, const TreeWay& way, 
         Eigen::Matrix2d axes;
         axes << along.transpose(), -along.y(), along.x();
         const std::size_t before = pair.knot - pair.move.knots;
-        const SeenStep step = seenStep(model, seen.pixels[pair.knot] - seen.pixels[before], curve, pair.point,
-                                       pair.move.points, seen.mmPerPx);
+        const ObservedStep step = seenStep(model, seen.pixels[pair.knot] - seen.pixels[before], curve, pair.point,
+                                           pair.move.points, seen.mmPerPx);
         const double perSigma =
             seen.mmPerPx * std::sqrt(pair.lengthMm / (model.placeMm * model.varianceMm2(seen.radiusMm[pair.knot])));
         const double stepPx = curve.alongPx[pair.point] - curve.alongPx[pair.point - pair.move.points];
@@ -151,7 +151,7 @@ std::vector<WireSight> sightsOf(const WireProblem& problem, const TreeWay& way, 
 /// One iteration: aligns the curve with the path, then fits the pose; returns false once the pose no longer changes.
 bool takeTurn(const WireProblem& problem, const WireModel& model, WireFit& fit)
 {
-    const SeenKnots seen = problem.seen(fit.way.knots, fit.pose);
+    const ObservedKnots seen = problem.seen(fit.way.knots, fit.pose);
     fit.alignment = alignWire(seen, problem.curveOf(fit.way), model);
     const std::vector<WireSight> sights = sightsOf(problem, fit.way, seen, fit.alignment, model);
     WireSquares squares(problem, sights);
@@ -169,7 +169,7 @@ bool takeTurn(const WireProblem& problem, const WireModel& model, WireFit& fit)
 /// Laplace approximation about the pose: evidence of the image relative to the prior.
 void weigh(const WireProblem& problem, const WireModel& model, WireFit& fit)
 {
-    const SeenKnots seen = problem.seen(fit.way.knots, fit.pose);
+    const ObservedKnots seen = problem.seen(fit.way.knots, fit.pose);
     fit.alignment = alignWire(seen, problem.curveOf(fit.way), model);
     const std::vector<WireSight> sights = sightsOf(problem, fit.way, seen, fit.alignment, model);
     WireSquares::EvaluationAt evaluation;
@@ -192,7 +192,7 @@ void weigh(const WireProblem& problem, const WireModel& model, WireFit& fit)
 
 }   // namespace
 
-SeenKnots WireProblem::seen(const std::vector<std::size_t>& which, const CentroidPose& pose) const
+ObservedKnots WireProblem::seen(const std::vector<std::size_t>& which, const CentroidPose& pose) const
 {
     return seenKnots(knots, which, camera, cameraFromPatient(pose, centroid), pose.centroidInCamera.z());
 }

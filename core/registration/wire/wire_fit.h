@@ -17,7 +17,7 @@ struct WireProblem {
     const StartPrior& prior;   ///< errors of the last full pose
 
     const WireCurve& curveOf(const TreeWay& way) const { return way.isCurveTurned ? turned : curve; }
-    SeenKnots seen(const std::vector<std::size_t>& which, const CentroidPose& pose) const;
+    ObservedKnots seen(const std::vector<std::size_t>& which, const CentroidPose& pose) const;
 };
 
 /// Most likely pose for one path, assuming that the wire follows it.

@@ -67,7 +67,7 @@ WirePath WireReport::pathOf(const WireFit& fit) const
     }
     path.cameraFromPatient = cameraFromPatient(fit.pose, wire_.centroid);
     path.followedShare = fit.alignment.followedPx(wire_.curve) / std::max(1e-9, wire_.curve.lengthPx());
-    const SeenKnots seen = wire_.seen(fit.way.knots, fit.pose);
+    const ObservedKnots seen = wire_.seen(fit.way.knots, fit.pose);
     double squares = 0.0;
     double count = 0.0;
     for (const WirePair& pair : fit.alignment.pairs) {

@@ -143,7 +143,7 @@ double strengthFactor(double strength)
     return weakest * std::pow(4.0 / weakest, std::clamp(strength, 0.0, 1.0));
 }
 
-SeenLevels levelsOfHistogram(const Volume& volume)
+IntensityLevels levelsOfHistogram(const Volume& volume)
 {
     std::vector<double> values;
     const std::size_t step = std::max<std::size_t>(1, volume.voxels.size() / sampledVoxels) | 1U;
@@ -153,7 +153,7 @@ SeenLevels levelsOfHistogram(const Volume& volume)
     if (values.empty()) {
         return {};
     }
-    SeenLevels levels;
+    IntensityLevels levels;
     levels.tissue = quantile(values, 0.5);
     levels.wall = quantile(values, brightShare);
     levels.blood = std::max(quantile(values, brightestShare), levels.wall + 1e-3);
@@ -197,13 +197,13 @@ double Opacity::at(double value) const
     return value < from ? 0.0 : perMm * std::clamp((value - from) / std::max(full - from, 1e-9), 0.0, 1.0);
 }
 
-SeenLevels seenLevels(const Volume& volume, std::optional<double> threshold)
+IntensityLevels seenLevels(const Volume& volume, std::optional<double> threshold)
 {
     if (const auto found = findBloodLevel(volume, patientAxisOrder(volume.geometry), {.threshold = threshold})) {
         const BloodLevel& level = found.value();
         return {level.tissue, level.threshold, level.blood, level.isHu};
     }
-    SeenLevels levels = levelsOfHistogram(volume);
+    IntensityLevels levels = levelsOfHistogram(volume);
     if (threshold) {
         levels.wall = *threshold;
         levels.blood = std::max(levels.blood, *threshold + 1.0);
@@ -211,7 +211,7 @@ SeenLevels seenLevels(const Volume& volume, std::optional<double> threshold)
     return levels;
 }
 
-ScanLook lookOf(const SeenLevels& levels, const ScanRequest& request, bool hasKinds)
+ScanLook lookOf(const IntensityLevels& levels, const ScanRequest& request, bool hasKinds)
 {
     const double factor = strengthFactor(request.strength);
     const double contrast = std::max(levels.blood - levels.wall, 1e-3);

@@ -86,7 +86,7 @@ struct ScanRequest {
 };
 
 /// Estimated levels of tissue and blood in a scan, for display only.
-struct SeenLevels {
+struct IntensityLevels {
     double tissue = 0.0;
     double wall = 200.0;   ///< halfway from tissue to blood
     double blood = 400.0;
@@ -95,10 +95,10 @@ struct SeenLevels {
 
 /// Returns the levels that tracing would find, or the given threshold; otherwise (MR, scans without units) levels from
 /// the scan's own histogram, in which vessels are brighter than nearly all other voxels.
-SeenLevels seenLevels(const Volume& volume, std::optional<double> threshold);
+IntensityLevels seenLevels(const Volume& volume, std::optional<double> threshold);
 
 /// `hasKinds`: the location of the vessels is known, which distinguishes them from everything else.
-ScanLook lookOf(const SeenLevels& levels, const ScanRequest& request, bool hasKinds);
+ScanLook lookOf(const IntensityLevels& levels, const ScanRequest& request, bool hasKinds);
 
 /// Returns the appearance of a mask without a scan.
 ScanLook lookOfMask(const ScanRequest& request);

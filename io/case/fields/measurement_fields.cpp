@@ -53,7 +53,7 @@ StoredFields<SliceMeasurement> sliceMeasurementFields()
 }
 
 /// Reports a measurement with too few points for its kind.
-void checkPoints(MeasurementKind kind, std::size_t points, const std::string& subject, Reading& reading)
+void targetPoints(MeasurementKind kind, std::size_t points, const std::string& subject, Reading& reading)
 {
     if (points < core::minPoints(kind)) {
         reading.problems.push_back(messages::caseMeasurementPoints(core::minPoints(kind), points).about(subject));
@@ -72,7 +72,7 @@ StoredField<core::View> measurementsField()
         read(value, view, reading);
         for (std::size_t i = 0; i < view.measurements.size(); ++i) {
             const ImageMeasurement& each = view.measurements[i];
-            checkPoints(each.kind, each.pixels.size(), "measurements: " + std::to_string(i), reading);
+            targetPoints(each.kind, each.pixels.size(), "measurements: " + std::to_string(i), reading);
         }
     };
     return field;
@@ -88,7 +88,7 @@ StoredField<core::Vessels> sliceMeasurementsField()
         read(value, vessels, reading);
         for (std::size_t i = 0; i < vessels.measurements.size(); ++i) {
             const SliceMeasurement& each = vessels.measurements[i];
-            checkPoints(each.kind, each.pointsInPatient.size(), "vessel.measurements: " + std::to_string(i), reading);
+            targetPoints(each.kind, each.pointsInPatient.size(), "vessel.measurements: " + std::to_string(i), reading);
         }
     };
     return field;

@@ -134,7 +134,7 @@ void Gallery::measure(app::CaseController& controller)
     using enum core::VesselMarkKind;
     controller.document().push(std::make_unique<app::ChangeMarks>(
         controller.document(),
-        app::ChangeMarks::Values{{{1, CheckPoint, "bend", marked.pointsInPatient[middle]},
+        app::ChangeMarks::Values{{{1, TargetPoint, "bend", marked.pointsInPatient[middle]},
                                   {2, OstiumRing, "ostium", marked.pointsInPatient.front(), tangent, 2.0}}},
         [] { return QStringLiteral("Mark"); }));
     controller.document().push(std::make_unique<app::ChangeSightings>(

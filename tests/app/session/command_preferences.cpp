@@ -67,7 +67,7 @@ QString recover(Desk& desk)
     if (desk.controller.document().isInTrial() || desk.controller.isLoading()) {
         return {};
     }
-    for (const app::LeftBehind& copy : app::Autosave::leftBehind()) {
+    for (const app::Leftover& copy : app::Autosave::leftBehind()) {
         app::Autosave::forget(copy);
     }
     const QDir folder(desk.folder + QStringLiteral("/autosave"));

@@ -34,7 +34,7 @@ View viewAt(double primaryDeg, double secondaryDeg)
     angiogram.frames.assign(3, ImageF(64, 64));
     angiogram.gantry.table = TablePosition{{0.0, 0.0, 0.0}};   // the table does not move
     view.angiogram = std::make_shared<const Angiogram>(std::move(angiogram));
-    view.cameraFromPatient = startPoseOf(view, vessels).value();
+    view.cameraFromPatient = initialPoseOf(view, vessels).value();
     return view;
 }
 
@@ -76,7 +76,7 @@ TEST(JointInputs, PutTheOtherViewWhereTheGantrysTurnLeads)
     const RigidTransform between =
         inputs.value().views[1].initialCameraFromPatient * inputs.value().views[0].initialCameraFromPatient.inverse();
     const RigidTransform wanted =
-        startPoseOf(views[1], vessels).value() * startPoseOf(views[0], vessels).value().inverse();
+        initialPoseOf(views[1], vessels).value() * initialPoseOf(views[0], vessels).value().inverse();
     EXPECT_LT((between.matrix() - wanted.matrix()).norm(), 1e-9);
     EXPECT_EQ(inputs.value().views[0].initialCameraFromPatient.matrix(), views[0].cameraFromPatient.matrix());
 }
@@ -85,11 +85,11 @@ TEST(JointInputs, TakeTheGantryForTheGeometryEvenWhereTheVesselsHaveTheirOwnAxes
 {
     std::vector<View> views{viewAt(-30.0, 0.0), viewAt(45.0, 20.0)};
     const RigidTransform between =
-        startPoseOf(views[1], vessels).value() * startPoseOf(views[0], vessels).value().inverse();
+        initialPoseOf(views[1], vessels).value() * initialPoseOf(views[0], vessels).value().inverse();
     const RigidTransform ownAxes{expSo3({0.3, -1.1, 0.7}), {40.0, -5.0, 300.0}};
     for (View& view : views) {
         // A guessed pose of the vessels.
-        view.initialCameraFromPatient = startPoseOf(viewAt(3.0, 4.0), vessels).value() * ownAxes;
+        view.initialCameraFromPatient = initialPoseOf(viewAt(3.0, 4.0), vessels).value() * ownAxes;
         view.cameraFromPatient = *view.initialCameraFromPatient;
     }
     const auto inputs = jointInputsOf(views, vessels, targets);
@@ -99,11 +99,11 @@ TEST(JointInputs, TakeTheGantryForTheGeometryEvenWhereTheVesselsHaveTheirOwnAxes
     EXPECT_LT((found.matrix() - between.matrix()).norm(), 1e-9);
 }
 
-TEST(JointInputs, TakeTheStartPosesWhereAnglesAreMissing)
+TEST(JointInputs, TakeTheInitialPosesWhereAnglesAreMissing)
 {
     std::vector<View> views{viewAt(-30.0, 0.0), viewAt(45.0, 20.0)};
     for (View& view : views) {
-        view.initialCameraFromPatient = startPoseOf(view, vessels).value();
+        view.initialCameraFromPatient = initialPoseOf(view, vessels).value();
         view.geometry.cArm.primaryAngleDeg = {};
     }
     const auto inputs = jointInputsOf(views, vessels, targets);
@@ -131,7 +131,7 @@ TEST(WithFrame, TurnsThePosesWithTheGantry)
     EXPECT_DOUBLE_EQ(*cArmOfFrame(run).primaryAngleDeg.value, 10.0);
     const View later = withFrame(run, 2);
     EXPECT_DOUBLE_EQ(*cArmOfFrame(later).primaryAngleDeg.value, 40.0);
-    EXPECT_LT((later.cameraFromPatient.matrix() - startPoseOf(later, vessels).value().matrix()).norm(), 1e-9);
+    EXPECT_LT((later.cameraFromPatient.matrix() - initialPoseOf(later, vessels).value().matrix()).norm(), 1e-9);
     EXPECT_LT((withFrame(later, 0).cameraFromPatient.matrix() - run.cameraFromPatient.matrix()).norm(), 1e-9);
 }
 

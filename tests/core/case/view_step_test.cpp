@@ -1,6 +1,6 @@
 #include "core/case/view_step.h"
 
-#include "core/case/start_pose.h"
+#include "core/case/initial_pose.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -41,7 +41,7 @@ View roomView(double primaryDeg, std::optional<Eigen::Vector3d> table, double ob
         angiogram.gantry.table = TablePosition{*table};
     }
     view.angiogram = std::make_shared<const Angiogram>(std::move(angiogram));
-    view.cameraFromPatient = startPoseOf(view, someVessels).value();
+    view.cameraFromPatient = initialPoseOf(view, someVessels).value();
     return view;
 }
 
@@ -57,7 +57,7 @@ bool isNotedBy(const ViewStep& step, std::string_view id)
     return std::ranges::any_of(step.notes, [&](const Message& note) { return note.id() == id; });
 }
 
-TEST(StartPose, HasTheVesselsInTheObjectPlaneAndTurnsAboutTheIsocenter)
+TEST(InitialPose, HasTheVesselsInTheObjectPlaneAndTurnsAboutTheIsocenter)
 {
     const View view = roomView(20.0, {});
     const Eigen::Vector3d centroid = centroidInPatient(*someVessels.tree);

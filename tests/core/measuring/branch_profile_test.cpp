@@ -43,8 +43,8 @@ TEST(BranchProfile, ASmoothTaperIsItsOwnReference)
     EXPECT_NEAR(profile.value().tortuosity, 1.0, 1e-12);
     EXPECT_NEAR(profile.value().greatestCurvaturePerMm, 0.0, 1e-9);
     EXPECT_NEAR(*profile.value().meanDiameterMm, 3.25, 0.02);
-    ASSERT_TRUE(profile.value().narrowing);
-    EXPECT_LT(profile.value().narrowing->percent, 1.0);
+    ASSERT_TRUE(profile.value().stenosis);
+    EXPECT_LT(profile.value().stenosis->percent, 1.0);
     EXPECT_NEAR(profile.value().samples[60].referenceMm, 3.25, 0.02);
     EXPECT_TRUE(std::isnan(profile.value().samples.front().referenceMm)) << "the ends do not count";
 }
@@ -57,8 +57,8 @@ TEST(BranchProfile, FindsAStenosisOfATaperingVessel)
                                               : 0.0;
         };
         const auto profile = profileOf(straight([&](double arc) { return (4.0 - arc / 40.0) * (1.0 - lesion(arc)); }));
-        ASSERT_TRUE(profile && profile.value().narrowing) << depth;
-        const Narrowing& found = *profile.value().narrowing;
+        ASSERT_TRUE(profile && profile.value().stenosis) << depth;
+        const StenosisMeasure& found = *profile.value().stenosis;
         EXPECT_NEAR(found.percent, 100.0 * depth, 4.0);
         EXPECT_NEAR(found.atMm, 35.0, 0.6);
         EXPECT_NEAR(found.referenceMm, 4.0 - 35.0 / 40.0, 0.08);
@@ -72,11 +72,11 @@ TEST(BranchProfile, FindsAStenosisOfATaperingVessel)
 TEST(BranchProfile, ALongLesionAndAnAneurysmAreNoReference)
 {
     const auto profile = profileOf(straight([](double arc) { return arc > 20 && arc < 46 ? 1.8 : 3.0; }));
-    ASSERT_TRUE(profile && profile.value().narrowing);
-    EXPECT_NEAR(profile.value().narrowing->percent, 40.0, 3.0);
+    ASSERT_TRUE(profile && profile.value().stenosis);
+    EXPECT_NEAR(profile.value().stenosis->percent, 40.0, 3.0);
     const auto wide = profileOf(straight([](double arc) { return arc > 20 && arc < 32 ? 6.0 : 3.0; }));
-    ASSERT_TRUE(wide && wide.value().narrowing);
-    EXPECT_LT(wide.value().narrowing->percent, 3.0) << "nothing is narrower than a healthy vessel there";
+    ASSERT_TRUE(wide && wide.value().stenosis);
+    EXPECT_LT(wide.value().stenosis->percent, 3.0) << "nothing is narrower than a healthy vessel there";
     EXPECT_NEAR(*wide.value().greatestDiameterMm, 6.0, 1e-9);
 }
 
@@ -89,21 +89,21 @@ TEST(BranchProfile, AVesselThatGivesOffBranchesHasNoStenosisAtItsEnd)
         branch.radiusMm.push_back(3.0 * std::pow(0.83, std::floor(i / 27.0)));
     }
     const auto profile = profileOf(branch);
-    ASSERT_TRUE(profile && profile.value().narrowing);
-    EXPECT_LT(profile.value().narrowing->percent, 12.0) << "at " << profile.value().narrowing->atMm;
+    ASSERT_TRUE(profile && profile.value().stenosis);
+    EXPECT_LT(profile.value().stenosis->percent, 12.0) << "at " << profile.value().stenosis->atMm;
 
     for (std::size_t i = 0; i < branch.radiusMm.size(); ++i) {
         branch.radiusMm[i] = i < 130 ? 1.6 : 0.9;
     }
-    EXPECT_LT(profileOf(branch).value().narrowing->percent, 5.0) << "it stays as narrow as it becomes";
+    EXPECT_LT(profileOf(branch).value().stenosis->percent, 5.0) << "it stays as narrow as it becomes";
 }
 
 TEST(BranchProfile, EndsInTheParentOrAtTheTipAreNoStenosis)
 {
     const auto profile = profileOf(straight([](double arc) { return arc < 2.0 ? 6.0 : arc > 58.5 ? 1.0 : 3.0; }));
-    ASSERT_TRUE(profile && profile.value().narrowing);
-    EXPECT_LT(profile.value().narrowing->percent, 3.0);
-    EXPECT_NEAR(profile.value().narrowing->referenceMm, 3.0, 0.1);
+    ASSERT_TRUE(profile && profile.value().stenosis);
+    EXPECT_LT(profile.value().stenosis->percent, 3.0);
+    EXPECT_NEAR(profile.value().stenosis->referenceMm, 3.0, 0.1);
 }
 
 TEST(BranchProfile, CurvatureAndTortuosityOfArcs)
@@ -126,7 +126,7 @@ TEST(BranchProfile, WithoutRadiiItSaysSoAndMeasuresTheRest)
     ASSERT_TRUE(profile);
     EXPECT_NEAR(profile.value().lengthMm, 60.0, 1e-9);
     EXPECT_FALSE(profile.value().meanDiameterMm);
-    EXPECT_FALSE(profile.value().narrowing);
+    EXPECT_FALSE(profile.value().stenosis);
     EXPECT_TRUE(std::isnan(profile.value().samples[10].diameterMm));
     ASSERT_EQ(profile.value().doubts.size(), 1U);
     EXPECT_TRUE(profile.value().doubts[0].is(messages::profileNoRadii));
@@ -147,7 +147,7 @@ TEST(BranchProfile, BranchesWithoutLengthAreRefused)
     const auto tiny = profileOf({1, "", {{0, 0, 0}, {0.3, 0, 0}}, {1.0, 1.0}, 0});
     ASSERT_TRUE(tiny);
     EXPECT_TRUE(std::isnan(tiny.value().greatestCurvaturePerMm));
-    EXPECT_FALSE(tiny.value().narrowing) << "nothing to compare with";
+    EXPECT_FALSE(tiny.value().stenosis) << "nothing to compare with";
 }
 
 /// Diameter errors of the samples of a tube, away from its trunk and tip. The tube leaves a trunk, oblique to the grid,

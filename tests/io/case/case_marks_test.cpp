@@ -1,4 +1,4 @@
-#include "io/check_point_table.h"
+#include "io/target_point_table.h"
 #include "tests/io/case/small_case.h"
 #include "tests/support/quoted_table.h"
 

@@ -86,7 +86,7 @@ protected:
 
 TEST_F(DeidentifyObjects, NothingPlantedIsLeft)
 {
-    for (const io::KeptDates dates : {io::KeptDates::None, io::KeptDates::Shifted}) {
+    for (const io::DatePolicy dates : {io::DatePolicy::None, io::DatePolicy::Shifted}) {
         const auto done = freed({.dates = dates});
         ASSERT_TRUE(done);
         EXPECT_TRUE(done.value().refused.empty()) << done.value().refused.front().text();
@@ -310,7 +310,7 @@ TEST_F(DeidentifyObjects, OtherToolsFindNoErrorInThem)
     if (std::system("command -v dciodvfy > /dev/null 2>&1") != 0) {
         GTEST_SKIP() << "dciodvfy (package dicom3tools) is not there";
     }
-    for (const io::KeptDates dates : {io::KeptDates::None, io::KeptDates::Shifted}) {
+    for (const io::DatePolicy dates : {io::DatePolicy::None, io::DatePolicy::Shifted}) {
         ASSERT_TRUE(freed({.dates = dates}));
         for (const char* modality : {"PR", "REG", "SEG", "SR"}) {
             (void)freedOf(modality);

@@ -60,7 +60,7 @@ protected:
 TEST_F(Deidentify, LeavesNothingOfSixtyPlantedIdentifiers)
 {
     ASSERT_GT(planted.count(), 60);
-    for (const io::KeptDates dates : {io::KeptDates::None, io::KeptDates::Shifted}) {
+    for (const io::DatePolicy dates : {io::DatePolicy::None, io::DatePolicy::Shifted}) {
         freed({.dates = dates});
         const std::string bytes = test::readText(out());
         for (const char* secret :
@@ -93,7 +93,7 @@ TEST_F(Deidentify, KeepsWhatDescribesTheImage)
 
 TEST_F(Deidentify, SaysWhatWasDone)
 {
-    freed({.dates = io::KeptDates::Shifted, .letters = io::DrawnLetters::BlackedOut});
+    freed({.dates = io::DatePolicy::Shifted, .letters = io::DrawnLetters::BlackedOut});
     const io::DicomFile file = parsed();
     EXPECT_EQ(file.dataset.text(0x00120062), "YES");
     EXPECT_EQ(file.dataset.text(0x00280303), "MODIFIED");
@@ -108,7 +108,7 @@ TEST_F(Deidentify, SaysWhatWasDone)
 
 TEST_F(Deidentify, MapsUidsAndDatesTheSameForAllFiles)
 {
-    freed({.dates = io::KeptDates::Shifted});
+    freed({.dates = io::DatePolicy::Shifted});
     const io::DicomFile file = parsed();
     EXPECT_EQ(file.dataset.text(0x0020000d), pseudonyms.uid("1.2.3.777.13"));
     EXPECT_EQ(file.dataset.text(0x00100010), pseudonyms.patient("4711-0815"));

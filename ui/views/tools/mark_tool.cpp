@@ -37,7 +37,7 @@ void MarkTool::showHandles(std::vector<Eigen::Vector2d> handles)
 QString MarkTool::caption() const
 {
     switch (mode_) {
-        case MarkMode::CheckPoint:
+        case MarkMode::TargetPoint:
             return tr("Target point: click the vessels, here, in 3-D or in a slice · points can be moved");
         case MarkMode::OstiumRing:
             return tr("Ostium ring: click the vessels, here, in 3-D or in a slice · rings can be moved");

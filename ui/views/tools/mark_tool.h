@@ -11,7 +11,7 @@ class QLineEdit;
 namespace angiopose::ui {
 
 /// Type of mark set by a click on the image.
-enum class MarkMode { CheckPoint, OstiumRing, SeenHere, Arrow, Words };
+enum class MarkMode { TargetPoint, OstiumRing, SeenHere, Arrow, Words };
 inline constexpr std::size_t markModeCount = 5;
 
 /// Sets marks in the image: a click sets a point, in the mode Arrow a drag goes from tail to tip; dragging a handle

@@ -18,7 +18,7 @@ namespace angiopose {
 class ANGIOPOSE_EXPORT Case {
 public:
     /// Creates a case from vessels and an angiogram. If the geometry is known, the initial pose is that of the C-arm
-    /// about its isocenter, else about the vessels' centroid; otherwise `setStartPose` must set it. Starts at the
+    /// about its isocenter, else about the vessels' centroid; otherwise `setInitialPose` must set it. Starts at the
     /// angiogram's suggested frame.
     Case(const VesselTree& tree, const Angiogram& angiogram);
 
@@ -38,8 +38,8 @@ public:
     void setCamera(const ProjectionCamera& camera);   ///< for images of the angiogram's size; overrides the C-arm
     CArm cArm() const;
     void setCArm(const CArm& cArm);   ///< overrides camera and initial pose, even if they were set before
-    Pose startPose() const;
-    void setStartPose(const Pose& cameraFromPatient);   ///< also moves the current pose there
+    Pose initialPose() const;
+    void setInitialPose(const Pose& cameraFromPatient);   ///< also moves the current pose there
     Pose cameraFromPatient() const;   ///< current pose; registration starts from it
     void setCameraFromPatient(const Pose& cameraFromPatient);
     RegistrationOptions options() const;

@@ -221,7 +221,7 @@ TEST(DeformVessels, RefusesWhatItCannotUse)
 
     DeformableView skewed = tree.view();
     skewed.rigidCameraFromPatient.rotation(0, 0) += 0.5;
-    refused({skewed}, messages::startPoseNotRigid);
+    refused({skewed}, messages::initialPoseNotRigid);
 
     DeformableView other = tree.view(70.0);
     other.input.tree.branches.pop_back();

@@ -1,7 +1,7 @@
 #include "core/evaluation/trial/projection_error.h"
 #include "core/imaging/volume.h"
 #include "core/registration/methods/method.h"
-#include "core/registration/picture/radiograph.h"
+#include "core/registration/picture/drr.h"
 #include "core/registration/picture/rank_correlation.h"
 #include "core/registration/picture/tube_picture.h"
 #include "core/registration/picture/vessel_brightness.h"
@@ -175,14 +175,14 @@ std::shared_ptr<const Volume> ctaOf(const VesselTree& tree)
     return std::make_shared<const Volume>(std::move(volume));
 }
 
-TEST(Radiograph, OfACtaIsLikeThatOfItsTubes)
+TEST(Drr, OfACtaIsLikeThatOfItsTubes)
 {
     DrawnCase drawn;
-    const ImageF tubes = Radiograph(drawn.problem()).from(drawn.truth);
+    const ImageF tubes = Drr(drawn.problem()).from(drawn.truth);
     drawn.input.volume = ctaOf(drawn.tree);
     const RegistrationProblem problem = drawn.problem();
-    const ImageF cta = Radiograph(problem).from(drawn.truth);
-    const ImageF elsewhere = Radiograph(problem).from(drawn.input.initialCameraFromPatient);
+    const ImageF cta = Drr(problem).from(drawn.truth);
+    const ImageF elsewhere = Drr(problem).from(drawn.input.initialCameraFromPatient);
     EXPECT_GT(rankCorrelation(tubes.pixels, cta.pixels), 0.8);
     EXPECT_LT(rankCorrelation(tubes.pixels, elsewhere.pixels), rankCorrelation(tubes.pixels, cta.pixels));
 }

@@ -44,7 +44,7 @@ TEST(SeedProblem, OnlyTheFreePresetNeedsTheDepthGuard)
     EXPECT_NEAR(none.schedule.farthestMm, 900.0, 2.0);
 }
 
-TEST(SeedProblem, PointsStandWhereTheStartPosePutsThem)
+TEST(SeedProblem, PointsStandWhereTheInitialPosePutsThem)
 {
     const CleanCase clean(2);
     RegistrationOptions options;

@@ -117,11 +117,11 @@ TEST(PoseFreedom, MotionsFromTheStartHaveTheSameCoordinates)
 {
     const Scene scene;
     const PoseFreedom freedom = scene.freedom({PoseAxis::AlongRay});
-    const RigidTransform startPose{scene.start.rotation, {0.0, 0.0, 0.0}};
+    const RigidTransform initialPose{scene.start.rotation, {0.0, 0.0, 0.0}};
     CounterRandom random(5);
     const CentroidPose moved = core::moved(scene.start, scene.randomStep(random));
-    const CentroidPose motion{moved.rotation * startPose.rotation.transpose(), moved.centroidInCamera};
-    const Vector6d gap = freedom.fromStart(startPose.rotation).coordinates(motion) - freedom.coordinates(moved);
+    const CentroidPose motion{moved.rotation * initialPose.rotation.transpose(), moved.centroidInCamera};
+    const Vector6d gap = freedom.fromStart(initialPose.rotation).coordinates(motion) - freedom.coordinates(moved);
     EXPECT_LT(gap.norm(), 1e-11);
 }
 

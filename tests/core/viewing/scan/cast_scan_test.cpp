@@ -125,7 +125,8 @@ TEST(CastScan, TintsWhatTheMaskNames)
         const int x = labels->geometry.voxelAt(i).x();
         labels->voxels[i] = volume->voxels[i] == 0 ? 0 : x < side / 2 ? 1 : 2;
     }
-    for (const auto& shown : {std::shared_ptr<const Volume>(volume), std::shared_ptr<const Volume>()}) {   // with the scan or with the labels only
+    for (const auto& shown : {std::shared_ptr<const Volume>(volume),
+                              std::shared_ptr<const Volume>()}) {   // with the scan or with the labels only
         const auto scan = preparedVolume({shown, labels, nullptr}, always);
         ASSERT_TRUE(scan);
         const ScanRequest request{ScanPreset::Vessels, 0.9, {}, {}, {{1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}}};
@@ -146,7 +147,7 @@ TEST(CastScan, LeavesOutTheRestWhereVesselsAreKnown)
     tree->branches.front().radiusMm = {2.0, 2.0};
     const auto scan = preparedVolume({volume, nullptr, tree}, always);
     ASSERT_TRUE(scan && scan->hasKinds);
-    const SeenLevels levels{0.0, 200.0, 400.0, true};
+    const IntensityLevels levels{0.0, 200.0, 400.0, true};
     const auto opacityAt = [&](ScanPreset preset) {
         const ScanRequest request{preset, 0.8, {}, {}, {{1.0F, 0.0F, 0.0F}}};
         return castScan(*scan, lookOf(levels, request, scan->hasKinds), seenFromTheFront(), 0.5, always)->at(42, 20)[3];
@@ -173,7 +174,7 @@ TEST(ScanLook, FindsTheBrightOfAScanWithoutUnits)
     for (std::size_t i = 0; i < volume.voxels.size(); ++i) {
         volume.voxels[i] = static_cast<std::int16_t>(i % 100 == 0 ? 250 : 40 + static_cast<int>(i % 37));
     }
-    const SeenLevels levels = seenLevels(volume, {});
+    const IntensityLevels levels = seenLevels(volume, {});
     EXPECT_FALSE(levels.isHu);
     EXPECT_GT(levels.wall, 70.0);
     EXPECT_LE(levels.wall, 250.0);

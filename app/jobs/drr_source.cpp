@@ -1,25 +1,25 @@
-#include "app/jobs/radiograph_source.h"
+#include "app/jobs/drr_source.h"
 
 #include <utility>
 
 namespace angiopose::app {
 
-RadiographSource::RadiographSource(core::RegistrationInput input, core::RegistrationOptions options)
+DrrSource::DrrSource(core::RegistrationInput input, core::RegistrationOptions options)
     : input_(std::move(input)), options_(std::move(options))
 {
 }
 
-core::Result<core::ImageF> RadiographSource::from(const core::RigidTransform& cameraFromPatient)
+core::Result<core::ImageF> DrrSource::from(const core::RigidTransform& cameraFromPatient)
 {
-    if (!radiograph_) {
+    if (!drr_) {
         auto problem = core::makeProblem(input_, options_);
         if (!problem) {
             return problem.error();
         }
         problem_ = std::make_unique<core::RegistrationProblem>(std::move(problem).value());
-        radiograph_.emplace(*problem_);
+        drr_.emplace(*problem_);
     }
-    return radiograph_->from(cameraFromPatient);
+    return drr_->from(cameraFromPatient);
 }
 
 }   // namespace angiopose::app

@@ -12,14 +12,14 @@
 
 namespace angiopose::app {
 
-class RadiographSource;
+class DrrSource;
 
 /// Computes DRRs of the vessels (from the CTA inside them, or from tubes) off the GUI thread, always for the newest
 /// pose: a request during the computation replaces the waiting one.
-class RadiographJob : public QObject {
+class DrrJob : public QObject {
     Q_OBJECT
 public:
-    explicit RadiographJob(QObject* parent = nullptr);
+    explicit DrrJob(QObject* parent = nullptr);
 
     void setInput(core::RegistrationInput input,
                   core::RegistrationOptions options);   ///< prepared with the next request
@@ -35,7 +35,7 @@ private:
     void start(const core::RigidTransform& cameraFromPatient);
     void startWaiting();
 
-    std::shared_ptr<RadiographSource> source_;
+    std::shared_ptr<DrrSource> source_;
     std::optional<core::RigidTransform> waiting_;
     Job<core::ImageF> job_;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/measuring/check_points.h"
+#include "core/measuring/target_points.h"
 #include "core/support/result.h"
 
 #include <string>

@@ -1,4 +1,4 @@
-#include "core/measuring/check_points.h"
+#include "core/measuring/target_points.h"
 
 #include "core/case/known_deformation.h"
 #include "core/geometry/angle_units.h"
@@ -247,7 +247,7 @@ std::vector<CheckedPoint> checkedPoints(const Case& session, const PoseOfView& p
 {
     std::vector<CheckedPoint> checked;
     for (const VesselMark& mark : session.vessels.marks) {
-        if (mark.kind == VesselMarkKind::CheckPoint) {
+        if (mark.kind == VesselMarkKind::TargetPoint) {
             checked.push_back(checkedPoint(session, mark, poseOf));
         }
     }

@@ -1,4 +1,4 @@
-#include "app/editing/start_pose_controller.h"
+#include "app/editing/initial_pose_controller.h"
 
 #include "app/document/edit_case.h"
 #include "ui/actions/window_actions.h"
@@ -6,18 +6,18 @@
 
 namespace angiopose::app {
 
-StartPoseController::StartPoseController(CaseDocument& document, const ui::WindowActions& actions, QObject* parent)
+InitialPoseController::InitialPoseController(CaseDocument& document, const ui::WindowActions& actions, QObject* parent)
     : QObject(parent), document_(document)
 {
-    connect(actions[ui::Command::StartFromAngles], &QAction::triggered, this, &StartPoseController::startFromAngles);
-    connect(actions[ui::Command::StartHere], &QAction::triggered, this, &StartPoseController::startHere);
+    connect(actions[ui::Command::StartFromAngles], &QAction::triggered, this, &InitialPoseController::startFromAngles);
+    connect(actions[ui::Command::StartHere], &QAction::triggered, this, &InitialPoseController::startHere);
 }
 
-void StartPoseController::startFromAngles()
+void InitialPoseController::startFromAngles()
 {
     core::View view = document_.current().shown();
     view.initialCameraFromPatient.reset();
-    const auto start = core::startPoseOf(view, document_.current().vessels);
+    const auto start = core::initialPoseOf(view, document_.current().vessels);
     if (!start) {
         emit refused(ui::messageText(start.error().message));
         return;
@@ -30,7 +30,7 @@ void StartPoseController::startFromAngles()
     }
 }
 
-void StartPoseController::startHere()
+void InitialPoseController::startHere()
 {
     const core::Case& current = document_.current();
     if (!current.vessels.tree || !core::cameraOf(current.shown())) {

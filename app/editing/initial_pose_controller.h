@@ -10,10 +10,10 @@ namespace angiopose::app {
 
 /// Sets the initial pose of a registration: from the gantry angles, or the current pose after manual moves. Each is one
 /// undo step.
-class StartPoseController : public QObject {
+class InitialPoseController : public QObject {
     Q_OBJECT
 public:
-    StartPoseController(CaseDocument& document, const ui::WindowActions& actions, QObject* parent = nullptr);
+    InitialPoseController(CaseDocument& document, const ui::WindowActions& actions, QObject* parent = nullptr);
 
     void startFromAngles();
     void startHere();

@@ -1,4 +1,4 @@
-#include "core/measuring/check_points.h"
+#include "core/measuring/target_points.h"
 
 #include "core/messages/messages.h"
 
@@ -17,7 +17,7 @@ struct Checked {
         VesselTree tree;
         tree.branches.push_back({1, "", {{-30, 0, 0}, {0, 10, 5}, {30, 0, -5}, {40, -20, 10}}, {}, 0});
         session.vessels.tree = std::make_shared<const VesselTree>(tree);
-        session.vessels.marks = {{7, VesselMarkKind::CheckPoint, "fork", {25.0, 2.0, -4.0}}};
+        session.vessels.marks = {{7, VesselMarkKind::TargetPoint, "fork", {25.0, 2.0, -4.0}}};
         session.views.resize(2);
         auto run = std::make_shared<Angiogram>();
         run->frames.assign(3, ImageF(512, 512));
@@ -55,7 +55,7 @@ Matrix6d someCovariance(double scale)
 
 }   // namespace
 
-TEST(CheckPoints, TheErrorIsTheShiftThatWasImposed)
+TEST(TargetPoints, TheErrorIsTheShiftThatWasImposed)
 {
     Checked seen;
     EXPECT_NEAR(seen.checked().views[0].error.value().mm, 0.0, 1e-9);
@@ -74,7 +74,7 @@ TEST(CheckPoints, TheErrorIsTheShiftThatWasImposed)
     EXPECT_EQ(labelOf(checked, 0)->text(), "5.0 mm off");
 }
 
-TEST(CheckPoints, TwoViewsTellTheErrorInSpace)
+TEST(TargetPoints, TwoViewsTellTheErrorInSpace)
 {
     Checked seen;
     const Eigen::Vector3d shift(2.0, -1.0, 2.0);   // moves the vessels by 3 mm relative to both cameras
@@ -93,7 +93,7 @@ TEST(CheckPoints, TwoViewsTellTheErrorInSpace)
     EXPECT_GT(seen.checked().meeting.value().raysApartMm, 0.5);
 }
 
-TEST(CheckPoints, NoErrorInSpaceWhereDepthCannotBeReported)
+TEST(TargetPoints, NoErrorInSpaceWhereDepthCannotBeReported)
 {
     Checked seen;
     seen.session.views[1].cameraFromPatient = seen.session.views[0].cameraFromPatient;
@@ -106,7 +106,7 @@ TEST(CheckPoints, NoErrorInSpaceWhereDepthCannotBeReported)
     EXPECT_FALSE(labelOf(seen.checked(), 0));
 }
 
-TEST(CheckPoints, ThePoseIsOfOneFrame)
+TEST(TargetPoints, ThePoseIsOfOneFrame)
 {
     Checked seen;
     seen.session.views[0].sightings[0].frame = 2;
@@ -118,7 +118,7 @@ TEST(CheckPoints, ThePoseIsOfOneFrame)
     EXPECT_TRUE(seen.checked().views[0].error.error().message.is(messages::checkBehindSource));
 }
 
-TEST(CheckPoints, WhatIsClaimedIsWhatRandomPosesDo)
+TEST(TargetPoints, WhatIsClaimedIsWhatRandomPosesDo)
 {
     Checked seen;
     View& view = seen.session.views[0];
@@ -154,7 +154,7 @@ TEST(CheckPoints, WhatIsClaimedIsWhatRandomPosesDo)
     EXPECT_TRUE(sentencesOf(seen.checked().views[0])[1].is(messages::checkClaimed));
 }
 
-TEST(CheckPoints, APoseLookedAtForAWhileHasNoClaim)
+TEST(TargetPoints, APoseLookedAtForAWhileHasNoClaim)
 {
     Checked seen;
     seen.session.views[0].result.emplace();

@@ -20,7 +20,7 @@ namespace angiopose::app {
 
 /// Shows a DRR of the scan from the shown view's source on the detector in the 3-D view; recomputed whenever the pose
 /// changes.
-class DetectorRadiographController : public QObject {
+class DetectorDrrController : public QObject {
     Q_OBJECT
 public:
     /// Parts of the main window that the controller uses.
@@ -28,12 +28,11 @@ public:
         ui::WindowActions& actions;
         ui::TreeView& treeView;
     };
-    DetectorRadiographController(const CaseDocument& document, const ViewSync& sync, const Ui& ui,
-                                 QObject* parent = nullptr);
+    DetectorDrrController(const CaseDocument& document, const ViewSync& sync, const Ui& ui, QObject* parent = nullptr);
 
 private:
     void follow();
-    void show(const core::ImageF& radiograph);
+    void show(const core::ImageF& drr);
 
     const CaseDocument& document_;
     Ui ui_;

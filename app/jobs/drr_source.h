@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration/picture/radiograph.h"
+#include "core/registration/picture/drr.h"
 #include "core/registration/registration.h"
 
 #include <memory>
@@ -10,9 +10,9 @@ namespace angiopose::app {
 
 /// Computes DRRs of the vessels of a case from any pose; the first call prepares the data. Used by one worker at a
 /// time.
-class RadiographSource {
+class DrrSource {
 public:
-    RadiographSource(core::RegistrationInput input, core::RegistrationOptions options);
+    DrrSource(core::RegistrationInput input, core::RegistrationOptions options);
 
     /// DRR with vessels bright on 0, at half the image's resolution. Fails if the input cannot be registered.
     core::Result<core::ImageF> from(const core::RigidTransform& cameraFromPatient);
@@ -20,8 +20,8 @@ public:
 private:
     core::RegistrationInput input_;
     core::RegistrationOptions options_;
-    std::unique_ptr<core::RegistrationProblem> problem_;   ///< must outlive `radiograph_`, which refers to it
-    std::optional<core::Radiograph> radiograph_;
+    std::unique_ptr<core::RegistrationProblem> problem_;   ///< must outlive `drr_`, which refers to it
+    std::optional<core::Drr> drr_;
 };
 
 }   // namespace angiopose::app

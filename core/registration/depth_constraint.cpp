@@ -1,4 +1,4 @@
-#include "core/registration/held_depth.h"
+#include "core/registration/depth_constraint.h"
 
 #include "core/registration/alignment/alignment_points.h"
 #include "core/registration/alignment/graduated_refinement.h"
@@ -23,8 +23,8 @@ CentroidPose atDepthOf(const CentroidPose& start, CentroidPose pose)
 
 }   // namespace
 
-std::optional<MethodSolution> withDepthHeld(const RegistrationProblem& whole, const RegistrationOptions& options,
-                                            const MethodSolution& solution, const RegistrationResult& judged)
+std::optional<MethodSolution> withConstrainedDepth(const RegistrationProblem& whole, const RegistrationOptions& options,
+                                                   const MethodSolution& solution, const RegistrationResult& judged)
 {
     const bool stays = std::abs(depthShiftMm(whole, judged.cameraFromPatient)) < stayedMm;
     if (judged.uncertainty.observed[5] || whole.freedom.isLocked(PoseAxis::AlongRay) || stays) {

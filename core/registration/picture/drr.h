@@ -23,10 +23,10 @@ struct XrayedVoxels {
 
 /// Simulated radiographs of the whole body in a CT: line integrals of a reduced scan, dense tissue bright on 0. If the
 /// values are not HU, uses the part above the darkest value.
-class BodyRadiograph {
+class BodyDrr {
 public:
     /// `longestSidePx` is the size of the radiographs, which cover the camera's field of view.
-    BodyRadiograph(const Volume& scan, const ProjectionCamera& camera, int longestSidePx);
+    BodyDrr(const Volume& scan, const ProjectionCamera& camera, int longestSidePx);
 
     ImageF from(const RigidTransform& cameraFromPatient) const { return body_.from(camera_, cameraFromPatient); }
 
@@ -37,9 +37,9 @@ private:
 
 /// Renders digitally reconstructed radiographs of the vessels at half the image's resolution: line integrals of the CTA
 /// inside the dilated tree, or of tubes without a CTA (ALGORITHMS §3.7).
-class Radiograph {
+class Drr {
 public:
-    explicit Radiograph(const RegistrationProblem& problem);
+    explicit Drr(const RegistrationProblem& problem);
 
     ImageF from(const RigidTransform& cameraFromPatient) const;
 

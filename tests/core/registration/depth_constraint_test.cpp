@@ -1,4 +1,4 @@
-#include "core/registration/held_depth.h"
+#include "core/registration/depth_constraint.h"
 
 #include "core/messages/messages.h"
 #include "core/registration/judging/pose_shift.h"
@@ -33,7 +33,7 @@ RegistrationInput straightVessel()
     return input;
 }
 
-TEST(HeldDepth, AnUnseenDepthStaysAtTheStartAndTheSentenceSaysSo)
+TEST(DepthConstraint, AnUnseenDepthStaysAtTheStartAndTheSentenceSaysSo)
 {
     const RegistrationInput input = straightVessel();
     const RegistrationResult result = registerVessels(input).value();
@@ -44,7 +44,7 @@ TEST(HeldDepth, AnUnseenDepthStaysAtTheStartAndTheSentenceSaysSo)
         std::ranges::any_of(result.warnings, [](const Message& each) { return each.is(messages::trustDepthUnknown); }));
 }
 
-TEST(HeldDepth, APoseThatLeftTheStartIsSaidToHaveLeftIt)
+TEST(DepthConstraint, APoseThatLeftTheStartIsSaidToHaveLeftIt)
 {
     const RegistrationInput input = straightVessel();
     RigidTransform deeper;
@@ -55,7 +55,7 @@ TEST(HeldDepth, APoseThatLeftTheStartIsSaidToHaveLeftIt)
         std::ranges::any_of(result.warnings, [](const Message& each) { return each.is(messages::trustDepthMoved); }));
 }
 
-TEST(HeldDepth, ADepthThatTheImageTellsIsLeftAlone)
+TEST(DepthConstraint, ADepthThatTheImageTellsIsLeftAlone)
 {
     const test::CleanCase clean(3);
     RigidTransform deep = clean.truth;

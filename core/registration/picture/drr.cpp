@@ -1,4 +1,4 @@
-#include "core/registration/picture/radiograph.h"
+#include "core/registration/picture/drr.h"
 
 #include "core/imaging/mark_ball.h"
 #include "core/imaging/reduce_volume.h"
@@ -40,14 +40,14 @@ void splat(ImageF& image, const Eigen::Vector2d& place, float value)
 
 }   // namespace
 
-Radiograph::Radiograph(const RegistrationProblem& problem) : tree_(problem.tree), camera_(halved(problem.camera))
+Drr::Drr(const RegistrationProblem& problem) : tree_(problem.tree), camera_(halved(problem.camera))
 {
     if (problem.volume) {
         collectVoxels(*problem.volume);
     }
 }
 
-void Radiograph::collectVoxels(const Volume& volume)
+void Drr::collectVoxels(const Volume& volume)
 {
     VoxelMask mask(volume.geometry);
     for (std::size_t i = 0; i < tree_.size(); ++i) {
@@ -71,7 +71,7 @@ void Radiograph::collectVoxels(const Volume& volume)
     }
 }
 
-ImageF Radiograph::from(const RigidTransform& cameraFromPatient) const
+ImageF Drr::from(const RigidTransform& cameraFromPatient) const
 {
     return vessels_.voxels.empty() ? pictureOf(tree_, camera_, cameraFromPatient)
                                    : vessels_.from(camera_, cameraFromPatient);
@@ -99,7 +99,7 @@ ImageF XrayedVoxels::from(const ProjectionCamera& camera, const RigidTransform& 
     return image;
 }
 
-BodyRadiograph::BodyRadiograph(const Volume& scan, const ProjectionCamera& camera, int longestSidePx) : camera_(camera)
+BodyDrr::BodyDrr(const Volume& scan, const ProjectionCamera& camera, int longestSidePx) : camera_(camera)
 {
     while (std::max(camera_.width, camera_.height) > longestSidePx) {
         camera_ = halved(camera_);

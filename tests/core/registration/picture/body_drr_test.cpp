@@ -1,4 +1,4 @@
-#include "core/registration/picture/radiograph.h"
+#include "core/registration/picture/drr.h"
 
 #include <gtest/gtest.h>
 
@@ -26,14 +26,14 @@ Volume rodInWater()
 }
 
 /// The DRR is brightest where the camera projects the bone.
-TEST(BodyRadiograph, ShowsBoneWhereTheCameraSeesIt)
+TEST(BodyDrr, ShowsBoneWhereTheCameraSeesIt)
 {
     const Volume scan = rodInWater();
     const ProjectionCamera camera{2000.0, 2000.0, 255.5, 255.5, 512, 512};
     RigidTransform cameraFromPatient;
     cameraFromPatient.rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;   // frontal view, head up
     cameraFromPatient.translation.z() = 750.0;
-    const BodyRadiograph body(scan, camera, 256);
+    const BodyDrr body(scan, camera, 256);
     const ImageF picture = body.from(cameraFromPatient);
     ASSERT_EQ(picture.width, 256);
     const Eigen::Vector3d rod = scan.geometry.patientFromVoxel() * Eigen::Vector3d(40, 20, 30);

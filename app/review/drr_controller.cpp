@@ -1,4 +1,4 @@
-#include "app/review/radiograph_controller.h"
+#include "app/review/drr_controller.h"
 
 #include "core/case/registration_input.h"
 #include "ui/panels/bottom_strip.h"
@@ -6,26 +6,26 @@
 #include "ui/words/message_text.h"
 
 namespace angiopose::app {
-RadiographController::RadiographController(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
+DrrController::DrrController(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
 {
-    connect(&on_.look, &LookController::radiographWanted, this, &RadiographController::setWanted);
-    connect(&on_.document, &CaseDocument::changed, this, &RadiographController::followDocument);
-    connect(&on_.target, &TargetProvider::changed, this, &RadiographController::followDocument);
+    connect(&on_.look, &LookController::drrWanted, this, &DrrController::setWanted);
+    connect(&on_.document, &CaseDocument::changed, this, &DrrController::followDocument);
+    connect(&on_.target, &TargetProvider::changed, this, &DrrController::followDocument);
     connect(&on_.sync, &ViewSync::poseShown, this, [this](const core::RigidTransform& cameraFromPatient) {
         if (isWanted_ && isReady_) {
             job_.request(cameraFromPatient);
         }
     });
-    connect(&job_, &RadiographJob::made, this, [this](const core::ImageF& picture) {
+    connect(&job_, &DrrJob::made, this, [this](const core::ImageF& picture) {
         if (isWanted_) {
             show(picture);
         }
     });
-    connect(&job_, &RadiographJob::failed, this,
+    connect(&job_, &DrrJob::failed, this,
             [this](const core::Message& reason) { on_.strip.showStatus(ui::messageText(reason)); });
 }
 
-void RadiographController::setWanted(bool wanted)
+void DrrController::setWanted(bool wanted)
 {
     isWanted_ = wanted;
     if (wanted) {
@@ -38,7 +38,7 @@ void RadiographController::setWanted(bool wanted)
     }
 }
 
-void RadiographController::clear()
+void DrrController::clear()
 {
     job_.clear();
     isReady_ = false;
@@ -47,7 +47,7 @@ void RadiographController::clear()
     show({});
 }
 
-void RadiographController::followDocument()
+void DrrController::followDocument()
 {
     const core::Case& current = on_.document.current();
     const auto camera = core::cameraOf(current.shown());
@@ -74,9 +74,9 @@ void RadiographController::followDocument()
     job_.request(current.shown().cameraFromPatient);
 }
 
-void RadiographController::show(const core::ImageF& picture)
+void DrrController::show(const core::ImageF& picture)
 {
-    on_.view.scene().setRadiograph(picture);
+    on_.view.scene().setDrr(picture);
     on_.view.redraw();
 }
 

@@ -8,7 +8,7 @@ namespace angiopose::core {
 /// Returns the initial pose of the vessels in a view: the given one, or else from the angles of the frame, about the
 /// isocenter where the view has one. Otherwise the tree's centroid lies on the beam axis, in the object plane of the
 /// header or at the isocenter.
-Result<RigidTransform> startPoseOf(const View& view, const Vessels& vessels);
+Result<RigidTransform> initialPoseOf(const View& view, const Vessels& vessels);
 
 /// Whether the vessels of a view are at their initial pose, neither registered nor moved.
 bool isAtStart(const View& view, const Vessels& vessels);

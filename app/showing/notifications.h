@@ -16,11 +16,12 @@ class BottomStrip;
 namespace angiopose::app {
 
 /// Messages to the user: notes in the strip at the bottom, problems in a message box.
-class Notices : public QObject {
+class Notifications : public QObject {
     Q_OBJECT
 public:
     /// While `isBusy` returns true, the strip shows the progress of a task, with notes next to it.
-    Notices(ui::BottomStrip& strip, QWidget& dialogParent, std::function<bool()> isBusy, QObject* parent = nullptr);
+    Notifications(ui::BottomStrip& strip, QWidget& dialogParent, std::function<bool()> isBusy,
+                  QObject* parent = nullptr);
 
     void showNote(const QString& note);   ///< in the strip, for a limited time
     void showWarnings(const QString& warnings);   ///< in the strip, until the next message

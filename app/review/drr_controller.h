@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/jobs/radiograph_job.h"
+#include "app/jobs/drr_job.h"
 #include "app/registration/target_provider.h"
 #include "app/review/look_controller.h"
 #include "app/showing/view_sync.h"
@@ -15,7 +15,7 @@ class BottomStrip;
 namespace angiopose::app {
 
 /// Shows a DRR of the vessels over the angiogram; recomputed whenever the pose changes.
-class RadiographController : public QObject {
+class DrrController : public QObject {
     Q_OBJECT
 public:
     /// Objects that the controller works with.
@@ -27,7 +27,7 @@ public:
         ui::AngiogramView& view;
         ui::BottomStrip& strip;
     };
-    explicit RadiographController(const Parts& parts, QObject* parent = nullptr);
+    explicit DrrController(const Parts& parts, QObject* parent = nullptr);
 
 private:
     void setWanted(bool wanted);
@@ -36,7 +36,7 @@ private:
     void show(const core::ImageF& picture);
 
     Parts on_;
-    RadiographJob job_;
+    DrrJob job_;
     bool isWanted_ = false;
     bool isReady_ = false;   ///< the job holds the inputs given by `tree_` …
     std::shared_ptr<const core::VesselTree> tree_;

@@ -1,4 +1,4 @@
-#include "app/showing/notices.h"
+#include "app/showing/notifications.h"
 
 #include "ui/dialogs/message_dialog.h"
 #include "ui/panels/bottom_strip.h"
@@ -10,7 +10,8 @@ namespace angiopose::app {
 
 using namespace std::chrono_literals;
 
-Notices::Notices(ui::BottomStrip& strip, QWidget& dialogParent, std::function<bool()> isBusy, QObject* parent)
+Notifications::Notifications(ui::BottomStrip& strip, QWidget& dialogParent, std::function<bool()> isBusy,
+                             QObject* parent)
     : QObject(parent), strip_(strip), dialogParent_(dialogParent), isBusy_(std::move(isBusy))
 {
     noteTimer_.setSingleShot(true);
@@ -21,7 +22,7 @@ Notices::Notices(ui::BottomStrip& strip, QWidget& dialogParent, std::function<bo
     });
 }
 
-void Notices::showNote(const QString& note)
+void Notifications::showNote(const QString& note)
 {
     if (isBusy_()) {
         strip_.showStatus(note);
@@ -31,13 +32,13 @@ void Notices::showNote(const QString& note)
     noteTimer_.start(6s);
 }
 
-void Notices::showWarnings(const QString& warnings)
+void Notifications::showWarnings(const QString& warnings)
 {
     showNote(warnings);
     noteTimer_.stop();
 }
 
-void Notices::showProblem(const QString& heading, const QString& reason, const QStringList& paths)
+void Notifications::showProblem(const QString& heading, const QString& reason, const QStringList& paths)
 {
     strip_.remember(QStringLiteral("%1: %2").arg(heading, reason));
     QStringList details{tr("AngioPose %1").arg(QCoreApplication::applicationVersion()),

@@ -1,12 +1,12 @@
-#include "app/jobs/radiograph_job.h"
+#include "app/jobs/drr_job.h"
 
-#include "app/jobs/radiograph_source.h"
+#include "app/jobs/drr_source.h"
 
 #include <utility>
 
 namespace angiopose::app {
 
-RadiographJob::RadiographJob(QObject* parent)
+DrrJob::DrrJob(QObject* parent)
     : QObject(parent),
       job_({[this](const core::ImageF& picture) {
                 startWaiting();
@@ -19,25 +19,25 @@ RadiographJob::RadiographJob(QObject* parent)
 {
 }
 
-void RadiographJob::setInput(core::RegistrationInput input, core::RegistrationOptions options)
+void DrrJob::setInput(core::RegistrationInput input, core::RegistrationOptions options)
 {
     cancel();
-    source_ = std::make_shared<RadiographSource>(std::move(input), std::move(options));
+    source_ = std::make_shared<DrrSource>(std::move(input), std::move(options));
 }
 
-void RadiographJob::clear()
+void DrrJob::clear()
 {
     cancel();
     source_.reset();
 }
 
-void RadiographJob::cancel()
+void DrrJob::cancel()
 {
     waiting_.reset();
     job_.drop();
 }
 
-void RadiographJob::request(const core::RigidTransform& cameraFromPatient)
+void DrrJob::request(const core::RigidTransform& cameraFromPatient)
 {
     if (job_.isRunning()) {
         waiting_ = cameraFromPatient;
@@ -46,12 +46,12 @@ void RadiographJob::request(const core::RigidTransform& cameraFromPatient)
     }
 }
 
-void RadiographJob::start(const core::RigidTransform& cameraFromPatient)
+void DrrJob::start(const core::RigidTransform& cameraFromPatient)
 {
     job_.start([source = source_, cameraFromPatient](JobLink<double>&) { return source->from(cameraFromPatient); });
 }
 
-void RadiographJob::startWaiting()
+void DrrJob::startWaiting()
 {
     if (const auto next = std::exchange(waiting_, std::nullopt)) {
         start(*next);

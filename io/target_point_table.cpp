@@ -1,4 +1,4 @@
-#include "io/check_point_table.h"
+#include "io/target_point_table.h"
 
 #include "io/case/fields/json_values.h"
 #include "io/support/atomic_file.h"

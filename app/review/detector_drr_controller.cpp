@@ -1,7 +1,7 @@
-#include "app/review/detector_radiograph_controller.h"
+#include "app/review/detector_drr_controller.h"
 
 #include "app/preferences/settings.h"
-#include "core/registration/picture/radiograph.h"
+#include "core/registration/picture/drr.h"
 #include "ui/actions/window_actions.h"
 #include "ui/views/tree_view.h"
 
@@ -37,13 +37,13 @@ public:
 private:
     std::shared_ptr<const core::Volume> scan_;
     core::ProjectionCamera camera_;
-    std::optional<core::BodyRadiograph> body_;
+    std::optional<core::BodyDrr> body_;
 };
 
 }   // namespace
 
-DetectorRadiographController::DetectorRadiographController(const CaseDocument& document, const ViewSync& sync,
-                                                           const Ui& ui, QObject* parent)
+DetectorDrrController::DetectorDrrController(const CaseDocument& document, const ViewSync& sync, const Ui& ui,
+                                             QObject* parent)
     : QObject(parent), document_(document), ui_(ui), job_([this](const core::ImageF& picture) { show(picture); })
 {
     QAction* wanted = ui.actions[Command::ScanOnDetector];
@@ -52,13 +52,13 @@ DetectorRadiographController::DetectorRadiographController(const CaseDocument& d
         settings::scanOnDetector.write(on);
         follow();
     });
-    connect(&document, &CaseDocument::changed, this, &DetectorRadiographController::follow);
+    connect(&document, &CaseDocument::changed, this, &DetectorDrrController::follow);
     connect(&sync, &ViewSync::poseShown, this,
             [this](const core::RigidTransform& cameraFromPatient) { job_.request(cameraFromPatient); });
     follow();
 }
 
-void DetectorRadiographController::follow()
+void DetectorDrrController::follow()
 {
     const core::Case& current = document_.current();
     const auto known = core::cameraOf(current.shown());
@@ -85,9 +85,9 @@ void DetectorRadiographController::follow()
     job_.request(current.shown().cameraFromPatient);
 }
 
-void DetectorRadiographController::show(const core::ImageF& radiograph)
+void DetectorDrrController::show(const core::ImageF& drr)
 {
-    ui_.treeView.scene().setDetectorPicture(radiograph);
+    ui_.treeView.scene().setDetectorPicture(drr);
     ui_.treeView.requestRender();
 }
 

@@ -1,4 +1,4 @@
-#include "ui/scenes/radiograph_tint.h"
+#include "ui/scenes/drr_tint.h"
 
 #include "ui/theme/theme.h"
 
@@ -43,9 +43,9 @@ std::uint32_t mixed(std::uint32_t below, const Color& tone, float share)
 
 }   // namespace
 
-void RadiographTint::setRadiograph(const core::ImageF& radiograph)
+void DrrTint::setDrr(const core::ImageF& drr)
 {
-    share_ = radiograph;
+    share_ = drr;
     revision_ = nextRevision();
     const float strongest = share_.pixels.empty() ? 1.0F : std::max(1e-6F, *std::ranges::max_element(share_.pixels));
     for (float& pixel : share_.pixels) {
@@ -53,7 +53,7 @@ void RadiographTint::setRadiograph(const core::ImageF& radiograph)
     }
 }
 
-void RadiographTint::blend(const Place& place, double opacity, Canvas canvas, const Rows& rows) const
+void DrrTint::blend(const Place& place, double opacity, Canvas canvas, const Rows& rows) const
 {
     if (isEmpty() || place.frameWidth <= 0 || place.frameHeight <= 0) {
         return;

@@ -13,10 +13,10 @@ namespace angiopose::ui {
 inline constexpr double deepestTint = 0.75;   ///< the angiogram stays visible through the densest vessel
 
 /// DRR of the vessels over the angiogram, as a tint in the accent color, strongest at the densest vessel.
-class RadiographTint {
+class DrrTint {
 public:
     /// `radiograph` covers the whole frame at any resolution, vessels bright on 0; empty: no tint.
-    void setRadiograph(const core::ImageF& radiograph);
+    void setDrr(const core::ImageF& drr);
     const core::ImageF& share() const { return share_; }   ///< strength of the tint, 0 … 1
     std::uint64_t revision() const { return revision_; }   ///< changes with the DRR
     bool isEmpty() const { return share_.pixels.empty(); }

@@ -1,4 +1,4 @@
-#include "core/case/start_pose.h"
+#include "core/case/initial_pose.h"
 
 #include "core/messages/messages.h"
 
@@ -21,7 +21,7 @@ Result<RigidTransform> poseFromAngles(const View& view, const Vessels& vessels)
 
 }   // namespace
 
-Result<RigidTransform> startPoseOf(const View& view, const Vessels& vessels)
+Result<RigidTransform> initialPoseOf(const View& view, const Vessels& vessels)
 {
     if (view.initialCameraFromPatient) {
         return *view.initialCameraFromPatient;
@@ -31,7 +31,7 @@ Result<RigidTransform> startPoseOf(const View& view, const Vessels& vessels)
 
 bool isAtStart(const View& view, const Vessels& vessels)
 {
-    const auto start = startPoseOf(view, vessels);
+    const auto start = initialPoseOf(view, vessels);
     return !view.result && start && view.cameraFromPatient.matrix().isApprox(start.value().matrix(), 1e-9);
 }
 
