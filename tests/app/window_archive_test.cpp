@@ -91,7 +91,7 @@ TEST_F(WindowArchive, RealOneAnswers)
     ui::ArchiveDialog* dialog = opened();
     ASSERT_TRUE(dialog);
     OpenWindow::clickButton(dialog, QStringLiteral("Test connection"));
-    EXPECT_EQ(words(dialog->line()), QStringLiteral("pacs answers, and lets this program in."));
+    EXPECT_EQ(words(dialog->line()), QStringLiteral("pacs responded and accepted the connection."));
 }
 
 TEST_F(WindowArchive, WhatIsFoundIsRetrievedAndOffered)
@@ -169,7 +169,7 @@ TEST_F(WindowArchive, StoppedRetrievalKeepsWhatCameAndOffersIt)
     EXPECT_TRUE(QTest::qWaitFor(progress, test::patienceMs)) << dialog->line().words().toStdString();
     OpenWindow::clickButton(dialog, QStringLiteral("Stop"));
     const QString said = words(dialog->line());
-    EXPECT_TRUE(said.startsWith(QStringLiteral("Stopped. 1 of 2 objects are here."))) << said.toStdString();
+    EXPECT_TRUE(said.startsWith(QStringLiteral("Stopped. 1 of 2 objects were retrieved."))) << said.toStdString();
     for (const QPushButton* button : dialog->findChildren<QPushButton*>()) {
         EXPECT_TRUE(button->text() != QStringLiteral("Open retrieved") || button->isVisible());
     }
@@ -198,7 +198,7 @@ TEST_F(WindowArchive, SearchIsRememberedButNotWhoWasLookedFor)
     }
     dialog->fields().showSearch({{}, {}, QStringLiteral("yesterday"), {}, {}});
     OpenWindow::clickButton(dialog, QStringLiteral("Search"));
-    EXPECT_TRUE(words(dialog->line()).contains(QStringLiteral("no date")));
+    EXPECT_TRUE(words(dialog->line()).contains(QStringLiteral("not a date")));
 }
 
 TEST_F(WindowArchive, CacheIsLimitedAndEmptied)

@@ -77,7 +77,7 @@ TEST(WindowAuxiliary, AdvisesWhichBranchesPinThePose)
     EXPECT_TRUE(std::ranges::any_of(
         labels, [](const QLabel* label) { return label->text().contains(QStringLiteral("depth")); }));
     EXPECT_TRUE(std::ranges::any_of(
-        labels, [](const QLabel* label) { return label->text().startsWith(QStringLiteral("Chosen: ")); }));
+        labels, [](const QLabel* label) { return label->text().startsWith(QStringLiteral("Auxiliary: ")); }));
 }
 
 TEST(WindowAuxiliary, OffersAMethodThatUsesTheChoiceAndSaysWhatTheDefaultDoes)
@@ -91,10 +91,10 @@ TEST(WindowAuxiliary, OffersAMethodThatUsesTheChoiceAndSaysWhatTheDefaultDoes)
         return std::ranges::any_of(dialog->findChildren<QLabel*>(),
                                    [&words](const QLabel* label) { return label->text().contains(words); });
     };
-    EXPECT_TRUE(says(QStringLiteral("decide what they can tell")));
+    EXPECT_TRUE(says(QStringLiteral("components they constrain")));
     OpenWindow::clickButton(dialog, QStringLiteral("Use DynaWeightPnP instead"));
     EXPECT_EQ(w.current().options.method, "dynaweight");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !says(QStringLiteral("decide what they can tell")); }, test::patienceMs));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !says(QStringLiteral("components they constrain")); }, test::patienceMs));
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(w.current().options.method, "angiopose");
 }

@@ -95,7 +95,7 @@ TEST_F(WindowCurves, APoseOfARunIsNotCalledMovedByHandWhenTheTraceChanges)
             return label->isVisible() && label->text().contains(words);
         });
     };
-    EXPECT_TRUE(QTest::qWaitFor([&] { return says(QStringLiteral("of an earlier run")); }, test::patienceMs));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return says(QStringLiteral("an earlier registration")); }, test::patienceMs));
     EXPECT_FALSE(says(QStringLiteral("moved manually")));
 }
 

@@ -62,7 +62,7 @@ TEST(WindowFollow, ShowsEachFrameWithItsOwnPose)
     const int next = w.current().shown().frame;
     ASSERT_EQ(next, first + 1);
     EXPECT_EQ(w.current().shown().cameraFromPatient.matrix(), followed(w, next).tracked.cameraFromPatient.matrix());
-    EXPECT_TRUE(QTest::qWaitFor([&] { return says(w, QStringLiteral("· followed")); }, test::patienceMs));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return says(w, QStringLiteral("· tracked")); }, test::patienceMs));
     w.press(Qt::Key_Up);
     EXPECT_EQ(w.current().shown().cameraFromPatient.matrix(), found);
     EXPECT_EQ(w.controller.following().frames().size(), 10U);   // they remain valid
@@ -189,7 +189,7 @@ TEST(WindowFollow, ReopensAsItWasLeft)
     ASSERT_EQ(again.current().shown().frame, first + 1);
     EXPECT_EQ(again.current().shown().cameraFromPatient.matrix(),
               kept.at(static_cast<std::size_t>(first + 1)).tracked.cameraFromPatient.matrix());
-    EXPECT_TRUE(QTest::qWaitFor([&] { return says(again, QStringLiteral("· followed")); }, test::patienceMs));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return says(again, QStringLiteral("· tracked")); }, test::patienceMs));
     const auto* step = again.window.steps().findChildren<QAbstractButton*>().at(static_cast<int>(ui::Step::Register));
     EXPECT_TRUE(step->accessibleName().contains(QStringLiteral("followed"))) << qPrintable(step->accessibleName());
     again.press(Qt::Key_Up);

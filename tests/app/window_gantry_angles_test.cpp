@@ -51,10 +51,10 @@ TEST(WindowGantryAngles, ProposesAnglesAndShowsTheVesselsFromThose)
     AnglesWindow w;
     w.waitForMap();
     const QString best = w.button(QStringLiteral("1 "))->text().mid(4).trimmed();
-    EXPECT_TRUE(w.words().contains(best + QStringLiteral(": foreshortened by"))) << w.words().toStdString();
+    EXPECT_TRUE(w.words().contains(best + QStringLiteral(": foreshortening"))) << w.words().toStdString();
 
     QTest::mouseClick(w.button(QStringLiteral("Now")), Qt::LeftButton);
-    EXPECT_FALSE(w.words().contains(best + QStringLiteral(": foreshortened by")));
+    EXPECT_FALSE(w.words().contains(best + QStringLiteral(": foreshortening")));
     const QString now = w.words();
     w.plot().setFocus();
     QTest::keyClick(&w.plot(), Qt::Key_Right, Qt::ShiftModifier);

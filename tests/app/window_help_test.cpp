@@ -30,9 +30,9 @@ TEST(WindowHelp, WhatWasToldCanBeReadAgain)
     w.window.actions()[ui::Command::Messages]->trigger();
     ASSERT_EQ(w.dialogs("messageHistory").size(), 1);
     const QString reported = w.dialogs("messageHistory").front()->findChild<QTextEdit*>()->toPlainText();
-    EXPECT_TRUE(reported.contains(QStringLiteral("Kept as"))) << reported.toStdString();
+    EXPECT_TRUE(reported.contains(QStringLiteral("Saved as"))) << reported.toStdString();
     EXPECT_TRUE(reported.contains(QStringLiteral("run.dcm"))) << reported.toStdString();
-    EXPECT_LT(reported.indexOf(QStringLiteral("Kept as")), reported.indexOf(QStringLiteral("run.dcm")));
+    EXPECT_LT(reported.indexOf(QStringLiteral("Saved as")), reported.indexOf(QStringLiteral("run.dcm")));
 }
 
 TEST(WindowHelp, EveryPanelHasAPageInEveryLanguage)

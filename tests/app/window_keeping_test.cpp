@@ -158,7 +158,7 @@ TEST(WindowKeeping, SaysThatTheAutomaticCopyFailsAndTriesAgain)
     {
         const FullDrive full;
         w.controller.saving().autosaveSoon();
-        EXPECT_TRUE(isKnown(w, QStringLiteral("automatic copy cannot be written")));
+        EXPECT_TRUE(isKnown(w, QStringLiteral("Autosave failed")));
         EXPECT_EQ(state(), QStringLiteral("Not autosaved"));
     }
     w.controller.saving().autosaveSoon();   // as the autosave timer does, without another edit

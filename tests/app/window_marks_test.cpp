@@ -69,12 +69,12 @@ TEST_F(WindowMarks, ACheckPointIsSetOnTheVesselsListedAndUndone)
     EXPECT_FALSE(w.window.marks().isFolded());
     ASSERT_EQ(marks().size(), 1U);
     EXPECT_EQ(w.history().count(), steps + 1);
-    EXPECT_EQ(marks()[0].name, "Check point 1");
+    EXPECT_EQ(marks()[0].name, "Target point 1");
     EXPECT_LT((*core::nearestOnTree(tree(), marks()[0].pointInPatient) - marks()[0].pointInPatient).norm(), 1e-9);
     const QPoint away = onScreen(marks()[0].pointInPatient) - onScreen(middle());
     EXPECT_LT(away.manhattanLength(), 4);
     ASSERT_EQ(list().topLevelItemCount(), 1);
-    EXPECT_TRUE(isDrawn("Check point 1"));
+    EXPECT_TRUE(isDrawn("Target point 1"));
     ASSERT_EQ(w.window.slices().points().at(ui::SliceMarkKind::Place).size(), 1U);
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_TRUE(marks().empty());
@@ -207,13 +207,13 @@ TEST_F(WindowMarks, PicturesTablesAndTheCaseHaveThem)
     setPoint();
     w.press(Qt::Key_Escape);
     EXPECT_NE(plain, QImage(QString::fromStdString(exported("marked.png"))));
-    EXPECT_NE(test::readText(exported("marked.svg", ui::PictureFormat::Svg)).find("Check point 1"), std::string::npos);
+    EXPECT_NE(test::readText(exported("marked.svg", ui::PictureFormat::Svg)).find("Target point 1"), std::string::npos);
     EXPECT_EQ(test::readText(exported("marked.pdf", ui::PictureFormat::Pdf)).rfind("%PDF", 0), 0U);
 
     w.window.actions()[ui::Command::ExportCheckPoints]->trigger();
     w.saveAs(QString::fromStdString(folder.file("c.csv")));
     ASSERT_TRUE(QTest::qWaitFor([&] { return !test::readText(folder.file("c.csv")).empty(); }, test::patienceMs));
-    EXPECT_NE(test::readText(folder.file("c.csv")).find("Check point 1"), std::string::npos);
+    EXPECT_NE(test::readText(folder.file("c.csv")).find("Target point 1"), std::string::npos);
 
     const auto saved = marks();
     w.controller.saving().saveTo(QString::fromStdString(folder.file("marked.angiopose")));

@@ -145,7 +145,7 @@ TEST_F(WindowMask, TheBrushGrowsAndPaintsBallsAboveTheThreshold)
     dragAlong(BodyPlane::Axial, {{12, 0, z}, {13, 0, z}});
     EXPECT_EQ(setVoxels(), before) << "tissue is darker than the threshold";
     for (QCheckBox* box : panel().findChildren<QCheckBox*>()) {
-        box->setChecked(box->text().startsWith(QStringLiteral("Ball")));
+        box->setChecked(box->text().startsWith(QStringLiteral("3-D brush")));
     }
     dragAlong(BodyPlane::Axial, {{12, 0, z}, {13, 0, z}});
     EXPECT_TRUE(isSetAt({12, 0, z + 4}));

@@ -70,7 +70,7 @@ TEST_F(WindowMovie, OffersWhatThereIsAndTellsItsLength)
     const bool isRun = w.current().shown().angiogram->frameCount() > 1;
     EXPECT_EQ(parts(dialog)->count(), isRun ? 2 : 1) << "no registration was made";
     choose(parts(dialog), parts(dialog)->count() - 1);
-    EXPECT_TRUE(outcome(dialog).contains(QStringLiteral("120 pictures, 6.0 s, 160 × 160 px")))
+    EXPECT_TRUE(outcome(dialog).contains(QStringLiteral("120 frames, 6.0 s, 160 × 160 px")))
         << outcome(dialog).toStdString();
     OpenWindow::clickButton(dialog, QStringLiteral("Cancel"));
 
@@ -82,7 +82,7 @@ TEST_F(WindowMovie, OffersWhatThereIsAndTellsItsLength)
     EXPECT_EQ(parts(dialog)->count(), isRun ? 3 : 2);
     choose(parts(dialog), isRun ? 1 : 0);
     EXPECT_TRUE(outcome(dialog).startsWith(QString::number(w.current().shown().result->history.size()) +
-                                           QStringLiteral(" pictures")))
+                                           QStringLiteral(" frames")))
         << outcome(dialog).toStdString();
 }
 

@@ -46,9 +46,9 @@ TEST_F(WindowPath, TwoClicksAddAMissedVesselAsOneStep)
     const QString noteBefore = w.history().undoText();
     w.press(Qt::Key_I, Qt::ControlModifier);
     ASSERT_TRUE(model().tool());
-    EXPECT_TRUE(model().tool()->caption().contains(QStringLiteral("begins")));
+    EXPECT_TRUE(model().tool()->caption().contains(QStringLiteral("click its start")));
     clickAt(missed.pointsInPatient.front());
-    EXPECT_TRUE(model().tool()->caption().contains(QStringLiteral("ends")));
+    EXPECT_TRUE(model().tool()->caption().contains(QStringLiteral("click its end")));
     clickAt(missed.pointsInPatient.back());
     ASSERT_TRUE(waitForBranch());
 
@@ -77,7 +77,7 @@ TEST_F(WindowPath, EscapeTakesTheFirstClickBackThenEndsTheMode)
     clickAt(missed.pointsInPatient.front());
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_Escape);
     ASSERT_TRUE(model().tool());
-    EXPECT_TRUE(model().tool()->caption().contains(QStringLiteral("begins")));
+    EXPECT_TRUE(model().tool()->caption().contains(QStringLiteral("click its start")));
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_Escape);
     EXPECT_FALSE(model().tool());
     EXPECT_FALSE(w.window.actions()[ui::Command::TraceBetween]->isChecked());

@@ -107,7 +107,7 @@ TEST_F(WindowPort, OnlyListedCallersAreTakenAndStrangersAreReported)
     type(*asked, "portTitles", "A TITLE OF MORE THAN 16");
     OpenWindow::clickButton(asked, QStringLiteral("Save"));
     EXPECT_TRUE(asked->isVisible());
-    EXPECT_TRUE(asked->line().words().contains(QStringLiteral("no AE title"))) << asked->line().words().toStdString();
+    EXPECT_TRUE(asked->line().words().contains(QStringLiteral("valid AE"))) << asked->line().words().toStdString();
     type(*asked, "portTitles", "MODALITY, CT 7");
     OpenWindow::clickButton(asked, QStringLiteral("Save"));
     EXPECT_FALSE(asked->isVisible());
@@ -115,9 +115,9 @@ TEST_F(WindowPort, OnlyListedCallersAreTakenAndStrangersAreReported)
     switchPort();
     EXPECT_FALSE(dialog->findChild<QPushButton*>(QStringLiteral("receiveSecurity"))->isEnabled()) << "it listens";
     EXPECT_FALSE(sendTo(us("STRANGER"), "2.25.4711.81").isWhole());
-    says("(AE title STRANGER) was turned away");
+    says("(AE title STRANGER) was rejected");
     EXPECT_TRUE(sendTo(us("CT 7"), "2.25.4711.82").isWhole());
-    says("Objects that arrived: 2");
+    says("Objects received: 2");
     switchPort();
     EXPECT_TRUE(QTest::qWaitFor([&] { return audit.text().count(QStringLiteral("sha256")) == 2; }, test::patienceMs))
         << audit.text().toStdString();
@@ -140,7 +140,7 @@ TEST_F(WindowPort, StrangeAddressesAreTurnedAway)
     OpenWindow::clickButton(asked, QStringLiteral("Save"));
     switchPort();
     EXPECT_FALSE(sendTo(us("MODALITY"), "2.25.4711.83").isWhole());
-    says("127.0.0.1 (AE title MODALITY) was turned away");
+    says("127.0.0.1 (AE title MODALITY) was rejected");
     switchPort();
 }
 
@@ -157,7 +157,7 @@ TEST_F(WindowPort, TlsTakesKnownCertificatesOnly)
     auto* tls = asked->findChild<QCheckBox*>(QStringLiteral("portTls"));
     QTest::mouseClick(tls, Qt::LeftButton, {}, {8, tls->height() / 2});
     OpenWindow::clickButton(asked, QStringLiteral("Save"));
-    EXPECT_TRUE(asked->line().words().contains(QStringLiteral("needs a certificate"))) << "there is none yet";
+    EXPECT_TRUE(asked->line().words().contains(QStringLiteral("needs our own certificate"))) << "there is none yet";
     type(*asked, "portCertificate", ours->certificateFile);
     type(*asked, "portKey", ours->keyFile);
     type(*asked, "portTrusted", theirs->certificateFile);
@@ -167,14 +167,14 @@ TEST_F(WindowPort, TlsTakesKnownCertificatesOnly)
 
     io::ArchiveNode node = us("MODALITY");
     EXPECT_FALSE(sendTo(node, "2.25.4711.84").isWhole()) << "in the clear";
-    says("no secure connection");
+    says("the TLS handshake failed");
     node.isTls = true;
     node.caFile = ours->certificateFile;
     node.certificateFile = theirs->certificateFile;
     node.keyFile = theirs->keyFile;
     const io::TransferReport report = sendTo(node, "2.25.4711.85");
     EXPECT_TRUE(report.isWhole()) << (report.end ? report.end->message.text() : std::string());
-    says("Objects that arrived: 2");
+    says("Objects received: 2");
     node.certificateFile = stranger->certificateFile;
     node.keyFile = stranger->keyFile;
     EXPECT_FALSE(sendTo(node, "2.25.4711.86").isWhole());

@@ -143,7 +143,7 @@ TEST_F(WindowPoseFiles, OfAResultSayWhereItWasFoundWithOtherInputs)
     ASSERT_TRUE(io::writeAtomically(file("result.json"), result(std::string(64, 'a'))));
     w.drop({path("result.json")});
     EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, moved), 1e-9);
-    EXPECT_TRUE(isKnown(QStringLiteral("another angiogram")));
+    EXPECT_TRUE(isKnown(QStringLiteral("a different angiogram")));
 }
 
 TEST(WindowPoseFilesAlone, NeedACase)

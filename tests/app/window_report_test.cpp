@@ -255,7 +255,7 @@ TEST_F(WindowReportTemplate, WhatMustBeSaidCannotBeLeftOut)
     }
     EXPECT_NE(reasonOf(whole + "<img src=//example.com/a.png>").find("//example.com"), std::string::npos);
     for (const char* fetching : {"<script>1</script>", "< LINK href='a.css'>", "<p style='background:url(a.png)'>"}) {
-        EXPECT_NE(reasonOf(whole + fetching).find("fetch or run"), std::string::npos) << fetching;
+        EXPECT_NE(reasonOf(whole + fetching).find("load or run"), std::string::npos) << fetching;
     }
     EXPECT_EQ(reasonOf(whole + "<img src='logo.png'>"), "");
     EXPECT_NE(readReportTemplate(folder.filePath(QStringLiteral("gone.html"))).error().message.text().find("gone.html"),

@@ -55,7 +55,7 @@ TEST_F(WindowSending, WhatIsPushedIsCountedAndOffered)
         [&] { report = io::sendToArchive(us, io::ArchiveWay::Dimse, test::writeObjects(folder, "2.25.4711.71", 3)); });
     const auto* said = dialog->findChild<QLabel*>(QStringLiteral("receiveWords"));
     EXPECT_TRUE(
-        QTest::qWaitFor([&] { return said->text() == QStringLiteral("Objects that arrived: 3"); }, test::patienceMs));
+        QTest::qWaitFor([&] { return said->text() == QStringLiteral("Objects received: 3"); }, test::patienceMs));
     peer.join();
     EXPECT_TRUE(report.isWhole()) << (report.end ? report.end->message.text() : std::string())
                                   << dialog->line().words().toStdString();
@@ -78,7 +78,7 @@ TEST_F(WindowSending, ObjectsArriveAndAfterAFaultTheSameOnesGoAgain)
     line.heal();
     OpenWindow::clickButton(dialog, QStringLiteral("Send"));
     const QString said = words(dialog->line());
-    EXPECT_TRUE(said.startsWith(QStringLiteral("pacs has all objects: 4"))) << said.toStdString();
+    EXPECT_TRUE(said.startsWith(QStringLiteral("pacs received all objects: 4"))) << said.toStdString();
     RecordProperty("longestGapMs", static_cast<int>(beat.longestMs()));
     OpenWindow::clickButton(dialog, QStringLiteral("Close"));
 }

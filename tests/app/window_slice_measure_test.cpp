@@ -43,7 +43,7 @@ TEST_F(WindowSliceMeasure, ALengthIsDrawnListedAndUndone)
                 2.0 / view(BodyPlane::Axial).pxPerMm());
     ASSERT_EQ(list().topLevelItemCount(), 1);
     EXPECT_TRUE(list().topLevelItem(0)->text(1).contains(QStringLiteral("in the scan")));
-    EXPECT_TRUE(list().topLevelItem(0)->toolTip(0).contains(QStringLiteral("Scan voxels of 1.000 mm")));
+    EXPECT_TRUE(list().topLevelItem(0)->toolTip(0).contains(QStringLiteral("Scan voxel size: 1.000 mm")));
     ASSERT_EQ(model().measured().size(), 1U);
 
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_Z, Qt::ControlModifier);

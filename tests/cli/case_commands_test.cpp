@@ -208,7 +208,7 @@ TEST_F(CliOnSimulatedCase, FramesCountFromOne)
     for (const std::string beyond : {"0", "-3", "99"}) {
         const auto refused = traced(beyond);
         EXPECT_EQ(refused.exitCode, 3);
-        EXPECT_NE(refused.messages.find("It has frames 1 to " + last), std::string::npos) << refused.messages;
+        EXPECT_NE(refused.messages.find("The run has frames 1 to " + last), std::string::npos) << refused.messages;
     }
     const auto registered = runCli({"register", casePath_, "--frame", "5", "--output", folder_.file("out")});
     ASSERT_TRUE(registered.exitCode == 0 || registered.exitCode == 4) << registered.messages;
@@ -307,8 +307,8 @@ TEST_F(CliOnSimulatedCase, RanksTheWaysOfAWireAndTakesTheOneAskedFor)
     const std::string path = wireCase(casePath_, truth.value(), folder_.file("demo/wire.angiopose"));
     const auto words = runCli({"register", path, "--output", folder_.file("wire")});
     ASSERT_TRUE(words.exitCode == 0 || words.exitCode == 4) << words.exitCode << words.messages;
-    EXPECT_NE(words.output.find("way taken"), std::string::npos) << words.output;
-    EXPECT_NE(words.output.find("of the wire along them"), std::string::npos) << words.output;
+    EXPECT_NE(words.output.find("path taken"), std::string::npos) << words.output;
+    EXPECT_NE(words.output.find("of the guidewire along them"), std::string::npos) << words.output;
 
     const auto first =
         nlohmann::json::parse(runCli({"register", path, "--output", folder_.file("wire"), "--json"}).output);

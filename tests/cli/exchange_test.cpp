@@ -114,7 +114,7 @@ TEST_F(ExchangeOnSimulatedCase, ProjectsByTheCameraThatThePoseBrings)
     const auto reported =
         runCli({"project", casePath_, "--pose", folder_.file("other.yml"), "--output", folder_.file("b.png")});
     EXPECT_EQ(reported.exitCode, 0);
-    EXPECT_NE(reported.messages.find("brings a camera"), std::string::npos) << reported.messages;
+    EXPECT_NE(reported.messages.find("differs from the camera of the case"), std::string::npos) << reported.messages;
     EXPECT_NE(test::readText(folder_.file("a.png")), test::readText(folder_.file("b.png")));
     other.width *= 2;
     ASSERT_TRUE(io::writeSight({other, view_.cameraFromPatient}, folder_.file("size.yml")));
@@ -127,7 +127,7 @@ TEST_F(ExchangeOnSimulatedCase, GivesItsPointsToSlicer)
 {
     const auto none = runCli({"convert", casePath_, folder_.file("none.fcsv")});
     EXPECT_EQ(none.exitCode, 3);
-    EXPECT_NE(none.messages.find("check points"), std::string::npos);
+    EXPECT_NE(none.messages.find("target points"), std::string::npos);
     auto json = nlohmann::ordered_json::parse(test::readText(casePath_));
     json["vessel"]["marks"] = {
         {{"id", 1}, {"kind", "check-point"}, {"name", "fork, first"}, {"pointInPatientMm", {1.5, -2, 30}}}};
@@ -138,7 +138,7 @@ TEST_F(ExchangeOnSimulatedCase, GivesItsPointsToSlicer)
     const auto points = io::readFiducials(folder_.file("points.mrk.json"));
     ASSERT_TRUE(points);
     ASSERT_EQ(points.value().size(), 2u);
-    EXPECT_EQ(points.value()[0], (io::Fiducial{{1.5, -2, 30}, "fork, first", "check point"}));
+    EXPECT_EQ(points.value()[0], (io::Fiducial{{1.5, -2, 30}, "fork, first", "target point"}));
     EXPECT_EQ(points.value()[1], (io::Fiducial{{4, 5, 6}, "tip", "landmark"}));
     const auto info = runCli({"info", folder_.file("points.fcsv"), "--json"});
     EXPECT_EQ(nlohmann::json::parse(info.output)["points"].size(), 2u);

@@ -78,9 +78,9 @@ TEST_F(CliExportDicom, WritesWhatTheCaseAllowsAndSaysWhatNot)
         EXPECT_NE(outcome.output.find(name), std::string::npos);
     }
     EXPECT_FALSE(fs::exists(out("report.dcm")));
-    EXPECT_NE(outcome.messages.find("report.dcm: a report is made by angiopose-cli report"), std::string::npos)
+    EXPECT_NE(outcome.messages.find("report.dcm: a report is created by angiopose-cli report"), std::string::npos)
         << outcome.messages;
-    EXPECT_NE(outcome.messages.find("cannot hold the perspective camera"), std::string::npos) << outcome.messages;
+    EXPECT_NE(outcome.messages.find("cannot store the perspective camera"), std::string::npos) << outcome.messages;
     EXPECT_EQ(io::sha256OfFile(folder_.file("demo/angiogram.dcm")).value(), before) << "the original is untouched";
     const std::string study = text(folder_.file("demo/angiogram.dcm"), 0x0020000d);
     for (const char* name : {"overlay.dcm", "presentation-state.dcm", "registration.dcm", "measurements.dcm"}) {
@@ -127,7 +127,7 @@ TEST_F(CliExportDicom, WritesNothingWhereOneObjectCannotBeMade)
 {
     const auto outcome = exported({"--objects", "sc,seg"});
     EXPECT_EQ(outcome.exitCode, 3);
-    EXPECT_NE(outcome.messages.find("needs the scan or the mask"), std::string::npos) << outcome.messages;
+    EXPECT_NE(outcome.messages.find("needs the scan or mask"), std::string::npos) << outcome.messages;
     EXPECT_FALSE(fs::exists(folder_.file("out")));
     const auto unknown = exported({"--objects", "sc,hologram"});
     EXPECT_EQ(unknown.exitCode, 2);

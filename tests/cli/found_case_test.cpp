@@ -37,9 +37,9 @@ TEST_F(CliFoundCase, WhatWasFoundIsSavedInTheCase)
     // none.
     const auto drawn = runCli({"project", saved, "--output", folder_.file("drawn.png")});
     ASSERT_EQ(drawn.exitCode, 0) << drawn.messages;
-    EXPECT_EQ(drawn.messages.find("Nothing has been registered"), std::string::npos) << drawn.messages;
+    EXPECT_EQ(drawn.messages.find("This case has not been registered"), std::string::npos) << drawn.messages;
     const auto start = runCli({"project", casePath_, "--output", folder_.file("start.png")});
-    EXPECT_NE(start.messages.find("Nothing has been registered"), std::string::npos) << start.messages;
+    EXPECT_NE(start.messages.find("This case has not been registered"), std::string::npos) << start.messages;
     EXPECT_EQ(runCli({"project", casePath_, "--bare", "--output", folder_.file("bare.png")}).messages, "");
 }
 

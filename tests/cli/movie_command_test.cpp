@@ -81,7 +81,7 @@ TEST_F(CliMovie, TurnsTheVesselsOnceInSixSeconds)
 {
     const auto outcome = movie("turn.gif", {"--show", "turn", "--fps", "10"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.messages;
-    EXPECT_NE(outcome.output.find("60 pictures, 6.00 s"), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("60 frames, 6.00 s"), std::string::npos) << outcome.output;
     const GifReport reported = knownFrom(folder_.file("turn.gif"));
     EXPECT_EQ(reported.width, 160);
     EXPECT_EQ(reported.height, 160);

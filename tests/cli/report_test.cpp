@@ -69,11 +69,11 @@ TEST_F(CliReport, IsAPageWithPicturesVerdictAndAuthor)
     const std::string page = readText(in("report.html"));
     EXPECT_EQ(countOf(page, "data:image/png;base64,"), 2U) << "the overlay and the program's mark";
     EXPECT_GT(page.size(), 200000U) << "the overlay is large enough for print";
-    for (const char* wanted : {">Trustworthy<", "Before: initial pose", "After: registered", "Colours: distance",
+    for (const char* wanted : {">Reliable<", "Before: initial pose", "After: registered", "Colors: distance",
                                "Median distance", "Ada &lt;MD&gt;", "identity hidden", "Not for clinical use"}) {
         EXPECT_NE(page.find(wanted), std::string::npos) << wanted;
     }
-    EXPECT_EQ(page.find(">Not trustworthy<"), std::string::npos);
+    EXPECT_EQ(page.find(">Not reliable<"), std::string::npos);
 }
 
 TEST_F(CliReport, TellsItsTimeWithTheZone)
@@ -102,16 +102,16 @@ TEST_F(CliReport, OfAPoseThatIsNotToBeTrustedSaysSoAndEndsWith4)
 {
     const auto start = reported("start.html");
     EXPECT_EQ(start.exitCode, 4) << start.messages;
-    EXPECT_NE(start.messages.find("not trustworthy"), std::string::npos) << start.messages;
+    EXPECT_NE(start.messages.find("not reliable"), std::string::npos) << start.messages;
     const std::string page = readText(in("start.html"));
-    EXPECT_NE(page.find(">Not trustworthy<"), std::string::npos);
+    EXPECT_NE(page.find(">Not reliable<"), std::string::npos);
     EXPECT_EQ(page.find("Before: initial pose"), std::string::npos) << "one picture: it is the start pose";
 
     ASSERT_EQ(runCli({"simulate", "--seed", "4", "--branches", "8", "--output", in("other")}).exitCode, 0);
     fs::copy_file(in("other/tree.vtp"), in("demo/tree.vtp"), fs::copy_options::overwrite_existing);
     const auto foreign = reported("foreign.html", {"--register"});
     EXPECT_EQ(foreign.exitCode, 4) << foreign.messages;
-    EXPECT_NE(readText(in("foreign.html")).find(">Not trustworthy<"), std::string::npos);
+    EXPECT_NE(readText(in("foreign.html")).find(">Not reliable<"), std::string::npos);
 }
 
 TEST_F(CliReport, NamesThePatientAndFollowsATemplateWhereThatIsWanted)
@@ -134,7 +134,7 @@ TEST_F(CliReport, SpeaksTheLanguageThatIsAskedFor)
     ASSERT_EQ(reported("bericht.html", {"--language", "de"}).exitCode, 4);
     const std::string page = readText(in("bericht.html"));
     EXPECT_NE(page.find(">Nicht vertrauenswürdig<"), std::string::npos);
-    EXPECT_EQ(page.find(">Not trustworthy<"), std::string::npos);
+    EXPECT_EQ(page.find(">Not reliable<"), std::string::npos);
     const auto unknown = reported("rapport.html", {"--language", "fr"});
     EXPECT_EQ(unknown.exitCode, 2);
     EXPECT_NE(unknown.messages.find("zh_CN"), std::string::npos) << unknown.messages;

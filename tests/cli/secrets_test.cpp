@@ -67,7 +67,7 @@ TEST_F(CliSecrets, AnAuditFileThatCannotBeWrittenIsReported)
 {
     const auto outcome = test::runCli({"--audit", folder.file("gone/audit.jsonl"), "info", runPath});
     EXPECT_EQ(outcome.exitCode, 0);
-    EXPECT_NE(outcome.messages.find("audit file cannot be written"), std::string::npos) << outcome.messages;
+    EXPECT_NE(outcome.messages.find("audit log cannot be written"), std::string::npos) << outcome.messages;
 }
 
 TEST_F(CliSecrets, NothingPlantedIsLeftInExportsPacksAndBundles)

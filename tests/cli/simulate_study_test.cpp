@@ -129,7 +129,7 @@ TEST_F(CliSimulateStudy, WrongStudiesAreRefusedNamingThePlace)
         {"\"name\": \"plain\"", "\"name\": \"wrong\"", "wrong"},
         {"\"name\": \"plain\"", "\"name\": \"a/b\"", "a/b"},
         {"own.swc", "nowhere.swc", "nowhere.swc"},
-        {"angiopose-study", "angiopose-case", "no study"},
+        {"angiopose-study", "angiopose-case", "not a study file"},
         {"\"seed\": 5", "\"seed\": -5", "seed"},
         {"\"header\": {", "\"contrast\": {\"riseS\": 0}, \"header\": {", "contrast of settings[1]"},
         {"\"header\": {", "\"contrast\": {\"fast\": 1}, \"header\": {", "fast"},

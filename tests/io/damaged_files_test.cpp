@@ -163,7 +163,7 @@ TEST(DamagedFiles, AreRefusedBeforeMemoryIsSpent)
 TEST(UnreadableInputs, SayWhatTheyAre)
 {
     const test::TemporaryFolder folder;
-    EXPECT_NE(io::readAngiogram(folder.file("absent.dcm")).error().message.text().find("no such file"),
+    EXPECT_NE(io::readAngiogram(folder.file("absent.dcm")).error().message.text().find("does not exist"),
               std::string::npos);
     EXPECT_NE(io::readAngiogram(folder.write("empty.dcm", "")).error().message.text().find("empty"), std::string::npos);
     std::filesystem::create_directory(folder.file("folder.vtp"));

@@ -119,7 +119,7 @@ TEST(LabelList, TracingTakesTheVesselsAndSaysSo)
     EXPECT_EQ(test::endsOf(traced.value().tree), 3);
     ASSERT_EQ(traced.value().warnings.size(), 2U);
     EXPECT_EQ(traced.value().warnings[0].text(), "Labels traced: 2 hepatic artery.");
-    EXPECT_EQ(traced.value().warnings[1].text(), "Labels left out, by their names: 7 liver.");
+    EXPECT_EQ(traced.value().warnings[1].text(), "Labels skipped because of their names: 7 liver.");
 }
 
 TEST(LabelList, TracingRefusesALabelThatIsNotThere)
@@ -130,7 +130,7 @@ TEST(LabelList, TracingRefusesALabelThatIsNotThere)
     input.labels = {5};
     const auto traced = io::readVessels(namedFork(folder), input);
     ASSERT_FALSE(traced);
-    EXPECT_NE(traced.error().message.text().find("it has no label 5 but 2 hepatic artery, 7 liver"), std::string::npos)
+    EXPECT_NE(traced.error().message.text().find("5. Available labels: 2 hepatic artery, 7 liver"), std::string::npos)
         << traced.error().message;
 }
 
@@ -169,7 +169,7 @@ TEST(LabelList, LabelsStoredAsFloatAreLabels)
     values[values.size() / 2] = 0.4F;
     const auto refused = io::readLabels(written());
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().message.text().find("it holds 0.4"), std::string::npos) << refused.error().message;
+    EXPECT_NE(refused.error().message.text().find("the value 0.4"), std::string::npos) << refused.error().message;
 }
 
 }   // namespace

@@ -344,7 +344,7 @@ TEST(ReadVesselTree, SaysWhatIsWrong)
     EXPECT_NE(treeErrorOf(folder.write("a.csv", "x,y,z\n0,0,0\n1,nan,0\n")).find("line 3"), std::string::npos);
     EXPECT_NE(treeErrorOf(folder.write("b.csv", "x,y,z\n0,0,0\n1,0\n")).find("line 3"), std::string::npos);
     EXPECT_NE(treeErrorOf(folder.write("c.csv", "x;y;z\n0,5;0;0\n")).find("columns"), std::string::npos);
-    EXPECT_NE(treeErrorOf(folder.write("d.csv", "x,y,z\n1,1,1\n1,1,1\n")).find("two different points"),
+    EXPECT_NE(treeErrorOf(folder.write("d.csv", "x,y,z\n1,1,1\n1,1,1\n")).find("two distinct points"),
               std::string::npos);
     EXPECT_NE(treeErrorOf(folder.write("e.csv", "x,y,z\n")).find("no lines"), std::string::npos);
     const std::string start = header + std::string("t\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n0 0 0 1 0 nan\n");

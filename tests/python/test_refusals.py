@@ -91,5 +91,5 @@ def test_runs_and_cases_of_nothing(simulated):
     run = simulated.session.angiogram
     assert idOf(lambda: angiopose.Angiogram(np.zeros((0, 4, 5)))) == "library.no-frames"
     assert idOf(lambda: angiopose.Case(angiopose.VesselTree([], []), run)) == "tree.no-branches"
-    with pytest.raises(ValueError, match="colours"):
+    with pytest.raises(ValueError, match="colors"):
         angiopose.Angiogram(np.zeros((64, 48, 3)))

@@ -139,14 +139,14 @@ Mask2d wholeVessels(const Mask2d& vessels, const Mask2d& ground, const ImageF& e
     return without(withHolesFilled(bridged, smallestLoopPx), ground);
 }
 
-std::vector<Curve2d> centerdCurves(std::vector<std::vector<Eigen::Vector2d>> paths, const ImageF& opacity,
+std::vector<Curve2d> centeredCurves(std::vector<std::vector<Eigen::Vector2d>> paths, const ImageF& opacity,
                                    const Mask2d& field, double maxRadiusPx)
 {
     std::erase_if(paths, [&](const auto& path) { return runsStraightAcross(path, field); });
     std::vector<Curve2d> curves(paths.size());
     parallelFor(
         paths.size(), std::min(maxTracingThreads, threadCount(0)),
-        [&](std::size_t k) { curves[k] = centerdCurve(paths[k], static_cast<int>(k) + 1, opacity, maxRadiusPx); },
+        [&](std::size_t k) { curves[k] = centeredCurve(paths[k], static_cast<int>(k) + 1, opacity, maxRadiusPx); },
         [](double) { return true; });
     return curves;
 }
@@ -300,7 +300,7 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     for (auto& path : seen.paths) {
         path = fromWorkingSize(std::move(path), size);
     }
-    trace.centerline.curves = centerdCurves(std::move(seen.paths), opacity, trace.fieldMask, maxRadiusPx);
+    trace.centerline.curves = centeredCurves(std::move(seen.paths), opacity, trace.fieldMask, maxRadiusPx);
     if (trace.centerline.curves.empty()) {
         return Error(messages::frameWithoutVessels());
     }

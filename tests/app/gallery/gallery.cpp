@@ -249,7 +249,7 @@ void Gallery::showStudies(ui::MainWindow& window)
           {{QStringLiteral("ct"),
             QStringLiteral("2026-03-04 · Coronary CTA"),
             {series("a", Use::None, 1, "CT", "Topogram", 1, "",
-                    {QStringLiteral("its images do not say where they lie in the patient, so they make no volume.")}),
+                    {QStringLiteral("its images contain no position in the patient, so they do not form a volume.")}),
              series("b", Use::Vessels, 2, "CT", "Coronary CTA 0.75 B26f", 300, "0.50 mm", {})}},
            {QStringLiteral("xa"),
             QStringLiteral("2026-03-05 · Coronary angiography"),
@@ -262,7 +262,7 @@ void Gallery::showStudies(ui::MainWindow& window)
     QTest::qWait(100);
     take(*browser, QStringLiteral("studies_under_way"));
     browser->showEnd(QStringLiteral("3,100 files read."), {QStringLiteral("/media/cdrom/IM12: –")},
-                     QStringLiteral("The DICOMDIR lists 5 series; 3 more files lie beside it."));
+                     QStringLiteral("The DICOMDIR lists 5 series; 3 more files are not listed."));
     takeDialogs(window, QStringLiteral("studies"));
 }
 

@@ -52,19 +52,19 @@ const Wrong wrongs[] = {
          c.sourceToIsocenterMm.value = 1200.0;
          h = {};
      }},
-    {"magnified",
+    {"typical angiographic magnification",
      [](CArm& c, GantryHeader& h) {
          c.sourceToIsocenterMm.value = 400.0;
          h = {};
      }},
-    {"check its unit",
+    {"check the unit",
      [](CArm& c, GantryHeader& h) {
          c.sourceToDetectorMm.value = 105.0;
          c.sourceToIsocenterMm.value = 75.0;
          h = {};
      }},
     {"(0018,1114)", [](CArm&, GantryHeader& h) { h.magnification = 1.5; }},
-    {"times as high",
+    {"height-to-width ratio",
      [](CArm& c, GantryHeader& h) {
          c.rowSpacingMm.value = 0.42;
          h = {};
@@ -90,7 +90,7 @@ const Wrong wrongs[] = {
      [](CArm& c, GantryHeader&) {
          c.principalPointPx.value = {900.0, 10.0};
      }},
-    {"no detector",
+    {"no C-arm detector",
      [](CArm& c, GantryHeader& h) {
          c.columnSpacingMm.value = c.rowSpacingMm.value = 1.9;
          h = {};

@@ -150,7 +150,7 @@ TEST(MeasureImage, SaysWhereTheScaleComesFrom)
     const Messages found = basis();
     const auto spread = std::ranges::find_if(found, [](const Message& m) { return m.is(messages::measureDepthSpread); });
     ASSERT_NE(spread, found.end());
-    EXPECT_EQ(spread->text(), "Their depth is known to ±8.0 mm (1-σ): ±1.0 % of the length.");
+    EXPECT_EQ(spread->text(), "Depth uncertainty: ±8.0 mm (1-σ), which is ±1.0 % of the length.");
 }
 
 TEST(MeasureImage, APoseLookedAtForAWhileHasNoRunBehindIt)
@@ -176,7 +176,7 @@ TEST(MeasureImage, ATypedScaleHoldsWhereNothingElseIsKnown)
     EXPECT_EQ(bestPlaneOf({seen.view, &seen.tree}), atVessels);
     EXPECT_EQ(bestPlaneOf({seen.view, nullptr}), MeasurementPlane::Typed);
     const auto measured = seen.measure(Length, MeasurementPlane::Typed, line).value();
-    EXPECT_EQ(labelOf(measured, Length).text(), "10.0 mm by the typed scale");
+    EXPECT_EQ(labelOf(measured, Length).text(), "10.0 mm (scale entered)");
     const Messages basis = basisOf(measured, Length, {seen.view, nullptr});
     EXPECT_TRUE(isAmong(basis, messages::measureBasisTyped));
     EXPECT_EQ(basis.size(), 1U);

@@ -80,7 +80,7 @@ TEST(RegisterVessels, NamesWhatMakesAnInputUnusable)
     EXPECT_NE(reasonFor(input).find("at or behind the X-ray source"), std::string::npos);
     input = good;
     input.target.curves.clear();
-    EXPECT_NE(reasonFor(input).find("2-D centreline is empty"), std::string::npos);
+    EXPECT_NE(reasonFor(input).find("2-D centerline is empty"), std::string::npos);
     input = good;
     input.tree.branches[0].pointsInPatient[0].x() = std::numeric_limits<double>::quiet_NaN();
     EXPECT_NE(reasonFor(input).find("not a number"), std::string::npos);

@@ -27,9 +27,9 @@ static_assert(placesIn("%1 of %2 are within 5 %.") == 2);
 TEST(Message, SaysItsArgumentsInEnglish)
 {
     EXPECT_EQ(messages::noSuchBranch(7).text(), "The vessel tree has no branch 7.");
-    EXPECT_EQ(messages::trustBetterAside(inMm(2.44, 1)).text(), "The vessels fit better 2.4 mm aside.");
+    EXPECT_EQ(messages::trustBetterAside(inMm(2.44, 1)).text(), "A better fit lies 2.4 mm away.");
     EXPECT_EQ(messages::trustOutsideImage(Quantity{31.2, 0, "%"}).text(),
-              "Only 31 % of the vessel tree lies inside the image.");
+              "Only 31 % of the vessel tree is inside the image.");
     EXPECT_EQ(messages::noSuchMethod("guess", std::vector<std::string>{"angiopose", "dt-icp"}).text(),
               "There is no method 'guess'. Choose one of: angiopose, dt-icp.");
 }

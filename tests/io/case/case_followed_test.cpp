@@ -126,7 +126,7 @@ protected:
             EXPECT_FALSE(frames[k].deformed) << why;
             EXPECT_FALSE(frames[k].deformedAsInFrame) << why;
         }
-        EXPECT_TRUE(anyContains(small.warnings, "but not bent: ")) << why;
+        EXPECT_TRUE(anyContains(small.warnings, "but without deformation: ")) << why;
         EXPECT_TRUE(anyContains(small.warnings, why)) << small.warnings.front().text();
     }
 
@@ -187,7 +187,7 @@ TEST_F(CaseFollowed, OfRigidVesselsNeedsNoFileOfDeformation)
     ASSERT_TRUE(io::saveCase(session, small.path("rigid.angiopose")));
     EXPECT_FALSE(std::filesystem::exists(small.path("rigid.bends.nrrd")));
     EXPECT_EQ(core::framesOf(load(small.path("rigid.angiopose")).shown().followed).size(), 4U);
-    EXPECT_FALSE(anyContains(small.warnings, "not bent"));
+    EXPECT_FALSE(anyContains(small.warnings, "without deformation"));
 }
 
 TEST_F(CaseFollowed, IsLeftOutBesideOtherInputs)
@@ -200,7 +200,7 @@ TEST_F(CaseFollowed, IsLeftOutBesideOtherInputs)
     };
     for (const auto& [what, edit] : edits) {
         EXPECT_FALSE(afterEditing(edit).shown().followed.frames) << what;
-        EXPECT_TRUE(anyContains(small.warnings, "was changed since: " + what)) << what;
+        EXPECT_TRUE(anyContains(small.warnings, "has changed since: " + what)) << what;
     }
     small.folder().write("in/tree.csv", "x,y,z,branch\n0,0,0,1\n10,0,0,1\n21,1,0,1\n10,0,0,2\n10,8,0,2\n");
     EXPECT_FALSE(load(path()).shown().followed.frames);
@@ -216,7 +216,7 @@ TEST_F(CaseFollowed, IsLeftOutWhereItFitsNeitherPoseNorRun)
     };
     for (const Edit& edit : edits) {
         EXPECT_FALSE(afterEditing(edit).shown().followed.frames);
-        EXPECT_TRUE(anyContains(small.warnings, "does not fit the run or the pose of the case"));
+        EXPECT_TRUE(anyContains(small.warnings, "do not match the run or the pose of the case"));
     }
 }
 
@@ -225,20 +225,20 @@ TEST_F(CaseFollowed, KeepsItsPosesWithoutTheFileOfDeformation)
     const std::string whole = test::readText(deformationsPath());
     small.folder().write("saved.bends.nrrd", whole.substr(0, whole.size() - 1) + "x");
     expectPosesWithoutDeformation(load(path()), "has changed since the case was saved");
-    expectPosesWithoutDeformation(afterReplacingDeformation(whole.substr(0, whole.size() - 4)), "damaged or cut short");
-    expectPosesWithoutDeformation(afterReplacingDeformation(whole + "more"), "damaged or cut short");
+    expectPosesWithoutDeformation(afterReplacingDeformation(whole.substr(0, whole.size() - 4)), "damaged or truncated");
+    expectPosesWithoutDeformation(afterReplacingDeformation(whole + "more"), "damaged or truncated");
     std::string endless = whole;
     endless.replace(whole.size() - 4, 4, std::string("\0\0\x80\x7f", 4));   // infinity
-    expectPosesWithoutDeformation(afterReplacingDeformation(endless), "damaged or cut short");
+    expectPosesWithoutDeformation(afterReplacingDeformation(endless), "damaged or truncated");
     std::string others = whole;
     others.replace(whole.find("sizes: 9 5 2"), 12, "sizes: 9 5 3");
-    expectPosesWithoutDeformation(afterReplacingDeformation(others), "of other vessels or frames");
-    expectPosesWithoutDeformation(afterReplacingDeformation("a letter"), "no file of bends");
+    expectPosesWithoutDeformation(afterReplacingDeformation(others), "belong to other vessels or frames");
+    expectPosesWithoutDeformation(afterReplacingDeformation("a letter"), "not a deformation file");
     small.folder().write("saved.bends.nrrd", whole);
     expectPosesWithoutDeformation(afterEditing([](auto& json) { json["followed"].erase("bends"); }), "names no file");
     expectPosesWithoutDeformation(
         afterEditing([](auto& json) { json["followed"]["frames"][1]["deformable"]["perBranch"][0]["branch"] = 9; }),
-        "of other vessels or frames");
+        "belong to other vessels or frames");
     std::filesystem::remove(deformationsPath());
     expectPosesWithoutDeformation(load(path()), "saved.bends.nrrd");
 }

@@ -93,7 +93,7 @@ TEST(CheckPointTable, TellsErrorsAndWhatIsMissing)
     EXPECT_NEAR(std::stod(table.cell(0, "expected_u_px")), expected.x(), 1e-9);
     EXPECT_NEAR(std::stod(table.cell(0, "error_px")), (expected - Eigen::Vector2d(3, 4)).norm(), 1e-9);
     EXPECT_EQ(table.cell(0, "claimed_mm"), "");
-    EXPECT_TRUE(contains(table.cell(0, "notes"), "nothing is claimed"));
+    EXPECT_TRUE(contains(table.cell(0, "notes"), "no error is predicted"));
     EXPECT_EQ(table.cell(1, "kind"), "ostium-ring");
     EXPECT_EQ(table.cell(1, "radius_mm"), "1.75");
 
@@ -101,7 +101,7 @@ TEST(CheckPointTable, TellsErrorsAndWhatIsMissing)
     ASSERT_EQ(json.size(), 2U);
     EXPECT_NEAR(json[0]["views"][0]["errorPx"].get<double>(), std::stod(table.cell(0, "error_px")), 1e-9);
     session.shown().sightings.clear();
-    EXPECT_TRUE(contains(io::checkPointTable(session), "Not pointed at")) << io::checkPointTable(session);
+    EXPECT_TRUE(contains(io::checkPointTable(session), "Not marked in this frame")) << io::checkPointTable(session);
 }
 
 }   // namespace

@@ -115,7 +115,7 @@ TEST(LoadCase, RefusesAnEditedTreeThatIsNone)
     nlohmann::json json = small.json();
     const auto branch = nlohmann::json::parse(R"({"id": 1, "pointsMm": [[0,0,0],[0,0,1]]})");
     json["vessel"]["editedTree"]["branches"] = {branch, branch};
-    EXPECT_TRUE(contains(small.errorOf(json), "branch 1 is there twice"));
+    EXPECT_TRUE(contains(small.errorOf(json), "branch 1 occurs twice"));
     json["vessel"]["editedTree"]["branches"] = nlohmann::json::array();
     EXPECT_TRUE(contains(small.errorOf(json), "vessel.editedTree"));
     json["vessel"]["editedTree"]["branches"] = {{{"id", 1}, {"pointsMm", {{0, 0}, {1, 1}}}}};

@@ -114,7 +114,7 @@ TEST(LoadCase, NamesWhatIsWrong)
     };
     EXPECT_TRUE(contains(with("/angiogram/frame", 3), "frames 0 to 0"));
     EXPECT_TRUE(contains(with("/angiogram/frame", -1), "angiogram.frame"));
-    EXPECT_TRUE(contains(with("/vessel/centerline/path", "none.vtp"), "no such file"));
+    EXPECT_TRUE(contains(with("/vessel/centerline/path", "none.vtp"), "does not exist"));
     EXPECT_TRUE(contains(with("/angiogram/image/path", "in"), "folder"));
     EXPECT_TRUE(contains(with("/version", 2), "newer"));
     EXPECT_TRUE(contains(with("/format", "something"), "format"));
@@ -125,7 +125,7 @@ TEST(LoadCase, NamesWhatIsWrong)
     EXPECT_TRUE(contains(with("/geometry/sourceToDetectorMm", "far"), "geometry.sourceToDetectorMm"));
     nlohmann::json volume = small.json();
     volume["vessel"] = {{"volume", {{"path", "ct.nii.gz"}}}};
-    EXPECT_TRUE(contains(small.errorOf(volume), "no such file"));
+    EXPECT_TRUE(contains(small.errorOf(volume), "does not exist"));
     volume["vessel"] = nlohmann::json::object();
     EXPECT_TRUE(contains(small.errorOf(volume), "segmentation, surface or volume"));
     volume["vessel"] = {{"segmentation", {{"path", "mask.nii"}}}, {"unitMm", -1}};
@@ -140,7 +140,7 @@ TEST(LoadCase, NamesTheLineOfBrokenJson)
     ASSERT_FALSE(broken);
     EXPECT_TRUE(contains(broken.error().message.text(), "line 3"));
     const auto nan = io::loadCase(folder.write("b.angiopose", "{\"version\": NaN}"), warnings);
-    EXPECT_TRUE(contains(nan.error().message.text(), "not valid JSON"));
+    EXPECT_TRUE(contains(nan.error().message.text(), "JSON is invalid"));
     const auto deep = io::loadCase(folder.write("c.angiopose", std::string(200000, '[')), warnings);
     EXPECT_TRUE(contains(deep.error().message.text(), "nested"));
 }

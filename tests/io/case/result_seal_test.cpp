@@ -46,7 +46,7 @@ protected:
 
     bool saysChanged(const std::string& what) const
     {
-        return test::anyContains(small.warnings, "was changed since: " + what + ". Register again.");
+        return test::anyContains(small.warnings, "has changed since: " + what + ". Register again.");
     }
 
     SmallCase small;

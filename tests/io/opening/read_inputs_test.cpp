@@ -103,10 +103,10 @@ TEST(ReadInputs, SaysWhyOfEverySeriesWhereNoneCanBeOpened)
     const auto inputs = readInputs({folder.file(".")});
     ASSERT_FALSE(inputs);
     const std::string why = inputs.error().message.text();
-    EXPECT_NE(why.find("none of its 3 series"), std::string::npos) << why;
-    EXPECT_NE(why.find("Montage: its images do not say where"), std::string::npos) << why;
-    EXPECT_TRUE(why.find("Scout, Topogram: it is a single slice") != std::string::npos ||
-                why.find("Topogram, Scout: it is a single slice") != std::string::npos)
+    EXPECT_NE(why.find("none of the 3 series"), std::string::npos) << why;
+    EXPECT_NE(why.find("Montage: its images contain no position"), std::string::npos) << why;
+    EXPECT_TRUE(why.find("Scout, Topogram: this is a single slice") != std::string::npos ||
+                why.find("Topogram, Scout: this is a single slice") != std::string::npos)
         << why;
 }
 

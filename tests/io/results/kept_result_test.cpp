@@ -106,7 +106,7 @@ TEST_F(KeptResult, TellsNoCaseWhereItsBeginningIsNotKnown)
     EXPECT_FALSE(nlohmann::json::parse(io::keptResultJson(session_, io::ResultNames::Kept)).contains("case"));
     const auto asked = io::openAsked(write(), warnings_);
     ASSERT_FALSE(asked);
-    EXPECT_TRUE(test::contains(asked.error().message.text(), "does not hold what it was found from"));
+    EXPECT_TRUE(test::contains(asked.error().message.text(), "does not record its inputs"));
 }
 
 TEST_F(KeptResult, WithoutNamesStillFindsItsInputs)

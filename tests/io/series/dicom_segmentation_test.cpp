@@ -209,7 +209,7 @@ TEST(DicomSegmentation, RefusesWhatItCannotPlace)
     };
     EXPECT_NE(messageOf(segmentationBytes({.shearMm = 0.5})).find("DICOM segmentation"), std::string::npos);
     EXPECT_NE(messageOf(segmentationBytes({.frames = {{0, 1}}})).find("DICOM segmentation"), std::string::npos);
-    EXPECT_NE(messageOf(segmentationBytes({.sopClass = "1.2.840.10008.5.1.4.1.1.2"})).find("no segmentation"),
+    EXPECT_NE(messageOf(segmentationBytes({.sopClass = "1.2.840.10008.5.1.4.1.1.2"})).find("not a segmentation"),
               std::string::npos);
     const std::string whole = segmentationBytes({});
     for (const std::size_t cut : {whole.size() - 1, whole.size() - 30, whole.size() / 2, std::size_t{200}}) {

@@ -85,7 +85,7 @@ TEST(Reconstruction, OfOneFileIsAVolume)
         EXPECT_EQ(volume.value(volume.geometry.index(3, 5, 2)), valueAt(3, 5, 2) - 1024);
         EXPECT_EQ(io::inputKindOf(path).value(), io::InputKind::Vessels);
         const auto image = io::readAngiogram(path);
-        EXPECT_TRUE(!image || test::mentions(image.value().warnings, "a volume made of projections"));
+        EXPECT_TRUE(!image || test::mentions(image.value().warnings, "a volume reconstructed from projections"));
     }
 }
 

@@ -50,7 +50,7 @@ TEST(VtkImage, IsReadAsTextAndBinary)
                    "VTK image");
     expectUnplaced(io::readVolume(folder.write("binary.vtk", header("BINARY") + bigEndianShorts(counted))),
                    "VTK image");
-    test::expectRefused(folder.write("short.vtk", header("BINARY").replace(65, 16, "DIMENSIONS 9 9 9")), "cut short");
+    test::expectRefused(folder.write("short.vtk", header("BINARY").replace(65, 16, "DIMENSIONS 9 9 9")), "truncated");
 }
 
 TEST(Gipl, IsReadWithItsSpacing)
@@ -61,7 +61,7 @@ TEST(Gipl, IsReadWithItsSpacing)
     header.replace(10, 12, std::string("\x3f\0\0\0\x40\0\0\0\x40\x40\0\0", 12));   // 0.5, 2, 3
     header.replace(252, 4, "\xef\xff\xe9\xb0");
     expectUnplaced(io::readVolume(folder.write("scan.gipl", header + bigEndianShorts(counted))), "GIPL");
-    test::expectRefused(folder.write("short.gipl", header + "ab"), "cut short");
+    test::expectRefused(folder.write("short.gipl", header + "ab"), "truncated");
 }
 
 TEST(Analyze, IsReadAsAPair)
@@ -74,7 +74,7 @@ TEST(Analyze, IsReadAsAPair)
     header.replace(76, 16, test::bytesOf(std::vector<float>{0.0F, 0.5F, 2.0F, 3.0F}));
     folder.write("scan.img", test::bytesOf(counted));
     expectUnplaced(io::readVolume(folder.write("scan.hdr", header)), "Analyze");
-    test::expectRefused(folder.write("alone.hdr", header), "alone.img, which is not there");
+    test::expectRefused(folder.write("alone.hdr", header), "alone.img is missing");
 }
 
 // Found by fuzzing: MetaIO, which used to read these headers, overran its buffer and crashed the program.

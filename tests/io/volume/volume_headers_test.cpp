@@ -118,15 +118,15 @@ TEST(Nifti, RefusesWhatIsNoVolume)
 
     std::string color = plainNifti();
     put(color, 70, std::int16_t{128});
-    expectRefused(folder.write("rgb.nii", color), "colours");
+    expectRefused(folder.write("rgb.nii", color), "colors");
 
     std::string huge = plainNifti();
     put(huge, 40, std::array<std::int16_t, 8>{3, 30000, 30000, 30000, 1, 1, 1, 1});
-    expectRefused(folder.write("huge.nii", huge), "more than this program holds");
+    expectRefused(folder.write("huge.nii", huge), "more than AngioPose supports");
 
     std::string lying = plainNifti();
     put(lying, 40, std::array<std::int16_t, 8>{3, 1000, 1000, 1000, 1, 1, 1, 1});
-    expectRefused(folder.write("lying.nii", lying), "cut short");
+    expectRefused(folder.write("lying.nii", lying), "truncated");
 
     std::string sheared = plainNifti();
     put(sheared, 254, std::int16_t{1});
@@ -241,13 +241,13 @@ TEST(Nifti, VoxelsBeginBehindTheHeader)
         EXPECT_EQ(loaded.value().volume.value(0), 0.0) << offset;
         EXPECT_EQ(loaded.value().volume.value(23), 23.0) << offset;
         EXPECT_EQ(loaded.value().warnings.back().text(),
-                  "The header says that the voxels begin at byte " + std::to_string(static_cast<int>(offset)) +
-                      ", which is inside the header: they are read from byte 352.");
+                  "The header states that the voxels begin at byte " + std::to_string(static_cast<int>(offset)) +
+                      ", inside the header itself; they are read from byte 352.");
     }
     std::string early = plainNifti();
     put(early, 108, 0.0F);
     const std::string whole = withVoxels(early, 24);
-    expectRefused(folder.write("early.nii", whole.substr(0, 348) + whole.substr(352)), "cut short");
+    expectRefused(folder.write("early.nii", whole.substr(0, 348) + whole.substr(352)), "truncated");
 }
 
 TEST(Nifti, SaysBothValuesWhereItsHeaderContradictsItself)

@@ -93,7 +93,7 @@ TEST(ResultSentences, SayHowLikelyTheOverlayIsRightWhereThatIsKnown)
     result.probabilityWithin2Mm = 0.9987;   // probabilities were only calibrated up to 99 %
     EXPECT_TRUE(sentencesOf(result, treeOf({"LM", "LAD"}), 0.3)
                     .certain.join(' ')
-                    .contains(QStringLiteral("Within 2 mm of the vessels with a probability of 99\u00a0%.")));
+                    .contains(QStringLiteral("99\u00a0% probability that the overlay is within 2 mm of the vessels.")));
     result.trustworthy = false;
     result.probabilityWithin2Mm = 0.314;
     EXPECT_TRUE(

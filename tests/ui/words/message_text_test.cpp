@@ -36,7 +36,7 @@ TEST(MessageText, WritesNumbersWithTheSignOfTheLanguage)
     const Speaking german("de");
 
     EXPECT_EQ(messageText(messages::trustBetterAside(core::inMm(2.4, 1))),
-              QStringLiteral("Die Gefäße passen 2,4 mm daneben besser."));
+              QStringLiteral("Eine bessere Übereinstimmung liegt 2,4 mm entfernt."));
 }
 
 TEST(MessageText, TranslatesMessagesInsideAndBehindFileNames)
@@ -44,8 +44,8 @@ TEST(MessageText, TranslatesMessagesInsideAndBehindFileNames)
     const Speaking german("de");
 
     EXPECT_EQ(messageText(core::cameraFromCArm({}, 512, 512).error().message),
-              QStringLiteral("Der Abstand Fokus–Detektor (SID) fehlt oder ist nicht positiv. In der Geometrie des "
-                             "C-Bogens ergänzen (der Bildheader nennt ihn nicht)."));
+              QStringLiteral("Der Abstand Fokus–Detektor (SID) fehlt oder ist nicht positiv. Tragen Sie den Wert in "
+                             "der C-Bogen-Geometrie ein (der Bildheader enthält ihn nicht)."));
     EXPECT_EQ(messageText(messages::noSuchBranch(3).about("a.vtp")),
               QStringLiteral("a.vtp: Der Gefäßbaum hat keinen Ast 3."));
     EXPECT_EQ(messagesText({messages::noSuchBranch(3), messages::noSuchBranch(4)}),

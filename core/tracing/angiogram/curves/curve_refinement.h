@@ -14,6 +14,6 @@ Curve2d smoothCurve(const std::vector<Eigen::Vector2d>& pathPx, int id);
 /// Moves the path with subpixel accuracy to the middle between both vessel walls (half depth of the profile across it
 /// in `opacity`, averaged along the curve), smooths it, takes the radius from the same walls, and cuts off what extends
 /// beyond the ends of the vessel. `maxRadiusPx` limits the profile.
-Curve2d centerdCurve(const std::vector<Eigen::Vector2d>& pathPx, int id, const ImageF& opacity, double maxRadiusPx);
+Curve2d centeredCurve(const std::vector<Eigen::Vector2d>& pathPx, int id, const ImageF& opacity, double maxRadiusPx);
 
 }   // namespace angiopose::core

@@ -154,7 +154,7 @@ Centerline2d withDrawn(const Centerline2d& centerline, const std::vector<Eigen::
     if (pathPx.size() >= 2) {
         const int id = freeId(centerline);
         result.curves.push_back(opacity.isEmpty() ? smoothCurve(pathPx, id)
-                                                  : centerdCurve(pathPx, id, opacity, maxRadiusPx));
+                                                  : centeredCurve(pathPx, id, opacity, maxRadiusPx));
     }
     return result;
 }

@@ -19,6 +19,9 @@
 namespace angiopose::core {
 namespace {
 
+std::vector<Eigen::Vector3i> wayBetween(const PathGround& ground, const PathEnd& from, const PathEnd& to,
+                                        TracingProgress& progress);
+
 constexpr std::size_t soonSettled = 30'000;   // enough for a path through thin vessels only
 constexpr std::size_t maxSettled = 3'000'000;
 constexpr double coarsestMm = 3.2;   // maximum side of the blocks

@@ -17,7 +17,7 @@ struct VesselPath {
 };
 
 /// Traces the vessel between two points of a scan (patient LPS mm) by the least-cost path through voxels as bright as
-/// at the points and dark on both sides (ALGORITHMS §8.9), centered in its cross-sections. For vessels missed by
+/// at the points and dark on both sides (ALGORITHMS §9.12), centered in its cross-sections. For vessels missed by
 /// tracing. Fails if a point lies outside the scan or in nothing brighter than its surroundings, or if no path is
 /// found; returns as stopped if the observer requests it.
 Result<VesselPath> vesselBetween(const Volume& volume, const Eigen::Vector3d& fromInPatient,

@@ -88,7 +88,7 @@ TEST(RegistrationOptions, NamesTheFieldThatIsOutOfRange)
     }
     RegistrationOptions options;
     options.finalScalePx = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(findProblem(options)->text(), "The option finalScalePx is out of range. Give a number from 0.1 to 20.");
+    EXPECT_EQ(findProblem(options)->text(), "Option finalScalePx is out of range. Enter a number from 0.1 to 20.");
 }
 
 }   // namespace

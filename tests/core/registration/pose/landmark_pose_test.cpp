@@ -140,7 +140,7 @@ TEST(LandmarkPose, SaysWhatDegeneratePairsLack)
     EXPECT_NE(messageOf(pairsOf({{0, 0, 0}, {10, 5, 2}, {20, 10, 4}, {-10, -5, -2}}), {}).find("line"),
               std::string::npos);
     EXPECT_NE(messageOf(pairsOf({spreadOffsets[0], spreadOffsets[0], spreadOffsets[0], spreadOffsets[0]}), {})
-                  .find("one place"),
+                  .find("same position"),
               std::string::npos);
     std::vector<Landmark> broken = pairsOf(spreadOffsets);
     broken[2].pixel.x() = std::numeric_limits<double>::quiet_NaN();

@@ -76,7 +76,7 @@ TEST(TracedPieces, AreOneForestWithARootEach)
     ASSERT_EQ(traced.pieces.size(), 2U);
     EXPECT_NEAR(traced.pieces[0].share + traced.pieces[1].share, 1.0, 1e-9);
     EXPECT_NEAR(traced.pieces[1].lengthMm, 40.0, 4.0);
-    EXPECT_NE(said(traced).find("2 pieces that do not connect"), std::string::npos) << said(traced);
+    EXPECT_NE(said(traced).find("2 unconnected components"), std::string::npos) << said(traced);
 }
 
 TEST(TracedPieces, TheirPlacesAreSeeds)
@@ -108,8 +108,8 @@ TEST(TracedPieces, ManySmallOnesAreToldOfTogether)
     }
     const TracedVessels traced = tracedPieces(tubes);
     EXPECT_EQ(traced.tree.branches.size(), 1U);
-    EXPECT_NE(said(traced).find("6 pieces with"), std::string::npos) << said(traced);
-    EXPECT_NE(said(traced).find("hold no branch"), std::string::npos);
+    EXPECT_NE(said(traced).find("6 components with"), std::string::npos) << said(traced);
+    EXPECT_NE(said(traced).find("contain no branch"), std::string::npos);
     tubes.resize(2);
     EXPECT_EQ(said(tracedPieces(tubes)), "") << "a speck below 2 % is not worth a word";
 }
@@ -169,8 +169,8 @@ TEST(TracedLoops, AreKeptWhereAsked)
 {
     const TracedVessels opened = tracedPieces(circleOfWillis());
     const TracedVessels kept = tracedPieces(circleOfWillis(), {.loops = VesselLoops::Kept});
-    EXPECT_NE(said(opened).find("1 loop was opened"), std::string::npos);
-    EXPECT_NE(said(kept).find("Loops that were kept, as asked: 1"), std::string::npos) << said(kept);
+    EXPECT_NE(said(opened).find("1 loop was cut"), std::string::npos);
+    EXPECT_NE(said(kept).find("Loops kept as requested: 1"), std::string::npos) << said(kept);
     const std::vector<core::VesselNode> nodes = core::findNodes(kept.tree);
     EXPECT_EQ(std::ranges::count_if(nodes, [](const core::VesselNode& node) { return !node.isBifurcation(); }), 3)
         << "where blood comes in, and where it leaves";
