@@ -1,21 +1,102 @@
 #include "app/cli/commands.h"
 #include "app/cli/shard.h"
-#include "app/cli/simulated_files.h"
 #include "app/messages/messages.h"
+#include "core/case/case.h"
 #include "core/simulation/simulate_cta.h"
+#include "core/simulation/simulated_case.h"
 #include "core/simulation/study/simulated_room.h"
 #include "core/simulation/study/simulated_study.h"
 #include "core/support/parallel_for.h"
+#include "core/support/result.h"
+#include "io/angiogram_file.h"
+#include "io/case/case_file.h"
+#include "io/centerline2d_file.h"
 #include "io/file_hash.h"
+#include "io/messages/messages.h"
+#include "io/pose_file.h"
 #include "io/simulation/study_file.h"
 #include "io/support/atomic_file.h"
+#include "io/support/case_lock.h"
+#include "io/vessel_tree_file.h"
 #include "io/volume_file.h"
 
 #include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <string>
 
 namespace angiopose::app {
 namespace {
+
+/// ByHeader: writes no initial pose; it follows from the header's geometry.
+enum class SimulatedStart { Written, ByHeader };
+
+namespace fs = std::filesystem;
+
+core::Case caseOf(const core::SimulatedCase& simulated, const fs::path& folder, const std::string& title,
+                  SimulatedStart start)
+{
+    core::Case session;
+    session.title = title;
+    session.vessels.file.path = (folder / "tree.vtp").string();
+    session.vessels.tree = std::make_shared<const core::VesselTree>(simulated.tree);
+    core::View& view = session.shown();
+    view.imageFile.path = (folder / "angiogram.dcm").string();
+    view.angiogram = std::make_shared<const core::Angiogram>(simulated.angiogram);
+    view.frame = simulated.angiogram.suggestedFrame;
+    view.geometry.cArm = simulated.angiogram.cArm;
+    if (start == SimulatedStart::Written) {
+        view.initialCameraFromPatient = simulated.initialCameraFromPatient;
+    }
+    view.cameraFromPatient = simulated.initialCameraFromPatient;
+    return session;
+}
+
+core::Status writeTruth(const core::SimulatedCase& simulated, const fs::path& folder)
+{
+    if (auto status = io::writeCenterline2d(simulated.trueTarget, (folder / "true-centreline.csv").string()); !status) {
+        return status;
+    }
+    if (auto status = io::writePose(simulated.trueCameraFromPatient, (folder / "true-pose.json").string()); !status) {
+        return status;
+    }
+    const fs::path deformed = folder / "true-vessels.vtp";
+    if (simulated.deformedTree) {
+        return io::writeVesselTree(*simulated.deformedTree, deformed.string());
+    }
+    std::error_code failure;
+    fs::remove(deformed, failure);   // left over from another case in this folder
+    return core::Done{};
+}
+
+/// Writes case.angiopose with its inputs tree.vtp and angiogram.dcm, and the ground truth: true-pose.json,
+/// true-centreline.csv and, for deformed vessels, true-vessels.vtp. Creates the folder. Never overwrites a case that is
+/// open elsewhere.
+core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const std::string& title,
+                                const std::string& folderPath, SimulatedStart start)
+{
+    const fs::path folder(folderPath);
+    const fs::path absolute = fs::absolute(folder);
+    const std::string casePath = (absolute / "case.angiopose").string();
+    if (const auto holder = io::holderOf(casePath)) {   // overwriting would remove the inputs of the case open there
+        return core::Error(io::messages::caseOpenElsewhere(holder->process, holder->machine).about(casePath));
+    }
+    std::error_code failure;
+    fs::create_directories(folder, failure);
+    if (failure) {
+        return core::Error(messages::folderNotMade(folder.string(), failure.message()));
+    }
+    if (auto status = io::writeVesselTree(simulated.tree, (folder / "tree.vtp").string()); !status) {
+        return status;
+    }
+    if (auto status = io::writeAngiogram(simulated.angiogram, (folder / "angiogram.dcm").string()); !status) {
+        return status;
+    }
+    if (auto status = writeTruth(simulated, folder); !status) {
+        return status;
+    }
+    return io::saveCase(caseOf(simulated, absolute, title, start), casePath);
+}
 
 namespace fs = std::filesystem;
 

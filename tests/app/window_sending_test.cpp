@@ -70,7 +70,7 @@ TEST_F(WindowSending, ObjectsArriveAndAfterAFaultTheSameOnesGoAgain)
     know({nodeAt(line.port())});
     ui::SendDialog* dialog = asked();
     ASSERT_TRUE(dialog);
-    EXPECT_TRUE(dialog->line().words().contains(QStringLiteral("go to pacs")));
+    EXPECT_TRUE(dialog->line().words().contains(QStringLiteral("sent to pacs")));
     const Heartbeat beat;
     OpenWindow::clickButton(dialog, QStringLiteral("Send"));
     const QString fault = words(dialog->line());

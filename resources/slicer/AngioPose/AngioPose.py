@@ -115,7 +115,7 @@ class AngioPoseWidget(ScriptedLoadableModuleWidget):
         form.addRow("Vessels:", self.vessels)
         form.addRow("Angiogram (file):", self.angiogram)
         form.addRow("Check points:", self.points)
-        form.addRow("Bend the vessels:", self.bends)
+        form.addRow("Deform the vessels:", self.bends)
         form.addRow(self.button)
         form.addRow(self.words)
         self.button.connect("clicked(bool)", self.onRegister)
