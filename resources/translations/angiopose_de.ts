@@ -1215,7 +1215,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <name>angiopose::app::PivotController</name>
     <message>
         <source>Set rotation center</source>
-        <translation>Drehpunkt setzen</translation>
+        <translation>Drehzentrum setzen</translation>
     </message>
     <message>
         <source>The vessels now rotate about the selected point.</source>
@@ -1223,7 +1223,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Reset rotation center</source>
-        <translation>Drehpunkt zurücksetzen</translation>
+        <translation>Drehzentrum zurücksetzen</translation>
     </message>
     <message>
         <source>The vessels rotate about their centroid again.</source>
@@ -8901,7 +8901,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Save pose snapshot</source>
-        <translation>Schnappschuss der Lage speichern</translation>
+        <translation>Snapshot der Lage speichern</translation>
     </message>
     <message>
         <source>Switch between poses A and B</source>
@@ -10348,7 +10348,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Computes the initial pose from the pairs (Enter while clicking). Undo restores the previous one.</source>
-        <translation>Berechnet die Ausgangslage aus den Paaren (Eingabetaste beim Klicken). Rückgängig stellt die vorige wieder her.</translation>
+        <translation>Berechnet die Startlage aus den Paaren (Eingabetaste beim Klicken). Rückgängig stellt die vorige wieder her.</translation>
     </message>
     <message>
         <source>Removes the selected pairs (Delete)</source>
@@ -10550,14 +10550,14 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     <name>angiopose::ui::PivotMark</name>
     <message>
         <source>pivot</source>
-        <translation>Drehpunkt</translation>
+        <translation>Drehzentrum</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::PivotTool</name>
     <message>
         <source>Rotation center: click the vessels, here or in 3-D · ← → and Enter: bifurcations · Del: centroid</source>
-        <translation>Drehpunkt: Gefäße anklicken, hier oder in 3-D · ← → und Eingabe: Verzweigungen · Entf: Schwerpunkt</translation>
+        <translation>Drehzentrum: Gefäße anklicken, hier oder in 3-D · ← → und Eingabe: Verzweigungen · Entf: Schwerpunkt</translation>
     </message>
 </context>
 <context>
@@ -10730,7 +10730,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Rotations and shifts refer to the selected rotation center. %1 resets it to the centroid.</source>
-        <translation>Drehungen und Verschiebungen beziehen sich auf den gewählten Drehpunkt. %1 setzt ihn auf den Schwerpunkt zurück.</translation>
+        <translation>Drehungen und Verschiebungen beziehen sich auf den gewählten Drehzentrum. %1 setzt ihn auf den Schwerpunkt zurück.</translation>
     </message>
 </context>
 <context>
@@ -11053,7 +11053,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>%1 · initial pose</source>
-        <translation>%1 · Ausgangslage</translation>
+        <translation>%1 · Startlage</translation>
     </message>
     <message>
         <source>Result</source>
@@ -11097,7 +11097,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Initial pose, not registered yet. Press R to register, N to nudge.</source>
-        <translation>Ausgangslage, noch nicht registriert. R registriert, N justiert.</translation>
+        <translation>Startlage, noch nicht registriert. R registriert, N justiert.</translation>
     </message>
     <message>
         <source>Motion</source>
@@ -11137,7 +11137,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Initial pose, not registered</source>
-        <translation>Ausgangslage, nicht registriert</translation>
+        <translation>Startlage, nicht registriert</translation>
     </message>
     <message>
         <source>NOT RELIABLE · %1</source>
@@ -11427,7 +11427,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Initial pose</source>
-        <translation>Ausgangslage</translation>
+        <translation>Startlage</translation>
     </message>
     <message>
         <source>Register</source>

@@ -1098,7 +1098,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>The vessels of the case come from a file. Show “%1” in slices with these vessels, or trace its vessels and replace the current ones?</source>
-        <translation>病例的血管来自文件。将“%1”与这些血管一起在切片中显示，还是提取其血管并替换当前血管？</translation>
+        <translation>病例的血管来自文件。将“%1”与这些血管一起在断层中显示，还是提取其血管并替换当前血管？</translation>
     </message>
     <message>
         <source>Show with the vessels</source>
@@ -1177,7 +1177,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>The scan has no traced vessels: place a seed or set the threshold in the slices (%1), then trace.</source>
-        <translation>扫描中尚未提取血管：请在切片（%1）中放置种子点或设置阈值，然后提取。</translation>
+        <translation>扫描中尚未提取血管：请在断层（%1）中放置种子点或设置阈值，然后提取。</translation>
     </message>
     <message>
         <source>One unit of the file is %1 mm, as you selected.</source>
@@ -2014,7 +2014,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>No vessels were traced in the scan. Place a seed or set the threshold next to the slices.</source>
-        <translation>扫描中未提取到血管。请在切片旁放置种子点或设置阈值。</translation>
+        <translation>扫描中未提取到血管。请在断层旁放置种子点或设置阈值。</translation>
     </message>
     <message>
         <source>NOT RELIABLE</source>
@@ -2057,7 +2057,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Pixel shift</source>
-        <translation>像素移位</translation>
+        <translation>像素位移</translation>
     </message>
 </context>
 <context>
@@ -2181,7 +2181,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Click the cut position first, in a slice or on the branch in the 3-D view.</source>
-        <translation>请先在切片或三维视图的分支上单击切断位置。</translation>
+        <translation>请先在断层或三维视图的分支上单击切断位置。</translation>
     </message>
     <message>
         <source>Cut %1</source>
@@ -7961,7 +7961,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Pixel shift</source>
-        <translation>像素移位</translation>
+        <translation>像素位移</translation>
     </message>
     <message>
         <source>linear</source>
@@ -10428,7 +10428,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     <name>angiopose::ui::MaskShiftTool</name>
     <message>
         <source>Pixel shift: arrow keys or drag, Shift 1 px, Ctrl 0.05 px, Esc ends · right %1, down %2 px</source>
-        <translation>像素移位：方向键或拖动，Shift 1 px，Ctrl 0.05 px，Esc 结束 · 右 %1，下 %2 px</translation>
+        <translation>像素位移：方向键或拖动，Shift 1 px，Ctrl 0.05 px，Esc 结束 · 右 %1，下 %2 px</translation>
     </message>
 </context>
 <context>

@@ -28,7 +28,7 @@ TEST(MethodHelp, EveryMethodHasAPageThatSaysWhatItShould)
     for (const core::MethodInfo& info : core::methodInfos()) {
         const QString page = methodPage(text(info.id));
         EXPECT_TRUE(page.startsWith(QStringLiteral("# ") + text(info.label) + QLatin1Char('\n'))) << info.id;
-        for (const char* heading : {"## What it minimises", "## When it fails", "## Source"}) {
+        for (const char* heading : {"## What it minimizes", "## When it fails", "## Source"}) {
             EXPECT_TRUE(page.contains(QLatin1String(heading))) << info.id << ": " << heading;
         }
     }
