@@ -20,7 +20,7 @@
 #include "app/files/title_controller.h"
 #include "app/help/help_controller.h"
 #include "app/help/support_controller.h"
-#include "app/preferences/user_preferences.h"
+#include "app/menus/user_preferences.h"
 #include "app/registration/registration_controller.h"
 #include "app/registration/target_provider.h"
 #include "app/review/detector_drr_controller.h"

@@ -73,7 +73,7 @@ core::Status writeTruth(const core::SimulatedCase& simulated, const fs::path& fo
 /// true-centreline.csv and, for deformed vessels, true-vessels.vtp. Creates the folder. Never overwrites a case that is
 /// open elsewhere.
 core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const std::string& title,
-                                const std::string& folderPath, SimulatedStart start)
+                                const std::string& folderPath, SimulatedStart start = SimulatedStart::Written)
 {
     const fs::path folder(folderPath);
     const fs::path absolute = fs::absolute(folder);

@@ -17,8 +17,8 @@ struct Opening {
     io::LoadedInputs inputs;
     QStringList paths;
     Way way = Way::Join;
-    std::optional<bool> isSamePatient{};   ///< the user's answer for all images; empty: not asked
     std::optional<QString> original;   ///< for a copy, path of its case (empty: never saved)
+    std::optional<bool> isSamePatient{};   ///< the user's answer for all images; empty: not asked
 };
 
 /// Returns whether only an angiogram was opened and a case with vessels already has a different one.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "angiopose/angiogram.h"
-#include "angiopose/bending.h"
+#include "angiopose/deformation.h"
 #include "angiopose/geometry.h"
 #include "angiopose/options.h"
 #include "angiopose/registration.h"

@@ -1,4 +1,4 @@
-#include "angiopose/bending.h"
+#include "angiopose/deformation.h"
 
 #include "app/library/conversions.h"
 #include "app/library/relay.h"

@@ -1,5 +1,5 @@
 #include "angiopose/registration.h"
-#include "angiopose/bending.h"
+#include "angiopose/deformation.h"
 #include "app/python/fixed.h"
 #include "app/python/work.h"
 

@@ -1,8 +1,8 @@
 #include "app/start/write_report.h"
 
+#include "app/menus/language_controller.h"
 #include "app/messages/messages.h"
 #include "app/preferences/applied_choices.h"
-#include "app/preferences/language_controller.h"
 #include "app/preferences/private_mode.h"
 #include "app/preferences/save_folder.h"
 #include "app/report/case_report.h"

@@ -914,7 +914,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>angiopose::app::Notices</name>
+    <name>angiopose::app::Notifications</name>
     <message>
         <source>Ready</source>
         <translation>Bereit</translation>
@@ -1848,7 +1848,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>angiopose::app::StartPoseController</name>
+    <name>angiopose::app::InitialPoseController</name>
     <message>
         <source>Initial pose from angles</source>
         <translation>Startlage aus Winkeln</translation>

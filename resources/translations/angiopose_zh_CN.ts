@@ -914,7 +914,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>angiopose::app::Notices</name>
+    <name>angiopose::app::Notifications</name>
     <message>
         <source>Ready</source>
         <translation>就绪</translation>
@@ -1848,7 +1848,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>angiopose::app::StartPoseController</name>
+    <name>angiopose::app::InitialPoseController</name>
     <message>
         <source>Initial pose from angles</source>
         <translation>由角度得初始位姿</translation>

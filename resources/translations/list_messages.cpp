@@ -12,7 +12,7 @@
 
 using namespace angiopose;
 
-// Writes what the layers can say to the user as C++ that lupdate understands: the catalogues' sentences by their ids,
+// Writes what the layers can say to the user as C++ that lupdate understands: the catalogs' sentences by their ids,
 // and the words of core's tables. The layers themselves know no translations. Usage: list_messages OUTPUT.cpp
 
 namespace {
@@ -32,8 +32,8 @@ std::string literal(std::string_view text)
 std::string sentences()
 {
     std::string list;
-    for (const auto& catalogue : {core::messageCatalogue(), io::messageCatalogue(), app::messageCatalogue()}) {
-        for (const core::MessageEntry* entry : catalogue) {
+    for (const auto& catalog : {core::messageCatalog(), io::messageCatalog(), app::messageCatalog()}) {
+        for (const core::MessageEntry* entry : catalog) {
             list +=
                 "    QT_TRANSLATE_NOOP3(\"messages\", " + literal(entry->english) + ", " + literal(entry->id) + "),\n";
         }

@@ -133,7 +133,7 @@ std::vector<bool> missingBranches(const core::VesselTree& tree, core::CounterRan
 
 }   // namespace
 
-core::VesselTree centerd(core::VesselTree tree)
+core::VesselTree centered(core::VesselTree tree)
 {
     const Eigen::Vector3d middle = core::centroidInPatient(tree);
     for (core::VesselBranch& branch : tree.branches) {

@@ -26,7 +26,7 @@ struct DeformedCase {
 };
 
 /// The tree shifted to the origin, the center of the views of a case.
-core::VesselTree centerd(core::VesselTree tree);
+core::VesselTree centered(core::VesselTree tree);
 
 /// Generates a case independently of the program's simulator. A fifth of the branches with a free end is unopacified,
 /// and there is one foreign curve for every five branches; the nominal pose is off by 1° and 3 mm (1-σ per axis). Views

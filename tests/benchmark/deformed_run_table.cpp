@@ -305,7 +305,7 @@ int main(int argc, char** argv)
         for (std::uint64_t number = 1; number <= cases; ++number) {
             const core::CounterRandom random = core::CounterRandom(131000 + 1000 * row).fork(number);
             const DeformedCase first = benchmarks::makeDeformedCase(
-                benchmarks::centerd(benchmarks::treeToDeform(trees, number)), motions[row], {0.0}, random.fork(1));
+                benchmarks::centered(benchmarks::treeToDeform(trees, number)), motions[row], {0.0}, random.fork(1));
             outcomes.push_back(runCase(first, benchmarks::makeDeformedRun(first, motions[row], breathMm,
                                                                           framesPerBreath, frames, random.fork(2))));
             if (arguments.isSet("each")) {

@@ -134,9 +134,9 @@ DeformedCase caseOf(const Question& question, const std::vector<RootedTree>& tre
                     std::uint64_t trial, const std::vector<double>& turns, core::CounterRandom random)
 {
     const core::CounterRandom own = random.fork(100 * tree + trial);
-    DeformedCase made = makeDeformedCase(centerd(trees[tree].tree), question.motion, turns, own);
+    DeformedCase made = makeDeformedCase(centered(trees[tree].tree), question.motion, turns, own);
     if (question.isImpossible) {
-        const core::VesselTree other = centerd(trees[(tree + 1 + trial) % trees.size()].tree);
+        const core::VesselTree other = centered(trees[(tree + 1 + trial) % trees.size()].tree);
         const DeformedCase shown = makeDeformedCase(trees.size() > 1 ? other : made.tree, question.motion, turns, own);
         for (std::size_t view = 0; view < turns.size(); ++view) {
             made.views[view].target = shown.views[view].target;

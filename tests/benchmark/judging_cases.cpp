@@ -165,7 +165,7 @@ RequestedCase judgingCase(const std::vector<RootedTree>& trees, std::size_t tree
     RequestedCase made;
     if (asked.motion) {
         const core::CounterRandom random = core::CounterRandom(47'000 + 1000 * kind).fork(100 * tree + trial);
-        made = fromDeformed(makeDeformedCase(centerd(trees[tree].tree), *asked.motion, {0.0}, random));
+        made = fromDeformed(makeDeformedCase(centered(trees[tree].tree), *asked.motion, {0.0}, random));
     } else {
         made = fromForeign(makeForeignCase(trees, tree, asked.scene, 10 + trial));
         made.input.cameraSpread = spreadOfHeader(made.input.camera);

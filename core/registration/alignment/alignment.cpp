@@ -103,7 +103,7 @@ inline Eigen::Vector3d Alignment::cameraGradient(const PointInCamera& seen, cons
 Agreement Alignment::evaluate(const CentroidPose& pose, double scalePx) const
 {
     Agreement agreement;
-    look(pose, scalePx, agreement);
+    evaluate(pose, scalePx, agreement);
     return agreement;
 }
 

@@ -16,7 +16,7 @@ constexpr int blockPx = 16;   // step of the shifts
 constexpr int phasePx = 4;   // resolution of the closeness image
 constexpr int phases = blockPx / phasePx;
 constexpr std::size_t keptPerOrientation = 3;
-[[maybe_unused]] constexpr std::size_t maxPoints = 257;   // sums of bytes must fit in 16 bits
+[[maybe_unused]] constexpr std::size_t maxSearchPoints = 257;   // sums of bytes must fit in 16 bits
 constexpr double basinPx = 24.0;
 constexpr double basinSteps = 0.75;   // in steps of the rotation
 constexpr double beyondHalfImage = 0.6;   // fraction of the image side; starts farther out are recentered first
@@ -132,7 +132,7 @@ std::vector<CoarseCandidate> CoarseSearch::find(std::span<const AlignmentPoint> 
                                                 const SearchReach& reach,
                                                 const std::function<Verdict(double)>& proceed) const
 {
-    assert(points.size() <= maxPoints);
+    assert(points.size() <= maxSearchPoints);
     const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
     const double pxPerMm = 1.0 / millimetersPerPixel(camera_, depthMm);
     const double radiusPx =

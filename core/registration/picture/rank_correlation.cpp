@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t grayBins = 256;
 
 /// Tie-averaged ranks minus the mean of all ranks.
-std::vector<double> centerdRanks(const std::vector<float>& values)
+std::vector<double> centeredRanks(const std::vector<float>& values)
 {
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     const double scale = *high > *low ? (grayBins - 1) / static_cast<double>(*high - *low) : 0.0;
@@ -43,8 +43,8 @@ double rankCorrelation(const std::vector<float>& a, const std::vector<float>& b)
     if (a.empty()) {
         return 0.0;
     }
-    const std::vector<double> ranksA = centerdRanks(a);
-    const std::vector<double> ranksB = centerdRanks(b);
+    const std::vector<double> ranksA = centeredRanks(a);
+    const std::vector<double> ranksB = centeredRanks(b);
     double ab = 0.0;
     double aa = 0.0;
     double bb = 0.0;

@@ -30,7 +30,7 @@ TEST(PatientMatch, SaysWhatDiffersWithoutNamingAnybody)
         findPatientMismatch(patient("0815", "Doe^John", "1950-01-02"), patient("4711", "Roe^Jane", "1950-01-02"));
     ASSERT_TRUE(mismatch);
     const std::string text = mismatch->text();
-    EXPECT_NE(text.find("(number, name differ)"), std::string::npos);
+    EXPECT_NE(text.find("(patient ID, name differ)"), std::string::npos);
     EXPECT_EQ(text.find("Doe"), std::string::npos);
     EXPECT_EQ(text.find("4711"), std::string::npos);
 }

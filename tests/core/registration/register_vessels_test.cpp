@@ -210,7 +210,7 @@ TEST(RegisterVessels, PriorDoesNotPullVisibly)
     const TargetLines target(problem.target, problem.camera);
     const CentroidPose pose = aboutCentroid(result.value().cameraFromPatient, problem.tree.centroid);
     const Matrix6d image = Alignment(alignmentPoints(problem.tree), problem.camera, target)
-                               .look(pose, 1.0)
+                               .evaluate(pose, 1.0)
                                .equations.hessian.selfadjointView<Eigen::Lower>();
     NormalEquations pull;
     startPrior(aboutCentroid(problem.start, problem.tree.centroid), {}).add(pose, noiseVariance(1.0), pull);

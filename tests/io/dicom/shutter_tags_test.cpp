@@ -88,7 +88,7 @@ TEST(ShutterTags, ARectangleKeepsItsEdgesThatCountFromOne)
     EXPECT_EQ(openInRow(read.field, 35), Span(-1, -1));
 }
 
-TEST(ShutterTags, ACircleIsCenterdByRowAndColumn)
+TEST(ShutterTags, ACircleIsCenteredByRowAndColumn)
 {
     const auto read = shutterOf({{0x00181600, "CIRCULAR"}, {0x00181610, "21\\31"}, {0x00181612, "10"}});
     EXPECT_TRUE(read.warnings.empty());

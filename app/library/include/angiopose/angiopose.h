@@ -3,7 +3,7 @@
 // AngioPose registers a 3-D vessel tree to a 2-D angiogram. Includes the whole library.
 
 #include "angiopose/angiogram.h"
-#include "angiopose/bending.h"
+#include "angiopose/deformation.h"
 #include "angiopose/case.h"
 #include "angiopose/error.h"
 #include "angiopose/geometry.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "angiopose/angiogram.h"
-#include "angiopose/bending.h"
+#include "angiopose/deformation.h"
 #include "angiopose/error.h"
 #include "angiopose/export.h"
 #include "angiopose/geometry.h"

@@ -10,7 +10,7 @@ namespace angiopose::core {
 namespace {
 
 /// Points relative to their mean, one per row.
-Eigen::MatrixX2d centerd(const std::vector<Eigen::Vector2d>& points)
+Eigen::MatrixX2d centered(const std::vector<Eigen::Vector2d>& points)
 {
     Eigen::MatrixX2d rows(points.size(), 2);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -24,14 +24,14 @@ Eigen::MatrixX2d centerd(const std::vector<Eigen::Vector2d>& points)
 
 double deviationFromLine(const std::vector<Eigen::Vector2d>& pointsPx)
 {
-    const Eigen::MatrixX2d points = centerd(pointsPx);
+    const Eigen::MatrixX2d points = centered(pointsPx);
     const Eigen::Matrix2d spread = points.transpose() * points / static_cast<double>(points.rows());
     return std::sqrt(std::max(0.0, axesOf(spread).values[0]));
 }
 
 double deviationFromArc(const std::vector<Eigen::Vector2d>& pointsPx)
 {
-    const Eigen::MatrixX2d points = centerd(pointsPx);
+    const Eigen::MatrixX2d points = centered(pointsPx);
     Eigen::MatrixX3d system(points.rows(), 3);
     system << points, Eigen::VectorXd::Ones(points.rows());
     const Eigen::VectorXd squares = points.rowwise().squaredNorm();

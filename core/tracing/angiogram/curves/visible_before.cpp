@@ -8,8 +8,8 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int maxShiftPx = 4;   // catheters move with the heart
-constexpr int shiftCount = 2 * maxShiftPx + 1;
+constexpr int maxSidewaysPx = 4;   // catheters move with the heart
+constexpr int shiftCount = 2 * maxSidewaysPx + 1;
 constexpr int reachPoints = 7;   // averaged along the curve to suppress noise
 constexpr double besidePx = 2.5;   // from the walls to the background that the depth is measured against
 constexpr double minShareOfDepth = 0.5;
@@ -36,7 +36,7 @@ std::vector<Depths> depthsAlong(const Curve2d& curve, const ImageF& frame, doubl
     for (std::size_t i = 0; i < depths.size(); ++i) {
         const Eigen::Vector2d normal(-tangents[i].y(), tangents[i].x());
         for (int k = 0; k < shiftCount; ++k) {
-            depths[i][static_cast<std::size_t>(k)] = depthAt(frame, sign, curve.pointsPx[i] + (k - maxShiftPx) * normal,
+            depths[i][static_cast<std::size_t>(k)] = depthAt(frame, sign, curve.pointsPx[i] + (k - maxSidewaysPx) * normal,
                                                              (curve.radiusPx[i] + besidePx) * normal);
         }
     }
@@ -66,9 +66,9 @@ double shareStandingStill(const Curve2d& curve, const ImageF& frame, const std::
     for (const ImageF* other : others) {
         const std::vector<Depths> there = depthsAlong(curve, *other, sign);
         for (std::size_t i = 0; i < now.size(); ++i) {
-            const double depth = meanAround(now, i)[maxShiftPx];
+            const double depth = meanAround(now, i)[maxSidewaysPx];
             const Depths mean = meanAround(there, i);
-            const double near = std::max({mean[maxShiftPx - 1], mean[maxShiftPx], mean[maxShiftPx + 1]});
+            const double near = std::max({mean[maxSidewaysPx - 1], mean[maxSidewaysPx], mean[maxSidewaysPx + 1]});
             seen[i] += depth > 0.0 && near >= minShareOfDepth * depth ? 1 : 0;
         }
     }
@@ -87,7 +87,7 @@ double shareOfCurve(const Curve2d& curve, const ImageF& frame, const ImageF& bef
     const std::vector<Depths> then = depthsAlong(curve, before, sign);
     int seen = 0;
     for (std::size_t i = 0; i < now.size(); ++i) {
-        const double depth = meanAround(now, i)[maxShiftPx];
+        const double depth = meanAround(now, i)[maxSidewaysPx];
         seen += depth > 0.0 && std::ranges::max(meanAround(then, i)) >= minShareOfDepth * depth ? 1 : 0;
     }
     return static_cast<double>(seen) / static_cast<double>(now.size());

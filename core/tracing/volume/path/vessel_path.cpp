@@ -145,7 +145,7 @@ std::vector<Eigen::Vector3d> placesOf(const std::vector<Eigen::Vector3i>& path, 
 }
 
 /// Converts the path to a smooth, centered curve with radii.
-VesselBranch centerdBranch(const std::vector<Eigen::Vector3d>& placesMm, const VolumeGeometry& grid,
+VesselBranch centeredBranch(const std::vector<Eigen::Vector3d>& placesMm, const VolumeGeometry& grid,
                            const LookAlongPath& look, TracingProgress& progress)
 {
     BranchPath way;
@@ -195,7 +195,7 @@ Result<VesselPath> vesselBetween(const Volume& volume, const Eigen::Vector3d& fr
     const std::vector<Eigen::Vector3d> placesMm = placesOf(path, volume.geometry);
     const LookAlongPath along(ground, placesMm);
     VesselPath found;
-    found.branch = centerdBranch(placesMm, volume.geometry, along, progress);
+    found.branch = centeredBranch(placesMm, volume.geometry, along, progress);
     found.outsideMm = lengthOutside(placesMm, along);
     if (progress.isStopped()) {
         return stoppedTracing();

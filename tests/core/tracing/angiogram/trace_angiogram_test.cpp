@@ -53,7 +53,7 @@ Path longer(const Path& path)
 
 class TubeOfRadius : public testing::TestWithParam<double> {};
 
-TEST_P(TubeOfRadius, IsCenterdMeasuredAndFoundInFullLength)
+TEST_P(TubeOfRadius, IsCenteredMeasuredAndFoundInFullLength)
 {
     const Path path = test::line({20.3, 40.7}, {180.6, 141.2});
     const ImageF frame = test::drawnFrame(200, 180, {path}, GetParam(), {.noise = 4.0});

@@ -92,7 +92,7 @@ TEST(EditCenterline, ACurveMarkedAsNoVesselGoesByItsId)
     EXPECT_EQ(core::curveAt(two, {60.0, 200.0}), -1);
 }
 
-TEST(EditCenterline, ADrawnCurveIsCenterdOnItsVessel)
+TEST(EditCenterline, ADrawnCurveIsCenteredOnItsVessel)
 {
     const core::ImageF frame = test::drawnFrame(120, 60, {test::line({-20, 30}, {140, 30})}, 3.0);
     core::ImageF opacity = frame;

@@ -1,4 +1,4 @@
-#include "app/preferences/shortcut_controller.h"
+#include "app/menus/shortcut_controller.h"
 
 #include "app/preferences/applied_choices.h"
 #include "app/preferences/settings.h"

@@ -1,4 +1,4 @@
-#include "app/preferences/language_controller.h"
+#include "app/menus/language_controller.h"
 
 #include "app/preferences/applied_choices.h"
 #include "app/preferences/settings.h"

@@ -1,4 +1,4 @@
-#include "app/preferences/menu_controller.h"
+#include "app/menus/menu_controller.h"
 
 #include "app/editing/branch_controller.h"
 #include "app/preferences/save_folder.h"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/preferences/language_controller.h"
-#include "app/preferences/menu_controller.h"
-#include "app/preferences/shortcut_controller.h"
+#include "app/menus/language_controller.h"
+#include "app/menus/menu_controller.h"
+#include "app/menus/shortcut_controller.h"
 
 namespace angiopose::app {
 
