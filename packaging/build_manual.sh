@@ -46,8 +46,8 @@ lower() { sed 's/^#/##/' "$1"; echo; }
 } >"$docs/methods.md"
 
 # The documents; what they point to in the source has no page here.
-for page in resources/docs/FORMATS.md resources/docs/ALGORITHMS.md resources/docs/LIBRARY.md KNOWN_ISSUES.md CHANGELOG.md; do
-    sed -E 's#\]\(resources/docs/(FORMATS|ALGORITHMS|LIBRARY)\.md#](\1.md#g
+for page in resources/docs/{FORMATS,ALGORITHMS,BENCHMARKS,LIBRARY}.md KNOWN_ISSUES.md CHANGELOG.md; do
+    sed -E 's#\]\(resources/docs/(FORMATS|ALGORITHMS|BENCHMARKS|LIBRARY)\.md#](\1.md#g
         s#\]\((\.\./\.\./)?(KNOWN_ISSUES|CHANGELOG)\.md#](\2.md#g
         s#\[([^]]*)\]\(([^)#h][^)]*/[^)]*|[A-Z_]*DECISIONS\.md[^)]*|ARCHITECTURE\.md[^)]*|[A-Z]+|[A-Z]+\.cff)\)#\1#g' \
         "$page" >"$docs/$(basename "$page")"

@@ -8406,7 +8406,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>in tree order</source>
-        <translation>in Reihenfolge des Gefäßbaums</translation>
+        <translation>wie im Gefäßbaum</translation>
     </message>
     <message>
         <source>by name</source>

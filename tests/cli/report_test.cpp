@@ -133,7 +133,7 @@ TEST_F(CliReport, SpeaksTheLanguageThatIsAskedFor)
 {
     ASSERT_EQ(reported("bericht.html", {"--language", "de"}).exitCode, 4);
     const std::string page = readText(in("bericht.html"));
-    EXPECT_NE(page.find(">Nicht vertrauenswürdig<"), std::string::npos);
+    EXPECT_NE(page.find(">Nicht verlässlich<"), std::string::npos);
     EXPECT_EQ(page.find(">Not reliable<"), std::string::npos);
     const auto unknown = reported("rapport.html", {"--language", "fr"});
     EXPECT_EQ(unknown.exitCode, 2);
