@@ -111,7 +111,7 @@ bool CaseController::isBusy() const
            document_.isInTrial();
 }
 
-/// Connects the events of the window itself: files, clicks, keys and closing.
+/// Connects the events of the main window: files, clicks, keys and closing.
 void CaseController::connectWindow()
 {
     connect(&window_, &ui::MainWindow::filesDropped, &session_, &SessionController::open);
@@ -211,7 +211,7 @@ void CaseController::followTarget()
 {
     sync_.showTarget(target_.current());
     judgement_.judge(document_.current().shown().cameraFromPatient);
-    judgement_.show();   // shows the reason if there is none
+    judgement_.show();   // shows the reason if the fit cannot be assessed
     steps_.show();
 }
 

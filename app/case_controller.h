@@ -60,11 +60,11 @@ class CaseController : public QObject {
 public:
     explicit CaseController(ui::MainWindow& window, QObject* parent = nullptr);
 
-    /// Shows the notice and the recovery offer, and opens the files of the command line.
+    /// Shows the notice and the recovery offer, and opens the files given on the command line.
     void begin(const QStringList& paths);
     void open(const QStringList& paths) { session_.open(paths); }
     bool isLoading() const { return session_.isLoading(); }
-    bool isBusy() const;   ///< a worker that may take long, or a trial, is active
+    bool isBusy() const;   ///< true during a blind trial or while a long-running worker is active
 
     CaseDocument& document() { return document_; }
     SaveController& saving() { return session_.saving(); }

@@ -24,7 +24,7 @@ int main(int argc, char** argv)
         return app::writeReport(argc, argv, *words.report);
     }
     QApplication application(argc, argv);
-    std::setlocale(LC_NUMERIC, "C");   // Qt sets the system's numeric locale, with which libraries may parse 0.8 as 0
+    std::setlocale(LC_NUMERIC, "C");   // Qt sets the system's numeric locale, in which libraries may parse 0.8 as 0
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/angiopose.svg")));
     QGuiApplication::setDesktopFileName(QStringLiteral("org.angiopose.AngioPose"));
 

@@ -66,7 +66,7 @@ void RunController::start()
     }
 }
 
-/// Stops whatever the strip shows: a registration or the loading of files.
+/// Stops the task shown in the strip: a registration or the loading of files.
 void RunController::stop()
 {
     on_.registration.stop();
@@ -98,7 +98,7 @@ void RunController::showRunning(bool running)
 void RunController::showProgress(const RunReport& report)
 {
     if (!on_.registration.isRunning()) {
-        return;   // late report of a registration that has ended
+        return;   // late report of a registration that has already ended
     }
     const core::IterationReport& step = report.iteration;
     if (report.isOfShownView) {

@@ -22,11 +22,11 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Register and Stop, the method's options, and the display during and after a registration.
+/// Manages Register and Stop, the options of the method, and the display during and after a registration.
 class RunController : public QObject {
     Q_OBJECT
 public:
-    /// Objects that run the registration or show it.
+    /// Objects that run the registration or show its progress and result.
     struct Parts {
         CaseDocument& document;
         RegistrationController& registration;
@@ -46,9 +46,9 @@ public:
     };
     explicit RunController(const Parts& parts, QObject* parent = nullptr);
 
-    void show();   ///< updates the options and the reason why registration cannot start
+    void show();   ///< updates the displayed options and the reason why registration cannot start
 
-    /// Status text for a completed registration.
+    /// Returns the status text for a completed registration.
     static QString finishedText(const core::RegistrationResult& result);
 
 private:

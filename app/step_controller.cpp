@@ -40,7 +40,7 @@ void StepController::show()
     on_.window.steps().showStates(stepStates(on_.document.current(), facts));
 }
 
-/// Goes to a step; if its input is missing, opens the file dialog instead.
+/// Goes to a step, or opens the file dialog if the input of the step is missing.
 void StepController::goTo(ui::Step step)
 {
     const core::Case& current = on_.document.current();
@@ -51,7 +51,7 @@ void StepController::goTo(ui::Step step)
     } else {
         emit wentTo(step);
         QTimer::singleShot(
-            0, &on_.window,   // deferred until the layout has changed: two short events instead of a long one
+            0, &on_.window,   // deferred until the layout has changed, to split one long event into two short ones
             [this, step] { on_.window.focusStep(step); });
     }
 }

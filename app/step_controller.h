@@ -16,8 +16,8 @@ class MainWindow;
 
 namespace angiopose::app {
 
-/// Step bar: shows which steps are complete, and goes to a step on a click. Gets the whole window because a step may
-/// lead to any part of it.
+/// Manages the step bar: shows which steps are complete, and goes to a step when the user clicks it. Takes the whole
+/// window because a step may lead to any part of it.
 class StepController : public QObject {
     Q_OBJECT
 public:
@@ -42,7 +42,7 @@ private:
     void goTo(ui::Step step);
 
     Parts on_;
-    bool exported_ = false;   ///< the current state of the case is exported
+    bool exported_ = false;   ///< the current state of the case has been exported
 };
 
 }   // namespace angiopose::app

@@ -5,18 +5,18 @@
 
 namespace angiopose::app {
 
-/// State that the steps depend on in addition to the case.
+/// State on which the steps depend in addition to the case.
 struct StepFacts {
-    QString targetProblem;   ///< reason why the frame could not be traced; empty: none
-    QString targetWarning;   ///< warning that the traced curves may not be vessels; empty: none
+    QString targetProblem;   ///< reason why the frame could not be traced; empty if there is none
+    QString targetWarning;   ///< warning that the traced curves may not be vessels; empty if there is none
     bool isTracing = false;
     bool isRunning = false;
-    bool poseEdited = false;   ///< the pose differs from the initial pose
-    int treePieces = 0;   ///< number of disconnected components; 0: not yet known
-    bool exported = false;   ///< the current pose has been exported
+    bool poseEdited = false;   ///< true if the pose differs from the initial pose
+    int treePieces = 0;   ///< number of connected components of the tree; 0 if not yet known
+    bool exported = false;   ///< true if the current pose has been exported
 };
 
-/// Marks and short hints of the step bar for the current state.
+/// Returns the marks and short hints of the step bar for the current state.
 std::array<ui::StepState, ui::stepCount> stepStates(const core::Case& current, const StepFacts& facts);
 
 }   // namespace angiopose::app

@@ -18,7 +18,7 @@ public:
 
 private:
     std::optional<ui::WithoutStyleSheet> undressed_{
-        std::in_place};   ///< suspends the style sheet while the window is constructed
+        std::in_place};   ///< suspends the style sheet during the construction of the window
     ui::MainWindow window_;
     CaseController controller_;
 };

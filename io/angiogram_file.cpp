@@ -44,7 +44,7 @@ core::Result<core::Angiogram> rasterAngiogram(std::string_view content, const st
 
 core::Result<core::Angiogram> angiogramFrom(std::string_view content, const std::string& path)
 {
-    if (looksLikeDicom(content)) {   // checked first: a DICOM preamble may look like a TIFF
+    if (looksLikeDicom(content)) {   // check DICOM first: the DICOM preamble may contain a TIFF header
         return readDicomAngiogram(content, path);
     }
     if (looksLikeRaster(content)) {
@@ -72,7 +72,7 @@ core::Result<core::Angiogram> readAngiogram(const std::string& path, PeakFrame p
     }
     std::string_view content = input.value().view();
     std::string unpacked;
-    if (content.starts_with("\x1f\x8b")) {   // gzip, common for DICOM files from archives
+    if (content.starts_with("\x1f\x8b")) {   // gzip: PACS often export compressed DICOM files
         auto inflatedContent =
             holdsPackedDicom(content) ? inflated(content, Packing::Gzip, maxUnpackedAngiogramBytes) : std::nullopt;
         if (!inflatedContent) {

@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// Writes a map of gantry angles as CSV, one row per angle: primary_deg, secondary_deg, foreshortening, overlap (0…1).
-/// Writes atomically.
+/// Atomically writes a map of gantry angles as CSV, one row per angle: primary_deg, secondary_deg, foreshortening,
+/// overlap (0…1).
 core::Status writeAngleMap(const core::AngleMap& map, const std::string& path);
 
 }   // namespace angiopose::io

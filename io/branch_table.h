@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// Measurements along every branch of a tree as CSV (FORMATS §4), one row per branch. Unknown values are empty; the
-/// notes give the reason.
+/// Returns the measurements of all branches of a tree as CSV (FORMATS §4), one row per branch. Unknown values are
+/// empty; the notes give the reason.
 std::string branchTable(const core::VesselTree& tree);
 
 /// Samples along one branch as CSV: arc length, patient LPS, diameter, reference diameter (mm) and curvature (1/mm).

@@ -94,7 +94,7 @@ core::Result<Centerline2d> centerlineFromTable(std::string_view content, const s
     return centerline;
 }
 
-/// Whether an image is a drawn mask: two levels, apart from blurred edges.
+/// Whether an image is a drawn mask: only two levels, except at blurred edges.
 bool isMask(const core::ImageF& image, float low, float high)
 {
     const float margin = 0.1F * (high - low);

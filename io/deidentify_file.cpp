@@ -13,7 +13,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Adds messages, but repeats none.
+/// Appends the messages that are not in `to` yet.
 void addNew(const core::Messages& from, core::Messages& to)
 {
     for (const core::Message& message : from) {

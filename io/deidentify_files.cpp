@@ -14,7 +14,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Lists the given files and the files of the given folders, each once.
+/// Lists the given files and the files in the given folders without duplicates.
 core::Result<std::vector<std::string>> filesOfAll(const std::vector<std::string>& paths)
 {
     std::vector<std::string> files;
@@ -49,7 +49,7 @@ public:
 
     core::Status open() { return folder_.open(); }
 
-    /// De-identifies one file; fails only if nothing more can be written.
+    /// De-identifies one file; fails only if no more files can be written.
     core::Status take(const std::string& path) { return isDicomFile(path) ? takeDicom(path) : takePicture(path); }
 
     bool isEmpty() const { return folder_.isEmpty(); }

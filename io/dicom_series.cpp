@@ -66,7 +66,7 @@ core::Result<DicomSeries> seriesOfFile(const std::string& path, const ReadObserv
             return std::move(series);
         }
     }
-    // The file was dropped as a copy of another file beside it: use it alone.
+    // Grouping removed the file as a duplicate of another file in the folder: use this file alone.
     std::vector<DicomSeries> alone = groupSlices({own.value()});
     return alone.empty() ? core::Result<DicomSeries>(fileError(path, messages::seriesFileWithoutImage()))
                          : std::move(alone.front());

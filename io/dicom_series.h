@@ -11,13 +11,13 @@
 namespace angiopose::io {
 
 /// Lists the series of all DICOM files in a folder and its subfolders, largest volume first; skips other files. Fails
-/// if there is no DICOM image, or if canceled.
+/// if there is no DICOM image, or on cancellation.
 core::Result<std::vector<DicomSeries>> listSeries(const std::string& folder, const ReadObserver& observe = {});
 
-/// The series of one DICOM file, built from the files of its folder.
+/// Returns the series to which a DICOM file belongs, built from the files of its folder.
 core::Result<DicomSeries> seriesOfFile(const std::string& path, const ReadObserver& observe = {});
 
-/// SHA-256 over the hashes of the slices' files in order, which identifies a series as an input of a case.
+/// Returns the SHA-256 over the file hashes of the slices in order, which identifies a series as an input of a case.
 core::Result<std::string> sha256OfSeries(const DicomSeries& series);
 
 }   // namespace angiopose::io

@@ -15,8 +15,8 @@ namespace angiopose::io {
 core::Result<core::InputFile> keepEditedCurves(const core::GivenTarget& target, const std::string& casePath,
                                                std::optional<std::size_t> otherView = std::nullopt);
 
-/// The source file of a target as named in exports. Edited curves have no name, whether saved or not, and the hash of
-/// the content that would be saved.
+/// Returns the source file of a target as named in exports. For edited curves, saved or not, the name is empty and the
+/// hash is that of the content that would be saved.
 core::InputFile exportedFileOf(const core::GivenTarget& target);
 
 }   // namespace angiopose::io

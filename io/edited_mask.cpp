@@ -29,7 +29,7 @@ fs::path ownMask(const fs::path& casePath)
     return (casePath.parent_path() / mask.value("path", "")).lexically_normal();
 }
 
-/// Whether the case's own file still holds this mask; after undo, a later save may have replaced it.
+/// Whether the case's own file still contains this mask; after an undo, a later save may have overwritten it.
 bool isThere(const core::InputFile& mask, const fs::path& own)
 {
     if (mask.path.empty() || mask.path != own.string()) {
@@ -39,7 +39,7 @@ bool isThere(const core::InputFile& mask, const fs::path& own)
     return hash && hash.value() == mask.sha256;
 }
 
-/// Copies a mask file that could not be read, unchanged.
+/// Copies a mask file unchanged if it could not be read.
 core::Status copied(const std::string& from, const std::string& to)
 {
     const auto content = openInput(from);
@@ -65,7 +65,7 @@ core::Result<core::InputFile> keepEditedMask(const core::Vessels& vessels, const
     }
     std::error_code absent;
     if (!vessels.lumen && !fs::exists(vessels.file.path, absent)) {
-        return vessels.file;   // already lost: keep its former path in the case
+        return vessels.file;   // the file no longer exists: keep its former path in the case
     }
     const std::string path = pathBeside(whole, {{}, "mask", "nrrd"}, vessels.lumen ? own : fs::path()).string();
     if (const auto written = vessels.lumen ? writeMask(*vessels.lumen, path) : copied(vessels.file.path, path);

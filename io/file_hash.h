@@ -7,7 +7,7 @@
 
 namespace angiopose::io {
 
-/// Returns the SHA-256 of a file's content in lower-case hex. Fails, naming the file, if it cannot be read.
+/// Returns the SHA-256 of a file's content in lower-case hex. If the file cannot be read, fails and names the file.
 core::Result<std::string> sha256OfFile(const std::string& path);
 
 /// Returns the SHA-256 of a text in lower-case hex.

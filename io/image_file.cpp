@@ -32,7 +32,7 @@ core::Status writePixels(const PngPixels& pixels, const std::string& path,
 
 constexpr double maxGray = 65535.0;
 
-/// Formats with nine digits, which represent a float exactly.
+/// Formats a number with nine digits, which represent a float exactly.
 std::string slopeText(double value)
 {
     char text[40];
@@ -40,7 +40,7 @@ std::string slopeText(double value)
     return {text, written.ptr};
 }
 
-/// value = slope · gray + offset
+/// Mapping from gray levels to values: value = slope · gray + offset.
 struct GrayScale {
     double slope = 1.0;
     double offset = 0.0;

@@ -8,17 +8,17 @@
 
 namespace angiopose::io {
 
-/// Writes an 8-bit sRGB PNG atomically. `texts` become PNG text chunks (provenance); `dotsPerInch` above 0 sets the
-/// print size.
+/// Atomically writes an 8-bit sRGB PNG. `texts` become PNG text chunks (provenance); `dotsPerInch`, if above 0, sets
+/// the print size.
 core::Status writePng(const core::ColorImage& image, const std::string& path,
                       const std::map<std::string, std::string>& texts = {}, double dotsPerInch = 0.0);
 
-/// Writes a frame as a 16-bit gray PNG: unchanged if the whole run holds integers of 0…65535, otherwise stretched with
-/// one scale for all frames. The text chunk "Values" states how values follow from gray levels.
+/// Writes a frame as a 16-bit grayscale PNG: unchanged if all values of the run are integers in 0…65535, otherwise
+/// scaled equally in all frames. The text chunk "Values" states how to compute values from gray levels.
 core::Status writeGrayPng(const core::Angiogram& run, int frame, const std::string& path,
                           std::map<std::string, std::string> texts, double dotsPerInch = 0.0);
 
-/// Writes an 8-bit gray PNG (0 and 255).
+/// Writes a mask as an 8-bit grayscale PNG (0 and 255).
 core::Status writePng(const core::Mask2d& mask, const std::string& path);
 
 }   // namespace angiopose::io

@@ -25,7 +25,7 @@ std::string poseColumns(const std::string& prefix)
 
 const std::string pivotColumns = ",pivot_x,pivot_y,pivot_z";
 
-/// Header of logs started before the centroid was recorded.
+/// Returns the header of logs started by versions that did not record the centroid.
 std::string olderHeader()
 {
     return "started_at,observer,case,image_sha256,frame,seed,range_mm,range_deg,duration_s,edits,outcome,"

@@ -8,7 +8,7 @@
 namespace angiopose::io {
 
 /// Whether to search for the peak-opacification frame, which takes as long as tracing one frame. A caller that knows
-/// the frame can skip the search; the run then suggests its first frame.
+/// the frame can skip the search; the suggested frame is then the first.
 enum class PeakFrame { Sought, NotNeeded };
 
 /// Reads an angiogram like readAngiogram (angiogram_file.h), which always searches for the peak-opacification frame.

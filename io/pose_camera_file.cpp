@@ -52,7 +52,7 @@ std::optional<core::Message> findProblemApartFromSize(core::ProjectionCamera cam
     return core::findProblem(camera);
 }
 
-/// Returns the SHA-256 of an input that a result names.
+/// Returns the SHA-256 that a result states for an input; empty if not stated.
 std::string hashOf(const PoseJson& root, const char* input)
 {
     const auto inputs = root.find("inputs");
@@ -85,7 +85,7 @@ core::Result<PoseWithCamera> ofJson(std::string_view text, const std::string& pa
     }
 }
 
-/// Interprets twelve numbers as P, or sixteen as a pose of four rows of four.
+/// Interprets twelve numbers as P and sixteen as a 4 × 4 pose matrix.
 core::Result<PoseWithCamera> ofNumbers(const std::vector<double>& numbers, const std::string& path)
 {
     if (numbers.size() == 12) {

@@ -12,21 +12,21 @@ namespace angiopose::io {
 struct PoseWithCamera {
     core::RigidTransform cameraFromPatient;
     std::optional<core::ProjectionCamera> camera;
-    std::string vesselSha256{};   ///< inputs that a result was computed from; empty: not stated
+    std::string vesselSha256{};   ///< SHA-256 of the inputs from which a result was computed; empty if not stated
     std::string imageSha256{};
 };
 
-/// Reads everything that `readPose` reads, with its camera: the key `camera` next to a pose, P, or K, R and t in JSON,
-/// YAML and XML as OpenCV writes them, twelve numbers as text (P), or sixteen (a pose alone).
+/// Reads every format that `readPose` reads, with the camera: the key `camera` next to a pose; P, or K, R and t in
+/// JSON, YAML and XML as OpenCV writes them; a text with twelve numbers (P) or sixteen (pose without camera).
 core::Result<PoseWithCamera> readPoseWithCamera(const std::string& path);
 
-/// Relative difference allowed between two representations of one camera.
+/// Maximum relative difference between two representations of the same camera.
 inline constexpr double sameCameraTolerance = 1e-6;
 
-/// Returns whether both cameras project alike; an unknown image size matches any.
+/// Whether both cameras project equally; an unknown image size matches any.
 bool isSameCamera(const core::ProjectionCamera& a, const core::ProjectionCamera& b);
 
-/// Returns whether the camera fits an image of this size; an unknown image size fits any.
+/// Whether the camera is for an image of this size; an unknown image size matches any.
 bool fitsImage(const core::ProjectionCamera& camera, int width, int height);
 
 /// Writes K, R and t (`.json`, `.yml`, `.yaml`, `.xml`) or P (`.txt`), depending on the extension.

@@ -12,7 +12,7 @@ namespace angiopose::io {
 /// `.h5`. Our ITK transforms map patient points to camera points (LPS mm), as the comment in the file states.
 core::Result<core::RigidTransform> readPose(const std::string& path);
 
-/// Writes JSON, `.tfm` or `.h5`, depending on the extension; every double is restored to the last bit.
+/// Writes JSON, `.tfm` or `.h5`, depending on the extension, with full double precision.
 core::Status writePose(const core::RigidTransform& cameraFromPatient, const std::string& path);
 
 }   // namespace angiopose::io

@@ -8,9 +8,9 @@
 
 namespace angiopose::io {
 
-/// Writes a CSV with one pose per frame: frame, `trustworthy` (1 or 0), searched, score, and cameraFromPatient as r11 …
-/// r33, tx, ty, tz (mm), row-major, with enough digits to restore the same doubles; then the mean and maximum
-/// deformation of the vessels relative to that pose (mm), empty if there is none. Written atomically.
+/// Atomically writes a CSV with one pose per frame: frame, `trustworthy` (1 or 0), searched, score, and
+/// cameraFromPatient as r11 … r33, tx, ty, tz (mm), row-major, with full double precision; then the mean and maximum
+/// deformation of the vessels relative to that pose (mm), empty if there is no deformation.
 core::Status writePoseTable(std::span<const core::FollowedFrame> frames, const std::string& path);
 
 }   // namespace angiopose::io

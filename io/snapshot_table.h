@@ -8,12 +8,12 @@
 
 namespace angiopose::io {
 
-/// Returns the upper three rows of a pose's matrix as comma-separated cells, row-major.
+/// Returns the upper three rows of a pose matrix as comma-separated cells, row-major.
 std::string poseCells(const core::RigidTransform& cameraFromPatient);
 
-/// Returns snapshots as a comma-separated table, one row each: their properties, their difference from `reference`
-/// about `pivotInPatient` (see core::PoseDifference), and the pose as 12 numbers, row-major, cameraFromPatient. Quoted
-/// texts may contain commas and line breaks; unknown values stay empty.
+/// Returns snapshots as CSV, one row each: properties, difference from `reference` about `pivotInPatient` (see
+/// core::PoseDifference), and the pose cameraFromPatient as 12 numbers, row-major. Texts are quoted if they contain
+/// commas or line breaks; unknown values are empty.
 std::string snapshotTable(std::span<const core::PoseSnapshot> snapshots, const core::PoseSnapshot& reference,
                           const Eigen::Vector3d& pivotInPatient);
 

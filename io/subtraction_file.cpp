@@ -15,7 +15,7 @@ constexpr DicomTag maskSubPixelShift = 0x00286114;
 constexpr DicomTag pixelIntensityRelationship = 0x00281040;
 constexpr DicomTag recommendedViewingMode = 0x00281090;
 
-/// Returns true if the item specifies a subtraction.
+/// Reads one item of the mask subtraction sequence; returns false if the item specifies no subtraction.
 bool readMask(const DicomDataset& item, core::SubtractionPlan& plan)
 {
     const std::string_view operation = item.text(maskOperation);

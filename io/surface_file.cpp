@@ -20,7 +20,7 @@ namespace angiopose::io {
 namespace {
 
 constexpr std::size_t maxTriangles = 50'000'000;
-constexpr double smallestUsualMm = 60.0;   // extent of the whole vessel surface
+constexpr double smallestUsualMm = 60.0;   // plausible minimum extent of a whole vessel surface
 constexpr double largestUsualMm = 2000.0;
 
 core::Result<VtkLines> parse(std::string_view content, const std::string& path, const ReadObserver& observe)
@@ -48,7 +48,7 @@ core::Result<VtkLines> parse(std::string_view content, const std::string& path, 
     return fileError(path, messages::surfaceIsOther((*found)()));
 }
 
-/// Returns what is wrong with the triangles; nullopt if nothing.
+/// Returns the problem with the triangles; nullopt if there is none.
 std::optional<core::Message> findProblem(const VtkLines& surface)
 {
     if (surface.triangles.size() > maxTriangles) {
@@ -62,7 +62,7 @@ std::optional<core::Message> findProblem(const VtkLines& surface)
     return surface.triangles.empty() ? std::optional(messages::surfaceNoTriangles()) : std::nullopt;
 }
 
-/// Builds the surface, with a warning if points were omitted.
+/// Builds the surface; adds a warning if points were omitted.
 core::Result<LoadedSurface> surfaceOf(VtkLines surface, const CoordinateRule& rule, const std::string& path,
                                       const ReadObserver& observe)
 {

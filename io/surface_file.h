@@ -10,21 +10,21 @@
 namespace angiopose::io {
 
 struct LoadedSurface {
-    core::SurfaceMesh mesh;   ///< vertices merged, patient LPS
-    core::Messages warnings;   ///< about holes and an implausible size
-    bool isUnitStated = false;   ///< the file states its unit
-    double acrossMm = 0.0;   ///< diagonal of the bounding box
+    core::SurfaceMesh mesh;   ///< triangle mesh with merged vertices, patient LPS
+    core::Messages warnings;   ///< warnings about holes and an implausible size
+    bool isUnitStated = false;   ///< whether the file states its unit
+    double acrossMm = 0.0;   ///< diagonal of the bounding box, mm
 };
 
-/// Returns false if the size is implausible for vessels: the unit of the file may be another.
+/// Whether the size is plausible for vessels; if not, the file may use another unit.
 bool isUsualSize(double acrossMm);
 
-/// Reads a triangle surface from VTP, legacy VTK (poly-data, unstructured grid), STL, PLY or OBJ. `unitMm` is the
-/// length of one unit; 0: the unit that the file states, otherwise mm. Converts files that state RAS. Fails with file,
-/// problem and remedy, also if there is no triangle.
+/// Reads a triangle surface from VTP, legacy VTK (PolyData, UnstructuredGrid), STL, PLY or OBJ. `unitMm` is the length
+/// of one unit; if 0, uses the unit that the file states, otherwise mm. Converts files that state RAS. Fails if the
+/// file contains no triangles or cannot be read; the error names file, problem and remedy.
 core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm = 0.0, const ReadObserver& observe = {});
 
-/// Writes binary STL, patient LPS.
+/// Writes binary STL in patient LPS.
 core::Status writeSurface(const core::SurfaceMesh& mesh, const std::string& path);
 
 }   // namespace angiopose::io

@@ -7,13 +7,13 @@
 
 namespace angiopose::io {
 
-/// Target points and rings of a case as CSV (FORMATS §4), at the case's poses: one row per view in which a target point
-/// is marked, with its error there and the uncertainty stated by the result; one row for the 3-D error if two views
-/// determine it; one row for a point marked in no view.
+/// Returns the target points and rings of a case as CSV (FORMATS §4), at the case's poses: one row per view in which a
+/// target point is marked, with its error in that view and the uncertainty stated by the result; one row for the 3-D
+/// error if two views determine it; one row for a point that is not marked in any view.
 std::string checkPointTable(const core::Case& session);
 core::Status writeCheckPoints(const core::Case& session, const std::string& path);
 
-/// The same as a JSON array (FORMATS §3).
+/// Returns the rows of checkPointTable as a JSON array (FORMATS §3).
 std::string checkPointJson(const core::Case& session);
 
 }   // namespace angiopose::io

@@ -25,8 +25,8 @@ namespace {
 using core::VesselInputKind;
 
 constexpr double largestBodyMm = 10'000.0;
-constexpr double surfaceShare = 0.1;   // share of the progress for reading a surface
-constexpr double readShare = 0.3;   // share of the progress for reading; the rest is tracing
+constexpr double surfaceShare = 0.1;   // fraction of the progress due to reading a surface
+constexpr double readShare = 0.3;   // fraction of the progress due to reading; the rest is tracing
 
 core::TracingObserver tracingObserver(const ReadObserver& observe)
 {
@@ -38,7 +38,7 @@ core::TracingObserver tracingObserver(const ReadObserver& observe)
     };
 }
 
-/// Returns the fields known before tracing.
+/// Returns the vessels with only the members that are known before tracing.
 LoadedVessels untraced(const core::VesselInput& input, core::Messages warnings)
 {
     LoadedVessels loaded;
@@ -92,7 +92,7 @@ core::Result<LoadedVessels> traceSurface(const std::string& path, const core::Ve
     if (!surface) {
         return surface.error();
     }
-    if (surface.value().acrossMm > largestBodyMm) {   // voxels would be as large as vessels, or innumerable
+    if (surface.value().acrossMm > largestBodyMm) {   // voxels would be as large as vessels, or too many
         return fileError(path, messages::surfaceLargerThanBody(core::Quantity{
                                    std::round(surface.value().acrossMm / 1000.0), core::Quantity::asNeeded, "m"}));
     }
@@ -112,8 +112,8 @@ core::Result<LoadedVessels> traceSurface(const std::string& path, const core::Ve
                     core::traceMask(mask.value(), input.tracing, tracingObserver(observe)), path);
 }
 
-/// Selects the labels to trace: the requested ones, otherwise those with names of vessels, otherwise all. Reports the
-/// choice if there are several labels.
+/// Selects the labels to trace: the requested labels, otherwise those named after vessels, otherwise all. Reports the
+/// selection if there are several labels.
 core::Status chooseLabels(LoadedVessels& loaded, const core::LabelVolume& image, const std::string& path)
 {
     const std::vector<ListedLabel> all = listedLabels(image, readLabelNames(path));
@@ -193,7 +193,7 @@ core::Result<LoadedVessels> traceVolume(const std::string& path, core::VesselInp
     return traced;
 }
 
-/// Reads a VTK file to determine whether it holds lines or a surface.
+/// Reads a VTK file to determine whether it contains lines or a surface.
 VesselInputKind kindOfVtk(const std::string& path)
 {
     return !readVesselTree(path) && readSurface(path) ? VesselInputKind::Surface : VesselInputKind::Centerline;

@@ -14,23 +14,23 @@
 
 namespace angiopose::io {
 
-/// A vessel tree, read or traced, with its sources.
+/// Vessel tree that was read or traced, with its sources.
 struct LoadedVessels {
-    core::VesselInput input;   ///< as requested; the series id is filled in if a folder has only one volume
+    core::VesselInput input;   ///< input as requested; the series ID is added if a folder contains only one volume
     core::VesselTree tree;
-    std::shared_ptr<const core::Volume> volume;   ///< the scan, if there is one
+    std::shared_ptr<const core::Volume> volume;   ///< scan, if there is one
     core::StudyIdentity identity;   ///< identity of a DICOM scan
-    core::VoxelMask lumen;   ///< the traced voxels; empty for centerlines
+    core::VoxelMask lumen;   ///< traced voxels; empty for centerlines
     double threshold = 0.0;   ///< lumen threshold, if a scan was traced
-    std::vector<core::TracedPiece> pieces;   ///< connected components available for tracing, the largest first
+    std::vector<core::TracedPiece> pieces;   ///< connected components available for tracing, largest first
     core::Messages warnings;
 };
 
-/// Moves the lumen out of `vessels` for sharing; null if there is none.
+/// Moves the lumen out of `vessels` into a shared pointer; null if there is no lumen.
 std::shared_ptr<const core::VoxelMask> sharedLumen(LoadedVessels& vessels);
 
-/// Returns the kind of vessel input in a file or folder, by content. Reads no voxels: a volume counts as `Volume`
-/// unless its header declares labels, even if its values later prove to be labels.
+/// Returns the kind of vessel input in a file or folder, based on its content. Does not read voxels: a volume counts as
+/// `Volume` unless its header declares labels, even if its values later turn out to be labels.
 core::Result<core::VesselInputKind> vesselInputKindOf(const std::string& path);
 
 /// Reads centerlines, or reads and traces a segmentation, surface or volume. A volume whose values prove to be labels
@@ -38,11 +38,11 @@ core::Result<core::VesselInputKind> vesselInputKindOf(const std::string& path);
 core::Result<LoadedVessels> readVessels(const std::string& path, const core::VesselInput& input,
                                         const ReadObserver& observe = {});
 
-/// Traces a scan already in memory that was read from `path`, as readVessels does after reading.
+/// Traces a scan that is already in memory and was read from `path`, like readVessels after reading.
 core::Result<LoadedVessels> traceScan(const std::shared_ptr<const core::Volume>& scan, const std::string& path,
                                       const core::VesselInput& input, const ReadObserver& observe = {});
 
-/// Returns the SHA-256 of a vessel input: of the file, or of the series in a folder (see `sha256OfSeries`).
+/// Returns the SHA-256 of a vessel input: that of the file, or that of the series in a folder (see `sha256OfSeries`).
 core::Result<std::string> sha256OfVesselInput(const std::string& path, const core::VesselInput& input);
 
 }   // namespace angiopose::io

@@ -17,8 +17,8 @@
 namespace angiopose::io {
 namespace {
 
-/// Parses lines by content if that is unambiguous, by extension for plain tables; adds descriptive text of the file to
-/// `header`.
+/// Parses lines according to the content or, for plain tables, according to the extension; adds the descriptive text of
+/// the file to `header`.
 core::Result<LineSet> parseLines(std::string_view content, const std::string& path, std::string& header,
                                  const ReadObserver& observe)
 {
@@ -62,7 +62,7 @@ core::Result<ReadTree> readTree(const std::string& path, const VesselTreeReadOpt
     }
     std::string header = headerText(input.value().view());
     auto lines = parseLines(input.value().view(), path, header, observe);
-    // Slicer's curves state their unit and are already in mm.
+    // Slicer curves state their unit and are already converted to mm.
     const auto rule = coordinateRule(header, extensionOf(path) == ".json" ? 1.0 : options.unitMm, path);
     if (!lines || !rule) {
         return lines ? rule.error() : lines.error();

@@ -12,18 +12,18 @@ struct VesselTreeReadOptions {
     double unitMm = 0.0;   ///< length of one unit; 0: as the file states, otherwise 1 mm. Slicer curves keep their own
 };
 
-/// Reads a centerline tree from VTP/VTU, legacy VTK (poly-data or unstructured grid), CSV, SWC or Slicer curves
-/// (FORMATS §4), patient LPS mm. Converts RAS files, and keeps stretches shared by several lines (VMTK) once, cut at
-/// bifurcations. Branch ids are those of the file if unique, otherwise 1…n in file order. Fails with file, problem and
-/// remedy.
+/// Reads a centerline tree from VTP/VTU, legacy VTK (PolyData or UnstructuredGrid), CSV, SWC or Slicer curves (FORMATS
+/// §4), in patient LPS mm. Converts RAS files. Keeps sections shared by several lines (VMTK) once, cut at bifurcations.
+/// Branch IDs are those of the file if unique, otherwise 1…n in file order. The error of a failure names file, problem
+/// and remedy.
 core::Result<ReadTree> readTree(const std::string& path, const VesselTreeReadOptions& options = {},
                                 const ReadObserver& observe = {});
 
-/// Reads only the tree.
+/// Reads a centerline tree like readTree and returns only the tree.
 core::Result<core::VesselTree> readVesselTree(const std::string& path, const VesselTreeReadOptions& options = {},
                                               const ReadObserver& observe = {});
 
-/// Writes VTP, CSV, SWC or Slicer curves (.mrk.json, without radii), depending on the extension, atomically.
+/// Atomically writes VTP, CSV, SWC or Slicer curves (.mrk.json, without radii), depending on the extension.
 core::Status writeVesselTree(const core::VesselTree& tree, const std::string& path);
 
 }   // namespace angiopose::io

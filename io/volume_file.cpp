@@ -16,7 +16,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Returns the series with this id, or the only volume.
+/// Returns the series with this ID, or the only volume if no ID is given.
 core::Result<DicomSeries> chosenSeries(std::vector<DicomSeries> all, const std::string& seriesId,
                                        const std::string& folder)
 {
@@ -72,7 +72,7 @@ core::Result<LoadedVolume> readDicomVolume(const std::string& path, const std::s
     return loaded;
 }
 
-/// Returns whether the values are whole numbers from 0, mostly background, with the rest in regions of one value.
+/// Whether the values look like labels: whole numbers from 0, mostly background, the rest in homogeneous regions.
 template <class ValueAt>
 bool areLabels(std::size_t count, const ValueAt& valueAt)
 {

@@ -10,20 +10,20 @@
 
 namespace angiopose::io {
 
-/// A volume with the further data of its file.
+/// Volume with the additional data of its file.
 struct LoadedVolume {
     core::Volume volume;
-    std::string format;   ///< "NIfTI-1", "NRRD", "MetaImage", …, "DICOM series"
+    std::string format;   ///< format name: "NIfTI-1", "NRRD", "MetaImage", …, "DICOM series"
     core::StudyIdentity identity;   ///< identity of a DICOM series
-    std::string seriesId;   ///< id of a DICOM series, see `DicomSeries::id`
-    bool isDeclaredLabels = false;   ///< the header declares the values as labels
+    std::string seriesId;   ///< ID of a DICOM series, see `DicomSeries::id`
+    bool isDeclaredLabels = false;   ///< whether the header declares the values to be labels
     core::Messages warnings;
 };
 
-/// Properties of a volume file known before its voxels are read.
+/// Properties of a volume file that are known before its voxels are read.
 struct VolumeSummary {
     std::string format;
-    std::string voxelType;   ///< as stored: "int16", …
+    std::string voxelType;   ///< voxel type as stored, for example "int16"
     core::VolumeGeometry geometry;
     double slope = 1.0;
     double intercept = 0.0;
@@ -31,11 +31,11 @@ struct VolumeSummary {
     core::Messages warnings;
 };
 
-/// Returns true for content that `readVolume` reads without DICOM: NIfTI, Analyze, NRRD, MetaImage, legacy VTK images,
-/// GIPL (by the first bytes).
+/// Whether the file is a non-DICOM volume that `readVolume` can read: NIfTI, Analyze, NRRD, MetaImage, legacy VTK image
+/// or GIPL (based on the first bytes).
 bool isVolumeFile(const std::string& path);
 
-/// Reads the header of such a file.
+/// Reads the header of a file for which isVolumeFile is true.
 core::Result<VolumeSummary> describeVolume(const std::string& path);
 
 /// Reads a volume from such a file, a DICOM slice (with the other slices of its series in the same folder), an enhanced
@@ -47,16 +47,15 @@ core::Result<LoadedVolume> readVolume(const std::string& path, const std::string
 /// Reads a label image: such a file, or a DICOM segmentation (labels are segment numbers).
 core::Result<core::LabelVolume> readLabels(const std::string& path, const ReadObserver& observe = {});
 
-/// Returns true for volumes whose values are labels: whole numbers from 0, mostly background, with the rest in regions
-/// of one value.
+/// Whether the values of a volume are labels: whole numbers from 0, mostly background, the rest in homogeneous regions.
 bool looksLikeLabels(const core::Volume& volume);
 bool looksLikeLabels(const core::LabelVolume& image);
 
-/// Returns the labels of a volume for which `looksLikeLabels` is true.
+/// Converts a volume for which `looksLikeLabels` is true to a label image.
 core::LabelVolume labelsOf(const core::Volume& volume);
 
-/// Writes .nii, .nii.gz, .nrrd or .mha, depending on the extension, atomically. NIfTI keeps slope and intercept; the
-/// other formats get the values themselves, as 16-bit integers if they are whole numbers that fit, otherwise as float.
+/// Atomically writes .nii, .nii.gz, .nrrd or .mha, depending on the extension. NIfTI keeps slope and intercept; the
+/// other formats store the rescaled values, as 16-bit integers if they are whole numbers in range, otherwise as float.
 core::Status writeVolume(const core::Volume& volume, const std::string& path);
 core::Status writeLabels(const core::LabelVolume& labels, const std::string& path);
 

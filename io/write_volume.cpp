@@ -48,7 +48,7 @@ std::string listText(const Eigen::Vector3d& vector)
     return " " + toText(vector.x()) + " " + toText(vector.y()) + " " + toText(vector.z());
 }
 
-/// Returns a NIfTI-1 header of 352 bytes for 16-bit voxels (`isLabel`: unsigned).
+/// Returns a NIfTI-1 header of 352 bytes for 16-bit voxels, unsigned if `isLabel` is true.
 std::string niftiHeader(const core::VolumeGeometry& geometry, double slope, double intercept, bool isLabel)
 {
     std::string header(352, '\0');
@@ -68,7 +68,7 @@ std::string niftiHeader(const core::VolumeGeometry& geometry, double slope, doub
     put(header, 108, 352.0F);
     put(header, 112, static_cast<float>(slope));
     put(header, 116, static_cast<float>(intercept));
-    put<std::uint8_t>(header, 123, 2);   // units: mm
+    put<std::uint8_t>(header, 123, 2);   // xyzt_units: mm
     put<std::int16_t>(header, 252, 1);
     put<std::int16_t>(header, 254, 1);
     Eigen::Matrix3d turn = axes;
@@ -92,7 +92,7 @@ std::string niftiHeader(const core::VolumeGeometry& geometry, double slope, doub
     return header;
 }
 
-/// Returns an NRRD header for attached gzip data, little endian. `type`: "short", "unsigned short", "float".
+/// Returns an NRRD header for attached gzip data, little endian. `type` is "short", "unsigned short" or "float".
 std::string nrrdHeader(const core::VolumeGeometry& geometry, std::string_view type)
 {
     std::string header = "NRRD0004\ntype: " + std::string(type) + "\ndimension: 3\nspace: left-posterior-superior\n";
@@ -105,8 +105,8 @@ std::string nrrdHeader(const core::VolumeGeometry& geometry, std::string_view ty
            vectorText(geometry.originInPatient) + "\n\n";
 }
 
-/// Returns a MetaImage header for local voxels packed into `packedBytes`. `type`: "MET_SHORT", "MET_USHORT",
-/// "MET_FLOAT".
+/// Returns a MetaImage header for attached voxels compressed to `packedBytes` bytes. `type` is "MET_SHORT",
+/// "MET_USHORT" or "MET_FLOAT".
 std::string metaImageHeader(const core::VolumeGeometry& geometry, std::string_view type, std::size_t packedBytes)
 {
     std::string header = "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n";
@@ -122,15 +122,15 @@ std::string metaImageHeader(const core::VolumeGeometry& geometry, std::string_vi
 
 constexpr std::size_t chunkVoxels = std::size_t{1} << 18;
 
-/// Passes the bytes of a voxel array to a sink in pieces.
+/// A `Producer` passes the bytes of a voxel array to a `Sink` chunk by chunk.
 using Bytes = std::string_view;
 using Sink = std::function<core::Status(Bytes)>;
 using Producer = std::function<core::Status(const Sink&)>;
 
-/// Deflates its input into a sink.
+/// Compresses its input (deflate) and passes the result to a sink.
 class Packer {
 public:
-    /// `windowBits` as in zlib: 15 zlib, +16 gzip.
+    /// `windowBits` as in zlib: 15 for zlib format, +16 for gzip.
     Packer(int windowBits, Sink sink) : sink_(std::move(sink)), block_(std::size_t{256} << 10, '\0')
     {
         isReady_ = deflateInit2(&stream_, 4, Z_DEFLATED, windowBits, 8, Z_DEFAULT_STRATEGY) == Z_OK;
@@ -191,7 +191,7 @@ Producer bytesOf(const std::vector<T>& voxels)
     };
 }
 
-/// Passes the values themselves, converted in chunks.
+/// Returns a producer of the rescaled values, converted chunk by chunk.
 template <class T>
 Producer valuesOf(const core::Volume& volume)
 {
@@ -211,7 +211,7 @@ Producer valuesOf(const core::Volume& volume)
     };
 }
 
-/// Returns true if every value is a 16-bit whole number.
+/// Whether every value is a whole number that fits into 16 bits.
 bool fitsShort(const core::Volume& volume)
 {
     if (volume.slope != std::floor(volume.slope) || volume.intercept != std::floor(volume.intercept)) {
@@ -264,7 +264,7 @@ core::Status writeNifti(const std::string& header, const Producer& bytes, bool i
     return isPacked ? packInto(all, 15 + 16, toFile) : all(toFile);
 }
 
-/// Returns the problem with the volume or the file name; nullopt if it can be written.
+/// Returns the problem with the volume or the file name; nullopt if the volume can be written.
 std::optional<core::Message> findUnwritable(const core::VolumeGeometry& geometry, std::size_t voxels,
                                             const std::string& extension)
 {

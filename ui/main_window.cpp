@@ -85,7 +85,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectColumns();
     const auto showWith = [this](Command mode, QWidget* panel) {
         connect(actions()[mode], &QAction::toggled, this, [this, panel](bool on) {
-            if (on) {   // after its list has expanded
+            if (on) {   // deferred until the panel's list has expanded
                 QTimer::singleShot(0, this, [this, panel] { showInRightColumn(panel); });
             }
         });
@@ -99,7 +99,7 @@ MainWindow::MainWindow(QWidget* parent)
         showWith(mode, marks_);
     }
     connect(geometry_, &Section::foldedChanged, this, [this](bool folded) {
-        if (!folded) {   // also on missing values: scrolls to the fields to fill in
+        if (!folded) {   // unfolded by the user, or because values are missing: scrolls to the fields
             QTimer::singleShot(0, this, [this] { rightPanels_->ensureWidgetVisible(geometry_); });
         }
     });
@@ -151,7 +151,7 @@ QWidget* MainWindow::makeLeftColumn()
     return leftSplitter_;
 }
 
-/// Creates the frame of the angiogram, its view strip and the side-by-side views, which pop out together.
+/// Creates the frame around the angiogram, its view strip and the side-by-side views, which pop out together.
 QWidget* MainWindow::makeImagePlace()
 {
     auto* place = new QWidget;
@@ -202,7 +202,7 @@ QWidget* MainWindow::makeRightColumn()
     return rightPanels_;
 }
 
-/// Widens the column if an expanded section needs more width; clipped content could not be scrolled to.
+/// Widens the column if an unfolded section needs more width, since the column has no horizontal scroll bar.
 void MainWindow::giveRightColumnRoom()
 {
     const int scrollBar = rightPanels_->verticalScrollBar()->sizeHint().width();
@@ -221,8 +221,8 @@ void MainWindow::connectColumns()
     }
 }
 
-/// Gives a folded column the width of its rail and an unfolded one its previous width; the center absorbs the
-/// difference.
+/// Sets a folded column to the width of its rail and an unfolded one to its previous width; the center column absorbs
+/// the difference.
 void MainWindow::keepWidthOf(ColumnSide side)
 {
     QList<int> widths = columns_->sizes();
@@ -302,7 +302,7 @@ void MainWindow::showAlone(std::optional<MovableView> view)
     }
     const bool comesBack = alone_ && !view;
     alone_ = view;
-    if (comesBack) {   // before showing: avoids a layout at a temporary width
+    if (comesBack) {   // restores sizes before showing the columns, which avoids a layout at a temporary width
         columns_->restoreState(columnsBefore_);
         leftSplitter_->restoreState(leftBefore_);
     }
@@ -364,7 +364,7 @@ void MainWindow::focusStep(Step step)
 void MainWindow::closeNow()
 {
     closeAllowed_ = true;
-    // Queued: inside a close event a second close would be ignored.
+    // Queued because Qt ignores close() inside a close event.
     QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
 }
 

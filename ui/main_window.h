@@ -46,7 +46,7 @@ class ViewFrame;
 /// Views that can fill the window or be popped out.
 enum class MovableView { Image, Corner, Slices };
 
-/// Lays out views and panels. Does not know the case: its owner connects the parts.
+/// Lays out views and panels. Does not know the case; the owner of the window connects both.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 public:
@@ -80,32 +80,32 @@ public:
     WelcomePage& welcome() { return *welcome_; }
     WindowActions& actions() { return *actions_; }
 
-    void showImagePage();   ///< shows the angiogram, or the slices if they are enlarged
+    void showImagePage();   ///< shows the angiogram, or the CT slices if they are enlarged
     void setSlicesLarge(bool large);
     void showWelcomePage();
     void focusStep(Step step);   ///< shows and focuses the panel of a step
 
     ViewFrame& frameOf(MovableView view);
-    /// Lets one view fill the area between header and strip; none restores the layout. The slices share the place of
-    /// the image.
+    /// Maximizes one view between header and strip; without a value, restores the layout. The slices replace the
+    /// angiogram.
     void showAlone(std::optional<MovableView> view);
     bool isOneAlone() const { return alone_.has_value(); }
 
     FoldingColumn& column(ColumnSide side) { return side == ColumnSide::Left ? *leftColumn_ : *rightColumn_; }
-    ColumnLayout columns() const;   ///< current layout, or the one before a view was maximized
+    ColumnLayout columns() const;   ///< current layout, or the one saved before a view was maximized
     void setColumns(const ColumnLayout& layout);
 
-    QByteArray layoutState() const;   ///< geometry, widths, folded sections, popped-out views
+    QByteArray layoutState() const;   ///< window geometry, widths, folded sections, popped-out views
     void restoreLayout(const QByteArray& state);
     void closeNow();   ///< closes without confirmation
 
 signals:
     void filesDropped(const QStringList& paths);
     void closeRequested();
-    void hideKeyHeld(bool held);   ///< H pressed and released
+    void hideKeyHeld(bool held);   ///< emitted when H is pressed and released
     void escapePressed();
     void welcomeShown();
-    /// Left click (or Enter) in a slice, or on a branch in the 3-D view.
+    /// Emitted on a left click or Enter in a slice, or a left click on a branch in the 3-D view.
     void pointPicked(const Eigen::Vector3d& pointInPatient);
 
 protected:

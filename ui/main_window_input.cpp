@@ -13,7 +13,7 @@
 #include <QPlainTextEdit>
 #include <QScrollArea>
 
-// Events from outside the main window: closing, dropped files, and keys that are held or repeat.
+// Input events of MainWindow: closing, dropped files, and keys that are held or repeat.
 
 namespace angiopose::ui {
 namespace {
@@ -99,7 +99,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
     return QMainWindow::eventFilter(watched, event);
 }
 
-/// True for events of a slice view; its tool has priority over the image tool of the same mode.
+/// True for key events that the tool of a slice view handles; it has priority over the image tool of the same mode.
 bool MainWindow::isOfSlices(QObject* watched, const QEvent& event)
 {
     const auto* slice = qobject_cast<const SliceView*>(watched);

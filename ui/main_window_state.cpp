@@ -27,7 +27,7 @@ QStringList foldedSections(const QWidget& window)
     return names;
 }
 
-/// Splitter sizes for a share of the height.
+/// Returns splitter sizes in which the lower widget gets `lowerShare` of the height.
 QList<int> heightsOf(double lowerShare, int height)
 {
     const int lower = static_cast<int>(std::lround(std::clamp(lowerShare, 0.05, 0.95) * height));
@@ -49,7 +49,7 @@ ColumnLayout MainWindow::columns() const
 
 void MainWindow::setColumns(const ColumnLayout& layout)
 {
-    leftColumn_->setOpenWidth(layout.leftWidth);   // before unfolding, so the column is laid out only once
+    leftColumn_->setOpenWidth(layout.leftWidth);   // set before unfolding, so that the column is laid out only once
     rightColumn_->setOpenWidth(layout.rightWidth);
     leftColumn_->setFolded(layout.isLeftFolded);
     rightColumn_->setFolded(layout.isRightFolded);
@@ -84,11 +84,11 @@ void MainWindow::restoreLayout(const QByteArray& state)
     restoreGeometry(windowGeometry);
     fitInto(screen()->availableGeometry(), *this);
     columns_->restoreState(columnState);
-    columns_->setHandleWidth(columnBorderWidth);   // not the value saved by an older version
+    columns_->setHandleWidth(columnBorderWidth);   // overrides the handle width saved by older versions
     columns_->setChildrenCollapsible(false);
     leftSplitter_->restoreState(leftState);
     if (stream.status() != QDataStream::Ok) {
-        return;   // saved by a version without this entry
+        return;   // older versions did not save folded sections
     }
     for (Section* section : findChildren<Section*>()) {
         if (section->isFoldable()) {
@@ -98,14 +98,14 @@ void MainWindow::restoreLayout(const QByteArray& state)
     for (ViewFrame* frame : {imageFrame_, cornerFrame_, slicesFrame_}) {
         QByteArray place;
         bool isOut = false;
-        stream >> place >> isOut;   // missing in older versions: both keep their values
+        stream >> place >> isOut;   // not saved by older versions: the defaults remain
         frame->setWindowPlace(place);
         frame->setOut(isOut);
     }
     restoreFolding(stream);
 }
 
-/// Restores folded columns; layouts saved by older versions leave them open.
+/// Restores which columns are folded; layouts saved by older versions leave all columns unfolded.
 void MainWindow::restoreFolding(QDataStream& stream)
 {
     ColumnLayout stored = columns();

@@ -81,7 +81,7 @@ void ArchiveController::retrieve()
     }
 }
 
-/// Closes this dialog before the next one opens.
+/// Closes the archive dialog and then offers the received images, which may open another dialog.
 void ArchiveController::offer(const QStringList& folders, const QString& name)
 {
     dialog_->accept();

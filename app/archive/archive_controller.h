@@ -34,10 +34,10 @@ public:
     ArchiveList& list() { return list_; }
 
 signals:
-    /// Folders of the retrieved series and their common display name.
+    /// Emitted with the folders of the retrieved series and their common display name.
     void retrieved(const QStringList& folders, const QString& name);
-    void reported(const QString& words);   ///< message of the storage SCP while the dialog is closed
-    void unaudited(const QString& reason);   ///< received objects are missing from the audit file
+    void reported(const QString& words);   ///< emitted with a message of the storage SCP while the dialog is closed
+    void unaudited(const QString& reason);   ///< emitted when received objects are missing from the audit file
 
 private:
     void connectParts();
@@ -53,7 +53,7 @@ private:
     ArchivePort port_;
     ArchiveFindings findings_;
     QPointer<ui::ArchiveDialog> dialog_;
-    ArchiveNodes* nodes_ = nullptr;   ///< lives as long as the dialog
+    ArchiveNodes* nodes_ = nullptr;   ///< owned by the dialog
     ArchiveFinder* finder_ = nullptr;
     ArchiveRetrieval* retrieval_ = nullptr;
 };

@@ -56,7 +56,7 @@ ArchiveFinder::ArchiveFinder(ui::ArchiveDialog& dialog, ArchiveFindings& finding
     connect(&dialog_.fields(), &ui::SearchFields::searchRequested, this, &ArchiveFinder::find);
     connect(&dialog_.line(), &ui::TransferLine::stopRequested, this, [this] {
         if (studies_.isRunning()) {
-            studies_.drop();   // does not wait for an archive that does not respond
+            studies_.drop();   // abandons the query instead of waiting for an unresponsive archive
             dialog_.line().showHint(tr("Stopped."));
         }
     });
@@ -112,7 +112,7 @@ void ArchiveFinder::show()
 void ArchiveFinder::showEmptyWords()
 {
     if (!node_) {
-        return;   // the dialog already shows this
+        return;   // the dialog already reports that no archive is selected
     }
     const QString name = QString::fromStdString(node_->name);
     dialog_.list().setEmptyWords(
@@ -167,7 +167,7 @@ void ArchiveFinder::takeSeries(const io::ArchiveMatches& series)
     askNextSeries();
 }
 
-/// Requests a selected study as a whole, whichever of its series are also selected.
+/// Requests a selected study as a whole, even if some of its series are selected too.
 std::vector<io::RetrieveRequest> ArchiveFinder::requests() const
 {
     std::vector<io::RetrieveRequest> requests;

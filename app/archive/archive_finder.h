@@ -17,10 +17,10 @@ class ArchiveDialog;
 
 namespace angiopose::app {
 
-/// Matches of the last search, kept for when the dialog is opened again.
+/// Matches of the last search, kept so that reopening the dialog shows them again.
 struct ArchiveFindings {
     QString node;
-    std::optional<io::ArchiveMatches> studies;   ///< empty: not searched yet
+    std::optional<io::ArchiveMatches> studies;   ///< empty before the first search
 };
 
 /// Searches an archive for studies, and for the series of an expanded study.
@@ -30,7 +30,7 @@ public:
     ArchiveFinder(ui::ArchiveDialog& dialog, ArchiveFindings& findings, QAction& hideIdentity,
                   QObject* parent = nullptr);
 
-    /// Sets the archive to search and clears the matches of any other archive.
+    /// Selects the archive to search and clears the matches of any other archive.
     void follow(const std::optional<io::ArchiveNode>& node);
     std::vector<io::RetrieveRequest> requests() const;   ///< selected items, one request per study
 

@@ -23,7 +23,7 @@ public:
     explicit ArchiveList(QObject* parent = nullptr) : QObject(parent) {}
 
     void read();
-    /// Applies the change to the current content of the file, which another program may have modified in the meantime.
+    /// Applies the change to the file's current content, which another process may have modified in the meantime.
     void change(Change change, Answer answer = {});
 
     const io::ArchiveSettings& settings() const { return settings_; }
@@ -31,8 +31,8 @@ public:
     std::optional<io::ArchiveNode> node(const QString& name) const;
 
 signals:
-    void changed();   ///< after reading or writing
-    void failed(const QString& reason);   ///< when reading fails
+    void changed();   ///< emitted after the list was read or written
+    void failed(const QString& reason);   ///< emitted when the file cannot be read
 
 private:
     io::ArchiveSettings settings_;

@@ -16,7 +16,7 @@ struct ArchiveEntry;
 
 namespace angiopose::app {
 
-/// Tests the connection to an archive (C-ECHO) and shows the outcome in a line.
+/// Tests the connection to an archive (C-ECHO) and shows the outcome in a status line.
 class ArchiveEcho : public QObject {
     Q_OBJECT
 public:
@@ -47,7 +47,7 @@ public:
     std::optional<io::ArchiveNode> node() const;   ///< the selected archive
 
 signals:
-    void chosen();   ///< emitted for any selection: the same archive, another one or none
+    void chosen();   ///< emitted when the selection changes, and when the same archive is selected again
 
 private:
     void show();

@@ -33,22 +33,22 @@ public:
         std::set<std::string> folders;   ///< folders of the series
         std::optional<core::Message>
             problem;   ///< latest problem: a rejected association or an object that was not stored
-        std::optional<core::Message> unaudited;   ///< reason why the audit file lacks some objects
+        std::optional<core::Message> unaudited;   ///< reason why some objects are missing from the audit file
     };
 
     explicit ArchivePort(QObject* parent = nullptr);
 
     void open(const Request& request);
-    void close();   ///< returns at once; `closed` follows
+    void close();   ///< returns at once; the SCP emits `closed` when it has stopped
     bool isOpen() const { return job_.isRunning(); }
     const Arrived& arrived() const { return arrived_; }
     int port() const { return port_; }
     QStringList folders() const;   ///< folders of the received series
 
 signals:
-    void changed();   ///< objects were received
-    void closed(const QString& problem);   ///< empty: closed by the user
-    void unaudited(const QString& reason);   ///< received objects are missing from the audit file; emitted once
+    void changed();   ///< emitted when objects were received
+    void closed(const QString& problem);   ///< `problem` is empty if the user closed the SCP
+    void unaudited(const QString& reason);   ///< emitted once when received objects are missing from the audit file
 
 private:
     void take(const Arrived& arrived);
@@ -58,7 +58,7 @@ private:
     Job<io::TransferReport, Arrived> job_;
 };
 
-/// Builds the receiver options from the port, the AE title and the access and TLS settings entered last.
+/// Builds the receiver options from the port, the AE title and the stored access and TLS settings.
 io::ReceiverOptions receiverOptions(int port, const QString& title);
 
 /// Asks the user for the access and TLS settings of the storage SCP and stores them.

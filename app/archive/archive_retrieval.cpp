@@ -19,7 +19,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Adds the report of one study to the sum of the earlier ones.
+/// Adds the report of one study to the running total.
 void add(io::TransferReport& sum, const io::TransferReport& part)
 {
     sum.all += part.all;
@@ -88,8 +88,8 @@ ArchiveRetrieval::RetrievalJob::Work ArchiveRetrieval::workOf(const io::ArchiveN
             };
             add(sum, io::retrieveFromArchive(node, io::ArchiveWay::Usual, requests[i], store.value(), limit, observe));
         }
-        // Audited by the worker, not by the receiver of the outcome: the dialog may be closed by then, and the
-        // retrieved objects stay in the cache anyway.
+        // The worker writes the audit entries, not the receiver of the outcome: the dialog may be closed by then, and
+        // the retrieved objects stay in the cache anyway.
         io::AuditBatch batch(audit, {io::AuditEvent::Retrieved, "angiopose", {}, node.name});
         for (const std::string& folder : sum.folders) {
             batch.add(folder);
@@ -108,8 +108,7 @@ void ArchiveRetrieval::start(const io::ArchiveNode& node, const io::ArchiveSetti
     job_.start(workOf(node, settings, requests));
 }
 
-/// Stops the retrieval. Before the first object has arrived, the job is dropped without waiting for an archive that
-/// does not respond.
+/// Stops the retrieval. If no object has arrived yet, abandons the job instead of waiting for an unresponsive archive.
 void ArchiveRetrieval::stop()
 {
     if (!job_.isRunning()) {
@@ -209,7 +208,7 @@ void ArchiveCache::limit(double gigabytes)
     }
 }
 
-/// Asks before setting a limit below the current content, so a typing error does not delete anything.
+/// Asks for confirmation before setting a limit below the current content, because a typing error would delete objects.
 void ArchiveCache::askDropping(std::uint64_t bytes)
 {
     auto* question =

@@ -28,9 +28,9 @@ public:
     const QStringList& folders() const { return folders_; }   ///< folders of the series received completely or in part
 
 signals:
-    void retrieved();   ///< everything was received
-    void ended();   ///< with any outcome
-    void unaudited(const QString& reason);   ///< received objects are missing from the audit file
+    void retrieved();   ///< emitted when all objects were received
+    void ended();   ///< emitted whatever the outcome
+    void unaudited(const QString& reason);   ///< emitted when received objects are missing from the audit file
 
 private:
     /// Progress within the current study and its index among all studies.
@@ -52,7 +52,7 @@ private:
 
     ui::ArchiveDialog& dialog_;
     QStringList folders_;
-    bool hasBegun_ = false;   ///< objects are arriving
+    bool hasBegun_ = false;   ///< set once the first object has arrived
     RetrievalJob job_;
 };
 

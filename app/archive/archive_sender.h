@@ -35,7 +35,7 @@ public:
 
 signals:
     void sent(const QString& words,
-              const QStringList& notes);   ///< all objects were sent; `notes` lists remarks for the user
+              const QStringList& notes);   ///< emitted when all objects were sent; `notes` lists remarks for the user
 
 private:
     struct Made;   ///< created objects, kept while the dialog is open
@@ -54,7 +54,7 @@ private:
     ArchiveList& list_;
     QWidget& dialogParent_;
     QPointer<ui::SendDialog> dialog_;
-    ArchiveNodes* nodes_ = nullptr;   ///< lives as long as the dialog
+    ArchiveNodes* nodes_ = nullptr;   ///< owned by the dialog
     std::shared_ptr<Made> made_;
     Job<io::TransferReport, Progress> job_;
 };

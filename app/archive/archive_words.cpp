@@ -121,7 +121,7 @@ io::ArchiveQuery queryOf(const ui::ArchiveSearch& search)
 std::vector<ui::MatchRow> studyMatchRows(const std::vector<io::ArchiveMatch>& studies, MatchIdentity identity)
 {
     std::vector<ui::MatchRow> rows;
-    QHash<QString, int> numbers;   // numbers of patients whose identity is hidden
+    QHash<QString, int> numbers;   // running number by patient ID, shown when the identity is hidden
     for (const io::ArchiveMatch& study : studies) {
         ui::MatchRow& row = rows.emplace_back();
         row.key = QString::fromStdString(study.studyUid);

@@ -15,19 +15,19 @@ namespace angiopose::app {
 ui::ArchiveEntry entryOf(const io::ArchiveNode& node);
 io::ArchiveNode nodeOf(const ui::ArchiveEntry& entry);
 
-/// Returns the first text typed as a date that is not a valid date.
+/// Returns the first text that was typed as a date but is not a valid one.
 std::optional<QString> wrongDateOf(const ui::ArchiveSearch& search);
-/// Builds the query of a search whose dates are valid.
+/// Builds the query from a search; its dates must be valid.
 io::ArchiveQuery queryOf(const ui::ArchiveSearch& search);
 
 enum class MatchIdentity { Shown, Hidden };
 std::vector<ui::MatchRow> studyMatchRows(const std::vector<io::ArchiveMatch>& studies, MatchIdentity identity);
 std::vector<ui::MatchRow> seriesMatchRows(const std::vector<io::ArchiveMatch>& series);
 
-/// Formats a size as in "105 MB", in the language of the window.
+/// Formats a size, e.g. "105 MB", in the language of the window.
 QString sizeWords(std::uint64_t bytes);
 
-/// Describes problems with single objects: the first problem and the number of further ones.
+/// Summarizes problems with individual objects: the first problem and the number of others.
 QString problemWords(const core::Messages& problems);
 
 }   // namespace angiopose::app

@@ -27,17 +27,17 @@ void addTraceVessel(CLI::App& app, int& exitCode);
 void addTrack(CLI::App& app, int& exitCode);
 void addValidate(CLI::App& app, int& exitCode);
 
-/// `report` starts the window's program to write the report.
+/// Adds `report`, which runs the GUI program to write the report.
 void addReport(CLI::App& app, int& exitCode);
 
-/// `thumbnail` is called by file managers.
+/// Adds `thumbnail`, which file managers call.
 void addThumbnail(CLI::App& app, int& exitCode);
 
-/// Internal command with which `batch` starts its workers.
+/// Adds the internal command with which `batch` starts its workers.
 void addBatchWorker(CLI::App& app, int& exitCode);
 
-/// `description man|bash|zsh|fish` prints the man page or a shell completion generated from the commands `app` has when
-/// it runs. It serves package builds and is not listed in the help.
+/// Adds `description man|bash|zsh|fish`, which prints the man page or a shell completion generated from the commands
+/// that `app` has when it runs. Package builds use it; the help does not list it.
 void addDescription(CLI::App& app, int& exitCode);
 
 }   // namespace angiopose::app

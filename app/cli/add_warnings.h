@@ -6,7 +6,7 @@
 
 namespace angiopose::app {
 
-/// Adds `warnings` (the sentences alone, for compatibility) and `messages` (with their ids).
+/// Adds `warnings` (texts only, for compatibility) and `messages` (texts with ids).
 inline void addWarnings(nlohmann::ordered_json& json, const core::Messages& warnings)
 {
     json["warnings"] = io::sentencesOf(warnings);

@@ -13,7 +13,7 @@ namespace angiopose::app {
 
 /// Arguments common to all archive commands.
 struct ArchiveArguments {
-    std::string nodeFile;   ///< empty: the user's list
+    std::string nodeFile;   ///< if empty, the user's archive list
     std::string nodeName;
     io::ArchiveWay way = io::ArchiveWay::Usual;
     OutputFormat format = OutputFormat::Text;
@@ -28,8 +28,8 @@ struct ArchiveFindArguments {
 struct ArchiveRetrieveArguments {
     ArchiveArguments common;
     io::RetrieveRequest request;
-    std::string folder;   ///< empty: the cache
-    std::string auditFile;   ///< empty: none
+    std::string folder;   ///< if empty, the cache
+    std::string auditFile;   ///< optional
     double maxObjectGb = 4.0;
 };
 
@@ -41,10 +41,10 @@ struct ArchiveSendArguments {
 struct ArchiveReceiveArguments {
     io::ReceiverOptions options;
     std::string folder;
-    std::string auditFile;   ///< empty: none
+    std::string auditFile;   ///< optional
     double maxObjectGb = 4.0;
-    double maxGb = 0.0;   ///< limit of the folder; 0: limited by the disk only
-    std::size_t count = 0;   ///< number of objects to exit after; 0: never exit
+    double maxGb = 0.0;   ///< limit of the folder; 0 for no limit other than the disk
+    std::size_t count = 0;   ///< exit after this number of objects; 0 to run until stopped
     OutputFormat format = OutputFormat::Text;
 };
 

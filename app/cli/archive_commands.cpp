@@ -23,7 +23,7 @@ void addNode(CLI::App& command, ArchiveArguments& common)
         "--web", [&common] { common.way = io::ArchiveWay::Web; }, "Use DICOMweb even if the archive also has a host");
 }
 
-/// Returns the audit file of the program that owns the archive commands.
+/// Returns the audit file of the program to which the archive commands belong.
 std::string auditFileFor(const CLI::App& archive)
 {
     return auditPathOf(*archive.get_parent());

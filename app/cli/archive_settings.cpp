@@ -15,7 +15,7 @@ std::string nodeFileOf(const ArchiveArguments& arguments)
     return arguments.nodeFile.empty() ? io::defaultNodeFile() : arguments.nodeFile;
 }
 
-/// Reads the list, applies `change`, and writes it.
+/// Reads the archive list, applies `change` and writes the list.
 template <class Change>
 int changeSettings(const ArchiveArguments& arguments, const Change& change)
 {

@@ -14,7 +14,7 @@ namespace {
 
 using io::AuditEvent;
 
-/// Names of the arguments for input and output files, for all commands.
+/// Names of the command-line operands that denote input and output files, over all commands.
 constexpr std::array inputNames{"CASE",     "IN",     "FILE",   "FOLDER", "VOLUME", "IMAGE",
                                 "MANIFEST", "--view", "--pose", "--case", "--from"};
 constexpr std::array outputNames{"OUT", "PICTURE", "OUTPUT", "--output", "--mask", "--bent"};

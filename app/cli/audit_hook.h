@@ -7,18 +7,18 @@
 
 namespace angiopose::app {
 
-/// Adds `--audit FILE` and records the files a command is about to open in that file, or in the one named by the
+/// Adds `--audit FILE`. The files that a command is about to open are recorded in that file, or in the one named by the
 /// environment. Call it after all commands have been added.
 void addAudit(CLI::App& app);
 
-/// Returns the audit file of a command; empty: no audit.
+/// Returns the audit file of a command, or an empty string if there is none.
 std::string auditPathOf(const CLI::App& app);
 
 /// Reports on stderr that audit lines could not be written.
 void tellUnaudited(const core::Message& problem);
 
-/// Records the files that the command wrote; call it after the command. The archive commands record what they receive,
-/// since a transfer may be partial. Lines that cannot be written are reported on stderr.
+/// Records the files that the command wrote; call it after the command. The archive commands record the objects they
+/// receive themselves, since a transfer may be partial. Reports on stderr if lines cannot be written.
 void auditOutcome(const CLI::App& app, int exitCode);
 
 }   // namespace angiopose::app

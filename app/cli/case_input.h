@@ -13,7 +13,7 @@ namespace angiopose::app {
 /// Loads a case, prints its warnings, and selects `frame` if given.
 core::Result<core::Case> loadCaseForCommand(const std::string& path, std::optional<int> frame);
 
-/// State of the case to load for a result: as the registration started from it, or as it left it.
+/// State of the case to load for a result: before the registration (`Asked`) or after it (`Found`).
 enum class ResultStage { Asked, Found };
 core::Result<core::Case> loadResultForCommand(const FromResult& from, ResultStage stage, std::optional<int> frame);
 

@@ -17,25 +17,25 @@ namespace angiopose::app {
 
 /// Result file to use instead of a case, and folders in which to look for its inputs.
 struct FromResult {
-    std::string path;   ///< empty: use a case
+    std::string path;   ///< if empty, a case is used
     std::vector<std::string> inputFolders;
 };
 
 struct RegisterArguments {
     std::string casePath;
-    std::string angiogramPath;   ///< not empty: `casePath` is the vessels' file
-    std::string savedPath;   ///< output path of the case with its results; empty: not written
+    std::string angiogramPath;   ///< if set, `casePath` is the file of the vessels
+    std::string savedPath;   ///< output path of the case with its results; not written if empty
     FromResult from;
-    std::string method;   ///< empty: that of the case
-    std::vector<std::string> options;   ///< "key=value", keys of core::optionFields()
-    std::vector<int> auxiliaryBranchIds;   ///< empty: those of the case
-    std::vector<int> excludedBranchIds;   ///< empty: those of the case
-    std::vector<std::string> locks;   ///< ids of core::PoseAxis; empty: those of the case
+    std::string method;   ///< if empty, the method of the case
+    std::vector<std::string> options;   ///< "key=value" pairs; the keys are those of core::optionFields()
+    std::vector<int> auxiliaryBranchIds;   ///< if empty, those of the case
+    std::vector<int> excludedBranchIds;   ///< if empty, those of the case
+    std::vector<std::string> locks;   ///< ids of core::PoseAxis; if empty, those of the case
     std::optional<int> frame;
-    std::vector<std::string> otherViews;   ///< cases registered jointly with this one, in addition to its own `views`
+    std::vector<std::string> otherViews;   ///< cases to register jointly with this one, in addition to its own `views`
     bool isDeformation = false;   ///< deform the vessels after the registration
-    bool isSamePatient = false;   ///< assume the same patient, whatever the headers state
-    std::string outputFolder;   ///< empty: "<case>-registered" in the current folder
+    bool isSamePatient = false;   ///< treat all images as images of the same patient, whatever the headers state
+    std::string outputFolder;   ///< if empty, "<case>-registered" in the current folder
     OutputFormat format = OutputFormat::Text;
 };
 int runRegister(const RegisterArguments& arguments);
@@ -43,26 +43,26 @@ int runRegister(const RegisterArguments& arguments);
 struct TrackArguments {
     std::string casePath;
     std::string outputPath;   ///< table of poses
-    std::string deformedFolder;   ///< folder for one tree per frame with deformed vessels; empty: none
-    bool keepPose = false;   ///< track from the current pose of the case instead of registering its frame first
+    std::string deformedFolder;   ///< folder for the deformed vessels, one tree per frame; optional
+    bool keepPose = false;   ///< start tracking at the current pose of the case instead of registering its frame first
 };
 int runTrack(const TrackArguments& arguments);
 
 struct ProjectArguments {
     std::string casePath;
     FromResult from;
-    std::string posePath;   ///< empty: the current pose of the case
+    std::string posePath;   ///< if empty, the current pose of the case
     std::string outputPath;
-    int widthPx = 0;   ///< 0: twice the image width
+    int widthPx = 0;   ///< if 0, twice the image width
     std::optional<int> frame;
-    bool depthCue = false;   ///< depth cueing: near vessels bright, far ones dim
-    std::optional<double> swipePx;   ///< column, px, right of which only the angiogram is shown
-    bool startBeside = false;   ///< initial pose side by side with the current pose
-    bool isRigid = false;   ///< vessels of the rigid pose, even if the case has deformed ones
-    bool isMotionColored = false;   ///< colored by the distance of the deformed vessels from the rigid ones
-    double dotsPerInch = 0.0;   ///< 0: not specified
+    bool depthCue = false;   ///< depth cueing: near vessels bright, distant ones dim
+    std::optional<double> swipePx;   ///< column (px) to the right of which only the angiogram is shown
+    bool startBeside = false;   ///< show the initial pose side by side with the current pose
+    bool isRigid = false;   ///< show the vessels of the rigid pose, even if the case has deformed ones
+    bool isMotionColored = false;   ///< color the deformed vessels by their distance from the rigid ones
+    double dotsPerInch = 0.0;   ///< 0 if not specified
     bool isFrameAlone = false;
-    bool is16Bit = false;   ///< gray values of the frame without overlay
+    bool is16Bit = false;   ///< write the gray values of the frame without overlay
 };
 int runProject(const ProjectArguments& arguments);
 
@@ -70,13 +70,13 @@ struct MovieArguments {
     std::string casePath;
     std::string outputPath;
     MovieContent content = MovieContent::Run;
-    std::vector<int> frames;   ///< first and last frame of the run, from 1; empty: all
+    std::vector<int> frames;   ///< first and last frame of the run, from 1; all frames if empty
     bool isBackAndForth = false;
-    bool isRegistered = false;   ///< register its frame first
-    bool isFollowed = false;   ///< then track the vessels through the run
-    double framesPerSecond = 0.0;   ///< 0: acquisition rate, or the default rate if unknown
-    double speed = 1.0;   ///< speed factor
-    int widthPx = 0;   ///< 0: twice the image width
+    bool isRegistered = false;   ///< register the frame of the case first
+    bool isFollowed = false;   ///< track the vessels through the run before writing
+    double framesPerSecond = 0.0;   ///< if 0, the acquisition rate, or the default rate if that is unknown
+    double speed = 1.0;   ///< playback speed factor
+    int widthPx = 0;   ///< if 0, twice the image width
     std::optional<int> frame;
     bool isRigid = false;
     bool depthCue = false;
@@ -87,35 +87,35 @@ struct AnglesArguments {
     std::string casePath;
     std::optional<int> frame;
     int branchId = 0;
-    bool isTakeOff = false;   ///< the takeoff of the branch instead of the whole branch
+    bool isTakeOff = false;   ///< evaluate the takeoff of the branch instead of the whole branch
     core::AngleMapOptions map;
-    std::string outputPath;   ///< table of all angles; empty: none
+    std::string outputPath;   ///< optional table of all angles
     OutputFormat format = OutputFormat::Text;
 };
 int runAngles(const AnglesArguments& arguments);
 
 struct MeasureArguments {
     std::string casePath;
-    std::string outputPath;   ///< empty: print the table
-    bool areBranchesWanted = false;   ///< measurements along every branch instead of those in the images
-    std::optional<int> profiledBranch;   ///< profile along this branch instead
-    bool areCheckPointsWanted = false;   ///< target points and rings instead
-    OutputFormat format = OutputFormat::Text;   ///< for target points
+    std::string outputPath;   ///< if empty, the table is printed
+    bool areBranchesWanted = false;   ///< write measurements along every branch instead of those in the images
+    std::optional<int> profiledBranch;   ///< write the profile along this branch instead
+    bool areCheckPointsWanted = false;   ///< write target points and rings instead
+    OutputFormat format = OutputFormat::Text;   ///< applies to target points
 };
 int runMeasure(const MeasureArguments& arguments);
 
 struct SimulateArguments {
-    std::optional<std::uint64_t> seed;   ///< for one case
-    std::string studyPath;   ///< for many cases
+    std::optional<std::uint64_t> seed;   ///< of a single case
+    std::string studyPath;   ///< description of a study with many cases
     std::string shard = "1/1";
     std::optional<int> threads;
     std::string outputFolder;
     double nonRigidMm = 0.0;
     int branches = 24;
     bool withScan = false;   ///< also write a CT angiogram of the same vessels
-    std::string room;   ///< room whose headers two views of one study get; empty: one view
-    bool movesTable = false;   ///< with a room: move the table before the second view
-    bool isMirrored = false;   ///< with a room: mirror the second view
+    std::string room;   ///< room that defines the headers of two views of one study; if empty, one view is simulated
+    bool movesTable = false;   ///< with a room, move the table before the second view
+    bool isMirrored = false;   ///< with a room, mirror the second view
 };
 int runSimulate(const SimulateArguments& arguments);   ///< simulates one case or a study
 
@@ -127,20 +127,20 @@ struct TraceAngiogramArguments {
     std::string apartPath;   ///< output for possible catheters, guidewires and bone edges; empty: with the other curves
     double sensitivity = 1.0;
     std::optional<bool> subtract;   ///< mask of the file, or the best one; empty: only if the file names its mask
-    std::vector<int> maskFrames;   ///< mask frames, from 1; empty: the file's, or those before contrast arrival
-    std::vector<double> maskShiftPx;   ///< right, down; empty: that of the file, or automatic
+    std::vector<int> maskFrames;   ///< mask frames, from 1; if empty, the file's, or those before contrast arrival
+    std::vector<double> maskShiftPx;   ///< shift right and down; if empty, that of the file or an automatic one
     bool composite = false;   ///< peak-opacification image of all frames instead of one frame
 };
 int runTraceAngiogram(const TraceAngiogramArguments& arguments);
 
 struct EvaluateArguments {
     std::string protocol;
-    std::vector<std::string> inputPaths;   ///< for `own`: the list of cases; for `observers`: their logs
-    std::string methods;   ///< empty: those of defaultMethods; for own cases, that of each case
-    std::string conditions;   ///< empty: the standard ones
-    std::optional<std::uint64_t> trials;   ///< per condition; empty: the default of the protocol
+    std::vector<std::string> inputPaths;   ///< list of cases for `own`, log files for `observers`
+    std::string methods;   ///< if empty, defaultMethods; for own cases, the method of each case
+    std::string conditions;   ///< if empty, the standard conditions
+    std::optional<std::uint64_t> trials;   ///< trials per condition; if empty, the default of the protocol
     std::uint64_t seed = 1;
-    std::optional<int> threads;   ///< empty: all cores
+    std::optional<int> threads;   ///< if empty, one per core
     std::string shard = "1/1";
     std::vector<std::string> mergedFolders;   ///< not empty: nothing is run, the runs in these folders are merged
     std::string outputFolder;
@@ -150,22 +150,22 @@ int runEvaluate(const EvaluateArguments& arguments);
 struct BatchArguments {
     std::string manifestPath;
     std::string shard = "1/1";
-    std::optional<int> threads;   ///< empty: all cores
-    std::optional<double> timeLimitSeconds;   ///< per case
+    std::optional<int> threads;   ///< if empty, one per core
+    std::optional<double> timeLimitSeconds;   ///< time limit per case, s
     bool isResumed = false;   ///< keep outcomes that are up to date
     bool isWithoutPictures = false;
-    std::vector<std::string> settings;   ///< "name=value", common to all rows
+    std::vector<std::string> settings;   ///< "name=value" pairs common to all rows
     std::vector<std::string>
         mergedFolders;   ///< not empty: nothing is run, the tables of the outcomes in these folders are written
     std::string outputFolder;
 };
 int runBatch(const BatchArguments& arguments);
 
-/// Runs the worker of a batch started by process `parent`: processes rows one after the other as they arrive, on
-/// `threads` threads, until the parent closes the connection. Returns the exit code.
+/// Runs a batch worker started by process `parent`: processes rows one at a time on `threads` threads until the parent
+/// closes the connection. Returns the exit code.
 int runBatchWorker(int parent, int threads);
 
-/// Section of a vessel between two points, patient LPS mm.
+/// Vessel section between two points (LPS, mm).
 struct Stretch {
     Eigen::Vector3d from;
     Eigen::Vector3d to;
@@ -174,13 +174,13 @@ struct Stretch {
 struct TraceVesselArguments {
     std::string inputPath;   ///< volume, DICOM folder, label image or surface
     std::string outputPath;
-    std::string maskPath;   ///< empty: do not write the lumen
+    std::string maskPath;   ///< if empty, the lumen is not written
     std::string seriesId;
     std::vector<std::string> labels;   ///< numbers or names; empty: the vessel labels, or all
-    double unitMm = 0.0;   ///< millimeters per unit; 0: as the file states, else mm
-    core::VesselTracingOptions tracing;   ///< its `pieces` applies when there is no seed
+    double unitMm = 0.0;   ///< millimeters per unit; if 0, as stated in the file, else 1
+    core::VesselTracingOptions tracing;   ///< `pieces` applies only if there is no seed
     std::vector<Stretch> stretches;   ///< sections to trace instead of everything
-    std::string intoPath;   ///< tree to add them to; empty: none
+    std::string intoPath;   ///< optional tree to which the sections are added
 };
 int runTraceVessel(const TraceVesselArguments& arguments);
 
@@ -188,15 +188,15 @@ struct ConvertArguments {
     std::string inputPath;
     std::string outputPath;
     std::string seriesId;
-    double unitMm = 0.0;   ///< millimeters per unit; 0: as the file states, else mm
-    double spacingMm = 0.0;   ///< voxel spacing when filling a surface; 0: chosen by its size
+    double unitMm = 0.0;   ///< millimeters per unit; if 0, as stated in the file, else 1
+    double spacingMm = 0.0;   ///< voxel spacing for filling a surface, mm; if 0, chosen from the size of the surface
     std::shared_ptr<DeidentifyArguments> identity;
 };
 int runConvert(const ConvertArguments& arguments);
 
 struct FileArguments {
     std::string path;
-    bool allFiles = false;   ///< for `studies`: all files, not only those listed in a DICOMDIR
+    bool allFiles = false;   ///< for `studies`: read all files, not only those listed in a DICOMDIR
     OutputFormat format = OutputFormat::Text;
 };
 int runStudies(const FileArguments& arguments);

@@ -19,19 +19,19 @@ enum ExitCode : int {
 
 enum class OutputFormat { Text, Json };
 
-/// Prints a human-readable line to stdout after `printableText`.
+/// Prints a human-readable line to stdout, made safe by `printableText`.
 void printText(std::string_view line);
 
-/// Prints one message to stderr after `printableText`, as "angiopose-cli: message".
+/// Prints one message to stderr as "angiopose-cli: message", made safe by `printableText`.
 void printMessage(std::string_view message);
 void printWarnings(const core::Messages& warnings);
 
-/// Reports why there is no result and returns the exit code, for wrong input or for a stop by the user. With JSON
+/// Reports why there is no result (invalid input or a stop by the user) and returns the matching exit code. With JSON
 /// output, also prints `{"error": {"id": …}}` to stdout.
 int failInput(const core::Error& error, OutputFormat format = OutputFormat::Text);
 
-/// Flushes stdout; call it last. Returns `exitCode`, or a failure code, with a message on stderr, if the disk or pipe
-/// behind stdout did not accept all output.
+/// Flushes stdout; call it last. Returns `exitCode`, or reports on stderr and returns a failure code if the disk or
+/// pipe behind stdout did not accept all output.
 int finishOutput(int exitCode);
 
 /// Progress line on stderr, redrawn in place; silent if stderr is not a terminal.
@@ -44,8 +44,8 @@ public:
 
     void show(double fraction, std::string_view detail);
 
-    /// Returns an observer that shows the progress of work on a case and answers Stop after Ctrl+C. Must not outlive
-    /// this object.
+    /// Returns an observer that shows the progress of work on a case and returns Stop after Ctrl+C. The observer must
+    /// not outlive this object.
     core::WorkObserver observer();
 
 private:
@@ -54,7 +54,7 @@ private:
     bool isTerminal_;
 };
 
-/// Makes Ctrl+C request a stop from running work; a second Ctrl+C ends the program immediately.
+/// Makes Ctrl+C request a stop of the running work; a second Ctrl+C ends the program immediately.
 void catchInterrupts();
 bool isInterrupted();
 

@@ -64,7 +64,7 @@ Status convertVolume(const ConvertArguments& arguments)
                                        : io::writeVolume(volume, arguments.outputPath);
 }
 
-/// Writes the inside of a surface as a label image.
+/// Writes the interior of a surface as a label image.
 Status fillToVolume(const ConvertArguments& arguments)
 {
     const auto surface = io::readSurface(arguments.inputPath, arguments.unitMm);
@@ -116,7 +116,7 @@ Status convertAngiogram(const ConvertArguments& arguments)
     return io::writeDerivedAngiogram(angiogram.value(), arguments.outputPath, arguments.inputPath);
 }
 
-/// Converts centerlines: writes a tree if the input is one, else curves in an image.
+/// Converts centerlines: writes a tree if the input is a tree, otherwise 2-D curves of an image.
 Status convertCurves(const ConvertArguments& arguments)
 {
     io::VesselTreeReadOptions options;
@@ -185,7 +185,7 @@ Status withoutIdentity(const ConvertArguments& arguments)
     return done ? Status(core::Done{}) : done.error();
 }
 
-/// Returns whether the output format carries no identity except possibly in branch names.
+/// Returns whether files of the output format carry no identity except possibly in branch names.
 bool isWithoutIdentityByItself(const std::string& out)
 {
     return endsWith(out, {".nii", ".nii.gz", ".nrrd", ".mha", ".stl", ".tfm", ".h5", ".vtp", ".csv", ".swc", ".json"});

@@ -26,7 +26,7 @@ using core::RigidTransform;
 using core::Status;
 using io::PoseWithCamera;
 
-constexpr double usualSourceToDetectorMm = 1000.0;   // only its ratio to the spacing counts
+constexpr double usualSourceToDetectorMm = 1000.0;   // arbitrary: only the ratio to the pixel spacing matters
 
 bool isCasePath(const std::string& path)
 {
@@ -74,7 +74,7 @@ core::Result<ExchangedPose> readOwn(const std::string& path)
     return read ? core::Result<ExchangedPose>(ExchangedPose{read.value(), std::nullopt}) : read.error();
 }
 
-/// Reads the camera that replaces the one of the input; empty if none is given.
+/// Reads the camera that replaces the one of the input; empty if the arguments name none.
 core::Result<std::optional<ExchangedPose>> givenCamera(const ExchangeArguments& exchange)
 {
     if (exchange.cameraPath.empty()) {
@@ -110,7 +110,7 @@ core::Result<ExchangedPose> readXreg(const std::string& path, std::optional<Exch
     return read;
 }
 
-/// Returns the midpoint between the centers of the outer voxels, the volume center as torchio defines it.
+/// Returns the midpoint between the centers of the outermost voxels, which torchio defines as the volume center.
 core::Result<std::optional<Eigen::Vector3d>> volumeCenter(const ExchangeArguments& exchange)
 {
     if (exchange.volumePath.empty()) {

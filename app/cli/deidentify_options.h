@@ -19,14 +19,14 @@ struct DeidentifyArguments {
     std::string keyPath;
 };
 
-/// Adds `--deidentify` and its related options.
+/// Adds `--deidentify` and the options that go with it.
 std::shared_ptr<DeidentifyArguments> addDeidentifyOptions(CLI::App& command);
 
 /// Returns the requested de-identification; empty if none is requested.
 std::optional<io::Deidentification> deidentificationOf(const DeidentifyArguments& arguments);
 
-/// Creates the pseudonyms with the key in the named file, or with a new key. Fails if the file cannot be read or is too
-/// short.
+/// Creates the pseudonyms from the key in the named file, or from a new key. Fails if the file cannot be read or the
+/// key is too short.
 core::Result<io::Pseudonyms> pseudonymsOf(const DeidentifyArguments& arguments);
 
 }   // namespace angiopose::app

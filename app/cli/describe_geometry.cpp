@@ -35,7 +35,7 @@ Json sourcedJson(const core::Sourced<Vector>& sourced)
     return json;
 }
 
-/// Describes the side from which the image is shown (FORMATS §1), that is, the sign of fx.
+/// Describes the viewing side of the image (FORMATS §1), i.e. the sign of fx.
 std::string shownFrom(const core::CArm& cArm)
 {
     const std::string basis = cArm.mirrored.value ? originText(cArm.mirrored.origin) + ", " + cArm.mirrored.basis

@@ -25,7 +25,7 @@ Json listOf(const Vector& vector)
     return list;
 }
 
-/// Describes the direction of an axis in the patient: "left", or "head, 12° oblique".
+/// Describes the anatomical direction of an axis, e.g. "left" or "head, 12° oblique".
 std::string directionText(const Eigen::Vector3d& direction)
 {
     constexpr const char* names[3][2] = {{"right", "left"}, {"front", "back"}, {"feet", "head"}};

@@ -164,7 +164,7 @@ int runObservers(const EvaluateArguments& arguments)
     return finishReport(status, arguments.outputFolder, exitDone);
 }
 
-/// Checks that the named files are those that the experiment needs; empty: no problem.
+/// Checks that the named files are the ones the experiment needs; returns nothing if they are.
 std::optional<core::Message> problemOfInputs(const EvaluateArguments& arguments)
 {
     const std::size_t count = arguments.inputPaths.size();

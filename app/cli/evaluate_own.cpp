@@ -20,7 +20,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Method with its options; without options, those of each case are used.
+/// Method with its options; if there are none, the options of each case are used.
 struct OwnMethod {
     std::string label;
     std::optional<core::RegistrationOptions> options;
@@ -33,7 +33,7 @@ struct OwnTask {
     core::OwnTruth truth;
     std::optional<core::RigidTransform> start;
     std::vector<std::pair<std::string, core::RigidTransform>>
-        found;   ///< poses found elsewhere, with the name of their source
+        found;   ///< poses found by other programs, with the name of their source
 };
 
 core::Result<std::optional<core::RigidTransform>> poseAt(const std::string& path)
@@ -98,7 +98,7 @@ core::Result<OwnTask> taskOf(const io::OwnEntry& entry, std::uint64_t trial)
     return task;
 }
 
-/// Reads the rows of the shard, including all ground-truth files, before the first case runs.
+/// Reads the rows of the shard with all ground-truth files before the first case is registered.
 core::Result<std::vector<OwnTask>> tasksOf(const std::vector<io::OwnEntry>& entries, const core::Shard& shard)
 {
     std::vector<OwnTask> tasks;
@@ -134,7 +134,7 @@ class OwnJudge {
 public:
     explicit OwnJudge(const std::vector<OwnMethod>& methods) : methods_(methods) {}
 
-    /// Returns the records of all methods and of the poses found elsewhere; empty once the user has stopped.
+    /// Returns the records of all methods and of the poses found by other programs; empty if the user has stopped.
     std::vector<core::RunRecord> judge(const OwnTask& task)
     {
         const auto session = loaded(task);
@@ -168,7 +168,7 @@ private:
         printMessage("line " + std::to_string(task.entry.line) + ": " + std::string(error.message.text()));
     }
 
-    /// Loads the case of a row under a lock, since the reading libraries must not be used by two threads at once.
+    /// Loads the case of a row under a lock, since the file readers are not thread-safe.
     core::Result<core::Case> loaded(const OwnTask& task)
     {
         const std::lock_guard lock(loading_);
@@ -200,7 +200,7 @@ private:
         return record;
     }
 
-    /// Returns records without a result, for a case that cannot be opened.
+    /// Returns records without a result for a case that cannot be opened.
     std::vector<core::RunRecord> unknownRecords(const OwnTask& task) const
     {
         std::vector<core::RunRecord> records;

@@ -12,7 +12,7 @@ namespace angiopose::app {
 
 inline constexpr const char* defaultMethods =
     "angiopose,dynaweight:seed_noprior,dynaweight:seed_mean,iterative-pnp:seed_mean";
-inline constexpr const char* ownCases = "own";   ///< experiments whose trials are files
+inline constexpr const char* ownCases = "own";   ///< name of the protocol whose trials are files
 inline constexpr const char* observerLogs = "observers";
 
 /// Registers the cases of a manifest (io/evaluation/own_manifest.h) with each requested method, and compares every

@@ -20,11 +20,11 @@ struct ExportDicomArguments {
     std::string casePath;
     FromResult from;
     std::string outputFolder;
-    std::vector<std::string> objects;   ///< object ids; empty: all that the case allows
-    std::string reportPath;   ///< PDF to encapsulate; empty: none
+    std::vector<std::string> objects;   ///< object ids; if empty, all that the case allows
+    std::string reportPath;   ///< PDF to encapsulate; optional
     std::optional<int> frame;
-    int widthPx = 0;   ///< image width; 0: twice the angiogram, for runs the angiogram
-    bool isRegistered = false;   ///< register its frame first
+    int widthPx = 0;   ///< image width; if 0, twice the width of the angiogram, for runs that of the angiogram
+    bool isRegistered = false;   ///< register the frame of the case first
     bool isStartWanted = false;   ///< export the initial pose even if nothing has been registered
     bool isRigid = false;
     bool isIdentityShown = false;   ///< burn the patient's identity into images

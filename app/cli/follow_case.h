@@ -5,8 +5,8 @@
 
 namespace angiopose::app {
 
-/// Tracks the vessels through the displayed run with a progress line, unless the case already has tracked poses for all
-/// frames.
+/// Tracks the vessels through the displayed run and shows a progress line. Does nothing if the case already has tracked
+/// poses for all frames.
 core::Status followForCommand(core::Case& session);
 
 }   // namespace angiopose::app

@@ -8,7 +8,7 @@
 
 namespace angiopose::app {
 
-/// Adds `--frame`, which counts from 1 as users and DICOM do.
+/// Adds `--frame`, which counts from 1 as in the window and in DICOM.
 inline CLI::Option* addFrameOption(CLI::App& command, std::optional<int>& frame, const std::string& help)
 {
     return command.add_option_function<int>(

@@ -191,7 +191,7 @@ core::Result<Json> curvesOrSurfaceJson(const std::string& path, const std::strin
     return surface ? surface : tree.error();
 }
 
-/// Describes an image; DICOM projections are angiograms, and slices with a patient position form a volume.
+/// Describes an image. DICOM projections are angiograms; slices with a patient position form a volume.
 core::Result<Json> imageJson(const std::string& path)
 {
     if (io::isDicomSegmentation(path)) {
@@ -255,7 +255,7 @@ void printField(std::string label, const std::string& text)
 void printReadable(const Json& json, int indent)
 {
     for (const auto& [key, value] : json.items()) {
-        if (key == "messages") {   // already printed as `warnings`
+        if (key == "messages") {   // already printed under `warnings`
             continue;
         }
         const std::string label =

@@ -19,7 +19,7 @@ namespace {
 
 using namespace app;
 
-/// Rejects "nan" and "inf" for every numeric option, since CLI11's ranges accept them.
+/// Rejects "nan" and "inf" for every numeric option, since the range checks of CLI11 accept them.
 void wantFiniteNumbers(CLI::App& app)
 {
     const CLI::Validator finite(

@@ -4,7 +4,7 @@
 
 namespace angiopose::app {
 
-/// Lists every method id with its summary, for the help of commands.
+/// Lists every method id with its summary, for the help texts of commands.
 std::string methodList();
 
 }   // namespace angiopose::app

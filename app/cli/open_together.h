@@ -9,14 +9,14 @@
 
 namespace angiopose::app {
 
-/// File with vessels, or a scan in which to trace them, and file with an angiogram.
+/// Pair of input files: vessels (or a scan in which to trace them) and an angiogram.
 struct InputPair {
     std::string vesselsPath;
     std::string angiogramPath;
 };
 
-/// Creates a case from both, as opening them together in the window does. Fails if a file holds several series, or if
-/// its unit would have to be asked for.
+/// Creates a case from both files, as the window does when they are opened together. Fails if a file contains several
+/// series, or if the window would have to ask the user for its unit.
 core::Result<core::Case> openTogether(const InputPair& pair, const io::CaseSettings& settings, core::Messages& warnings,
                                       const io::ReadObserver& observe);
 

@@ -8,14 +8,14 @@
 
 namespace angiopose::app {
 
-/// Applies the arguments to the case; fails if they are inconsistent (usage error).
+/// Applies the arguments to the case; fails with a usage error if they are inconsistent.
 core::Status applyArguments(core::Case& session, const RegisterArguments& arguments);
 
 /// Runs core::registerCase on all views with a progress line labeled `label`. Ctrl+C keeps the best pose.
 core::Result<core::RegisteredCase> registerForCommand(core::Case session, const std::string& label,
                                                       core::RegistrationPlan plan = {});
 
-/// Registers without a progress line, for several cases running at once.
+/// Registers without a progress line, for use when several cases run at once.
 core::Result<core::RegisteredCase> registerQuietly(core::Case session, core::RegistrationPlan plan = {});
 
 }   // namespace angiopose::app

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the path of the file that errors refer to.
+/// Returns the path of the input file to name in errors.
 const std::string& inputPathOf(const RegisterArguments& arguments)
 {
     return !arguments.from.path.empty()       ? arguments.from.path
@@ -88,7 +88,7 @@ int runRegister(const RegisterArguments& arguments)
         return failInput(status.error(), arguments.format);
     }
     if (!arguments.otherViews.empty() ||
-        !arguments.angiogramPath.empty()) {   // loading a single case has already compared its images
+        !arguments.angiogramPath.empty()) {   // when a single case is loaded, its images have already been compared
         printWarnings(core::findMismatch(session));
     }
     for (core::View& view : session.views) {

@@ -41,12 +41,12 @@ std::string viewFolder(const RegisteredCase& registered, const std::string& fold
     return index == 0 ? folder : (fs::path(folder) / ("view-" + number)).string();
 }
 
-/// View to write, with its result as a file and as image metadata.
+/// View to write, with its result as JSON for a file and for image metadata.
 struct WrittenView {
     core::Case session;   ///< case that displays this view
     const core::Centerline2d* target = nullptr;
     std::string result;   ///< JSON
-    std::string resultInPictures;   ///< JSON without names, since images may be shared
+    std::string resultInPictures;   ///< JSON without names, for image metadata, since images may be shared
 };
 
 WrittenView writtenView(const RegisteredCase& registered, std::size_t k, Pictures pictures)
@@ -65,8 +65,7 @@ core::Status writePicture(const WrittenView& view, const OverlayPictureOptions& 
     return picture ? io::writePng(picture.value(), path.string(), texts) : core::Status(picture.error());
 }
 
-/// Writes the images as the window shows them; for deformed vessels also the rigid ones, and the displacement of the
-/// deformed vessels.
+/// Writes the images as shown in the window. For deformed vessels, also writes the rigid ones and the displacement map.
 core::Status writePictures(const WrittenView& view, const fs::path& folder)
 {
     OverlayPictureOptions options;
@@ -103,14 +102,14 @@ core::Status writeView(const WrittenView& view, Pictures pictures, const std::st
     return pictures == Pictures::Drawn ? writePictures(view, folder) : core::Status(core::Done{});
 }
 
-/// Returns whether to write a deformation: only if there is one or the user requested it.
+/// Returns whether to write a deformation: true if there is one or the user requested it.
 bool isDeformedWritten(const RegisteredCase& registered)
 {
     return registered.result().deformed && (registered.result().deformed->verdict != core::DeformationVerdict::Rigid ||
                                             registered.session.options.deformation == core::Deformation::Always);
 }
 
-/// Writes the tree as deformed in the image, in patient coordinates, and the displacement of each of its points.
+/// Writes the tree as deformed in the image, in patient coordinates, and the displacement of each point.
 core::Status writeDeformed(const RegisteredCase& registered, const std::string& folderName)
 {
     const fs::path folder(folderName);
@@ -128,7 +127,7 @@ void printLine(const std::string& label, const std::string& text)
     std::printf("%-14s %s\n", label.c_str(), text.c_str());
 }
 
-/// Prints the distances of the displayed view, or of each view with its geometry correction.
+/// Prints the distances of the displayed view or, for a joint registration, of each view with its geometry correction.
 void printViews(const RegisteredCase& registered)
 {
     for (std::size_t k = 0; registered.joint && k < registered.places.size(); ++k) {
@@ -157,7 +156,7 @@ void printViews(const RegisteredCase& registered)
     }
 }
 
-/// Formats the measured stages, as in " (reading 812 ms, tracing 70 ms)".
+/// Formats the measured stages, e.g. " (reading 812 ms, tracing 70 ms)".
 std::string beforeText(const core::StageTimes& time)
 {
     std::string parts;
@@ -186,13 +185,13 @@ std::string sigmasText(const core::PoseSigmas& sigmas, int depthDecimals)
            " mm, rotation ±" + fixedText(sigmas.rotationDeg.maxCoeff(), 2) + "°";
 }
 
-/// Formats the probability, if known, as in ", within 2 mm of the vessels with a probability of 97 %"; capped at 99,
-/// since the calibration does not reach further.
+/// Formats the probability if known, e.g. ", within 2 mm of the vessels with a probability of 97 %". Capped at 99 %,
+/// the limit of the calibration.
 std::string likelihoodText(const core::RegistrationResult& result)
 {
     const auto& probability = result.probabilityWithin2Mm;
     const bool contradicts =
-        probability && !result.trustworthy && *probability >= 0.8;   // result of an earlier version
+        probability && !result.trustworthy && *probability >= 0.8;   // possible in results of earlier versions only
     return probability && !contradicts ? ", within 2 mm of the vessels with a probability of " +
                                              fixedText(std::clamp(100.0 * *probability, 1.0, 99.0), 0) + " %"
                                        : "";
@@ -207,8 +206,8 @@ void printTrust(const core::RegistrationResult& result)
     }
 }
 
-/// Lists branches of the displayed view that disagree with the image although the pose may be correct, as in the
-/// window.
+/// Lists the branches of the displayed view that disagree with the image although the pose may be correct; the window
+/// shows the same list.
 void printDisagreement(const RegisteredCase& registered)
 {
     const core::DistanceMetrics& metrics = registered.result().metrics;
@@ -225,7 +224,7 @@ void printDisagreement(const RegisteredCase& registered)
                       fixedText(found.worstMm, 1) + " mm off: possibly unopacified in this frame, or displaced");
 }
 
-/// Formats a path, as in "branches 3, 7, 9: 82 %, 95 % of the wire along them, 1.2 mm off their axes".
+/// Formats a path, e.g. "branches 3, 7, 9: 82 %, 95 % of the wire along them, 1.2 mm off their axes".
 std::string wayText(const core::WirePath& way)
 {
     std::string branches;
@@ -295,14 +294,14 @@ void removeOutputsIn(const std::string& folder)
         std::error_code failed;
         fs::remove(fs::path(folder) / name, failed);
         fs::remove((fs::path(folder) / name).parent_path(),
-                   failed);   // folder of a view; stays if other files are left in it
+                   failed);   // folder of a view; removed only if it is empty
     }
 }
 
 void printRegistered(const RegisteredCase& registered, const std::string& folder)
 {
     const core::RegistrationResult& result = registered.result();
-    if (!result.trustworthy) {   // most important information first
+    if (!result.trustworthy) {   // a low-confidence warning comes first
         printTrust(result);
     }
     printLine("method", result.method);

@@ -8,14 +8,14 @@
 
 namespace angiopose::app {
 
-/// Writes result.json, pose.tfm and overlay.png of each registered view (the displayed one into `folder`, the others
-/// into view-2, view-3, … below it). Several views add joint.json for all; deformed vessels add bent.vtp and
-/// motion.csv. Creates the folders.
+/// Writes result.json, pose.tfm and overlay.png of each registered view: the displayed one into `folder`, the others
+/// into its subfolders view-2, view-3, …. Adds joint.json for several views, and bent.vtp and motion.csv for deformed
+/// vessels. Creates the folders.
 enum class Pictures { Drawn, LeftOut };
 core::Status writeOutputs(const core::RegisteredCase& registered, const std::string& folder,
                           Pictures pictures = Pictures::Drawn);
 
-/// List and remove the outputs present in a folder, as paths relative to it.
+/// List and remove the outputs that exist in a folder; the paths are relative to the folder.
 std::vector<std::string> outputFilesIn(const std::string& folder);
 void removeOutputsIn(const std::string& folder);
 

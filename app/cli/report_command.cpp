@@ -21,7 +21,7 @@ struct ReportArguments {
     std::string language;
 };
 
-/// Builds the arguments for the window's program. Values follow "=" because they may begin with a dash.
+/// Builds the arguments for the GUI program. Values follow "=" because they may begin with a dash.
 std::vector<std::string> wordsFor(const ReportArguments& arguments)
 {
     std::vector<std::string> words{"--report=" + arguments.outputPath};
@@ -45,16 +45,15 @@ std::vector<std::string> wordsFor(const ReportArguments& arguments)
     return words;
 }
 
-/// Returns the window's program next to this one, or its bare name for the search path if the own location is unknown
-/// (no /proc).
+/// Returns the path of the GUI program next to this one, or its bare name to be found on PATH if this program's own
+/// location is unknown (no /proc).
 std::string windowProgram()
 {
     const std::filesystem::path own = io::ownBinary();
     return own.has_parent_path() ? (own.parent_path() / "angiopose").string() : "angiopose";
 }
 
-/// Writes the report through the window's program, since text and pages are drawn by Qt, which this program does not
-/// use.
+/// Runs the GUI program to write the report: Qt lays out the text and pages, and this program does not link Qt.
 int runReport(const ReportArguments& arguments)
 {
     const std::string program = windowProgram();

@@ -7,7 +7,7 @@
 
 namespace angiopose::app {
 
-/// Parses "I/N", part I of the work from 1 to N.
+/// Parses "I/N": part I (from 1) of N.
 core::Result<core::Shard> shardFrom(const std::string& text);
 
 }   // namespace angiopose::app

@@ -65,20 +65,20 @@ core::Status writeTruth(const core::SimulatedCase& simulated, const fs::path& fo
         return io::writeVesselTree(*simulated.deformedTree, deformed.string());
     }
     std::error_code failure;
-    fs::remove(deformed, failure);   // left over from another case in this folder
+    fs::remove(deformed, failure);   // may be left over from another case in this folder
     return core::Done{};
 }
 
-/// Writes case.angiopose with its inputs tree.vtp and angiogram.dcm, and the ground truth: true-pose.json,
-/// true-centreline.csv and, for deformed vessels, true-vessels.vtp. Creates the folder. Never overwrites a case that is
-/// open elsewhere.
+/// Writes case.angiopose with its inputs tree.vtp and angiogram.dcm, and the ground truth (true-pose.json,
+/// true-centreline.csv and, for deformed vessels, true-vessels.vtp). Creates the folder. Never overwrites a case that
+/// is open in another process.
 core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const std::string& title,
                                 const std::string& folderPath, SimulatedStart start = SimulatedStart::Written)
 {
     const fs::path folder(folderPath);
     const fs::path absolute = fs::absolute(folder);
     const std::string casePath = (absolute / "case.angiopose").string();
-    if (const auto holder = io::holderOf(casePath)) {   // overwriting would remove the inputs of the case open there
+    if (const auto holder = io::holderOf(casePath)) {   // overwriting would replace the inputs of an open case
         return core::Error(io::messages::caseOpenElsewhere(holder->process, holder->machine).about(casePath));
     }
     std::error_code failure;
@@ -100,7 +100,7 @@ core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const std:
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t numberDigits = 4;   ///< digits of a case number, padded so that folders sort numerically
+constexpr std::size_t numberDigits = 4;   ///< digits of a case number, zero-padded so that folders sort numerically
 
 core::Status writeScan(std::uint64_t seed, const core::TreeOptions& tree, const core::CtaOptions& cta,
                        const fs::path& folder)
@@ -116,7 +116,7 @@ core::RoomHeader roomHeaderFrom(const std::string& word)
                                      : core::RoomHeader::ObjectPlane;
 }
 
-/// Simulates the views of a room; their initial poses follow from their headers.
+/// Simulates the views of a room; the headers determine their initial poses.
 int runSimulateRoom(const SimulateArguments& arguments, const core::TreeOptions& tree, const core::DsaOptions& dsa)
 {
     const core::RoomOptions room{roomHeaderFrom(arguments.room), arguments.movesTable, arguments.isMirrored};

@@ -17,7 +17,7 @@ struct SupportArguments {
     bool isShownAlone = false;
 };
 
-/// Adds a description of the case and registers its patient identifiers with the redaction.
+/// Adds a description of the case, and adds its patient identifiers to the texts to redact.
 core::Status addCase(const std::string& path, io::Redaction& redaction, std::vector<io::SupportText>& texts)
 {
     core::Messages nobodyReads;

@@ -29,7 +29,7 @@ io::ReadObserver untilTime(Clock::time_point end)
     };
 }
 
-/// Returns the width for which the longer side has the requested size.
+/// Returns the image width at which the longer side has the requested size.
 int thumbnailWidth(const core::Case& session, int sizePx)
 {
     const auto& angiogram = session.shown().angiogram;
@@ -40,7 +40,7 @@ int thumbnailWidth(const core::Case& session, int sizePx)
     return std::max(1, sizePx * frame.width / std::max({frame.width, frame.height, 1}));
 }
 
-/// Writes a thumbnail with no name in image or file, since other programs store it.
+/// Writes a thumbnail without names in the image or the file, since other programs store thumbnails.
 int runThumbnail(const ThumbnailArguments& arguments)
 {
     const std::chrono::duration<double> limit(arguments.limitSeconds);

@@ -27,7 +27,7 @@ std::string joined(const std::vector<int>& numbers, int first = 0)
     return text;
 }
 
-/// Replaces the frames by subtracted ones if the arguments or the file request it.
+/// Subtracts the mask from the frames if the arguments or the file request it.
 core::Status subtractIfAsked(const TraceAngiogramArguments& arguments, Angiogram& angiogram)
 {
     const auto header = io::readTreatment(arguments.imagePath);

@@ -40,7 +40,7 @@ core::Result<std::vector<int>> labelsAskedFor(const TraceVesselArguments& argume
     return labels ? labels : labels.error().about(arguments.inputPath);
 }
 
-/// Explains why a file that is not a volume, segmentation or surface cannot be traced.
+/// Explains why a file cannot be traced that is not a volume, segmentation or surface.
 core::Error whyNotTraced(const std::string& path)
 {
     if (io::readVesselTree(path)) {
@@ -51,7 +51,7 @@ core::Error whyNotTraced(const std::string& path)
         const auto surface = io::readSurface(path);
         return surface ? core::Error(messages::traceOtherSurface().about(path)) : surface.error();
     }
-    const auto volume = io::readVolume(path);   // its error states what the file is instead
+    const auto volume = io::readVolume(path);   // the read error states what the file contains instead
     return volume ? core::Error(messages::traceNoScan().about(path)) : volume.error();
 }
 
@@ -73,7 +73,7 @@ std::string described(const core::VesselTree& tree)
     return std::to_string(count) + (count == 1 ? " branch, " : " branches, ") + fixedText(lengthMm, 1) + " mm";
 }
 
-/// Reads the tree to which single vessels are added; without a file it is empty.
+/// Reads the tree to which single vessels are added; returns an empty tree if no file is given.
 core::Result<core::VesselTree> treeToAddTo(const TraceVesselArguments& arguments)
 {
     return arguments.intoPath.empty() ? core::VesselTree() : io::readVesselTree(arguments.intoPath);
@@ -121,10 +121,10 @@ int traceStretches(const TraceVesselArguments& arguments)
     return exitDone;
 }
 
-constexpr double crumbShare = 0.005;   ///< share of the voxels below which a component is noise, not a vessel
+constexpr double crumbShare = 0.005;   ///< fraction of the voxels below which a component is noise, not a vessel
 
-/// Prints each connected component, if there are several, with a seed that selects it; summarizes omitted small ones in
-/// one line.
+/// If there are several connected components, prints each with a seed that selects it, and summarizes small omitted
+/// ones in one line.
 void printPieces(const std::vector<core::TracedPiece>& pieces)
 {
     int crumbs = 0;

@@ -41,7 +41,7 @@ void printPeriod(const char* whose, const std::optional<core::PeriodicMotion>& m
     }
 }
 
-/// Writes the deformed vessels of each frame, in patient axes at the pose of the frame.
+/// Writes the deformed vessels of each frame in patient coordinates, at the pose of that frame.
 core::Status writeDeformedTrees(const core::Case& session, const std::vector<core::FollowedFrame>& frames,
                                 const std::string& folder)
 {

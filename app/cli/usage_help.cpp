@@ -11,7 +11,7 @@ std::vector<std::string> commandNames(const CLI::App& app)
 {
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands({})) {
-        if (!command->get_group().empty()) {   // commands without a group are internal, for packages
+        if (!command->get_group().empty()) {   // commands without a group are internal (used by package builds)
             names.push_back(command->get_name());
         }
     }
@@ -34,7 +34,7 @@ std::string perhaps(const std::string& nearest)
     return nearest.empty() ? "" : " Did you mean " + nearest + "?";
 }
 
-/// Returns "There is no …" for the first unknown word; empty if all are known.
+/// Returns "There is no …" for the first unknown word; empty if all words are known.
 std::string unknownWord(const CLI::App& app, const CLI::App& command)
 {
     for (const std::string& word : command.remaining(true)) {

@@ -6,8 +6,8 @@
 
 namespace angiopose::app {
 
-/// Translates `help` and `help COMMAND` to the equivalent options; returns other arguments unchanged. For
-/// CLI::App::parse: in reverse order.
+/// Translates `help` and `help COMMAND` to the equivalent options; returns other arguments unchanged. The result is in
+/// reverse order, as CLI::App::parse expects it.
 std::vector<std::string> asOptions(std::vector<std::string> arguments);
 
 /// Describes a usage error, suggests what may have been meant, and refers to the help. For CLI::App::failure_message.

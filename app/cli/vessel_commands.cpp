@@ -10,7 +10,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Parses exactly `Count` numbers separated by commas; empty if the text has another form.
+/// Parses exactly `Count` numbers separated by commas; returns nothing for any other text.
 template <int Count>
 std::optional<Eigen::Matrix<double, Count, 1>> numbersFrom(const std::string& text)
 {
@@ -29,13 +29,13 @@ std::optional<Eigen::Matrix<double, Count, 1>> numbersFrom(const std::string& te
     return numbers;
 }
 
-/// Parses "x,y,z" in patient LPS mm; empty if the text has another form.
+/// Parses a point "x,y,z" (LPS, mm); returns nothing for any other text.
 std::optional<Eigen::Vector3d> pointFrom(const std::string& text)
 {
     return numbersFrom<3>(text);
 }
 
-/// Adds a repeatable option that takes one point each time.
+/// Adds a repeatable option that takes one point per occurrence.
 void addPoints(CLI::App* command, const std::string& name, std::vector<Eigen::Vector3d>& points,
                const std::string& help)
 {
@@ -54,7 +54,7 @@ void addPoints(CLI::App* command, const std::string& name, std::vector<Eigen::Ve
         });
 }
 
-/// Adds a repeatable option that takes two points each time.
+/// Adds a repeatable option that takes two points per occurrence.
 void addStretches(CLI::App* command, std::vector<Stretch>& stretches)
 {
     command
@@ -75,7 +75,7 @@ void addStretches(CLI::App* command, std::vector<Stretch>& stretches)
         });
 }
 
-/// Parses the choice of components; rejects combinations that contradict the presence of seeds.
+/// Parses the choice of components; rejects choices that require seeds when none are given, and vice versa.
 core::TracedPieces piecesCalled(const std::string& word, bool hasSeeds)
 {
     if (word == "seeded" && !hasSeeds) {

@@ -12,7 +12,7 @@ namespace {
 using io::DecoderReply;
 using io::ReplyKind;
 
-/// Writes bytes to stdout; returns false if the reader is gone.
+/// Writes bytes to stdout; returns false if the reading process is gone.
 bool write(const char* bytes, std::size_t size)
 {
     return std::fwrite(bytes, 1, size, stdout) == size && std::fflush(stdout) == 0;
@@ -24,7 +24,7 @@ DecoderReply replyOf(const std::function<DecoderReply()>& work)
         return work();
     } catch (const std::bad_alloc&) {
         return {ReplyKind::TooLarge, {}};
-    } catch (...) {   // the libraries throw exceptions of any type
+    } catch (...) {   // the libraries may throw exceptions of any type
         return {ReplyKind::Refusal, {}};
     }
 }

@@ -11,9 +11,9 @@
 #include <iterator>
 #include <random>
 
-// angiopose-decode-itk read FILE: replies with the transform of an ITK HDF5 file as three rows of four numbers. Refuses
-// files without exactly one transform (empty reply) and nonlinear transforms (reply: their type).
-// angiopose-decode-itk write N…: replies with such a file made from twelve numbers.
+// angiopose-decode-itk read FILE replies with the transform of an ITK HDF5 file as three rows of four numbers. It
+// refuses files without exactly one transform (empty reply) and nonlinear transforms (the reply is their type).
+// angiopose-decode-itk write N… replies with an ITK HDF5 file made from twelve numbers.
 
 namespace {
 
@@ -44,13 +44,13 @@ public:
     std::string path() const
     {
         return (folder_ / "transform.h5").string();
-    }   // ITK selects the format by the extension
+    }   // needed because ITK selects the format by the extension
 
 private:
     std::filesystem::path folder_;
 };
 
-/// Returns the single transform of the file: the first one alone, or a composite with the transforms that follow it.
+/// Returns the single transform of the file: a lone transform, or the composite whose components follow it in the list.
 Transform::Pointer oneOf(const TransformIo::TransformListType& list)
 {
     Transform::Pointer first = list.empty() ? nullptr : dynamic_cast<Transform*>(list.front().GetPointer());

@@ -24,8 +24,8 @@ namespace {
 using io::DecoderReply;
 using io::ReplyKind;
 
-/// Replacement for "nan" and "inf", which VTK's streams cannot read: the word becomes a number that no measurement has,
-/// and is mapped back after reading.
+/// Replacement for "nan" and "inf", which VTK's streams cannot read: before reading, the word is replaced by a number
+/// that no measurement has; after reading, that number is mapped back.
 struct StandIn {
     std::string_view word;
     std::string_view text;
@@ -87,11 +87,11 @@ void takeStandIns(io::VtkLines& lines)
 struct Section {
     std::string name;   ///< in upper case
     std::size_t at = 0;
-    vtkIdType cells = 0;   ///< declared number of cells; in other sections another count, or 0
+    vtkIdType cells = 0;   ///< declared number of cells; for other sections another number, or 0
 };
 
-/// Finds the sections in file order; the chance that binary data look like a section header is about one line in a
-/// billion.
+/// Finds the sections in file order. A line of binary data looks like a section header with a probability of about one
+/// in a billion.
 std::vector<Section> sectionsIn(std::string_view content)
 {
     static const std::set<std::string, std::less<>> known = {
@@ -108,7 +108,7 @@ std::vector<Section> sectionsIn(std::string_view content)
         std::string name(words.word());
         std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
         if (name == "OFFSETS" && !sections.empty()) {
-            --sections.back().cells;   // format 5 declares the offsets, one more than cells
+            --sections.back().cells;   // file format version 5 declares the number of offsets, one more than cells
         } else if (known.contains(name)) {
             sections.push_back({name, end, io::parseInteger(words.word()).value_or(0)});
         }
@@ -116,14 +116,14 @@ std::vector<Section> sectionsIn(std::string_view content)
     return sections;
 }
 
-/// Returns the section that contains the position; empty if there is none.
+/// Returns the name of the section that contains the position; empty if there is none.
 std::string sectionAt(const std::vector<Section>& sections, std::size_t place)
 {
     const auto next = std::find_if(sections.begin(), sections.end(), [&](const auto& each) { return each.at > place; });
     return next == sections.begin() ? std::string() : std::prev(next)->name;
 }
 
-/// Checks the number of cells read against the declared one, which VTK does not compare.
+/// Compares the number of cells read with the declared number, since VTK does not.
 bool holdsItsCells(const std::vector<Section>& sections, std::string_view name, vtkIdType cells)
 {
     const auto section =

@@ -18,14 +18,14 @@ namespace {
 using io::DecoderReply;
 using io::ReplyKind;
 
-/// Element declared in the header. Sizes count numbers in a text file and bytes in a binary file.
+/// Element declared in the header. Sizes are in numbers for a text file and in bytes for a binary file.
 struct Element {
     std::string name;
     std::size_t count = 0;
-    std::size_t entrySize = 0;   ///< without the contents of lists
+    std::size_t entrySize = 0;   ///< size of an entry without the contents of its lists
     std::size_t listCount = 0;
     std::size_t cornerSize = 0;   ///< size of one vertex index in a face's list
-    std::string coordinates;   ///< the coordinates present among x, y and z
+    std::string coordinates;   ///< those of x, y and z that are declared
 };
 
 struct Header {
@@ -33,7 +33,7 @@ struct Header {
     std::vector<Element> elements;
 };
 
-/// Returns the size of a number in a binary file; 0 for an unknown PLY type.
+/// Returns the byte size of a PLY scalar type, or 0 if the type is unknown.
 std::size_t sizeOf(const std::string& type)
 {
     static const std::map<std::string, std::size_t> sizes = {
@@ -57,7 +57,7 @@ bool addProperty(const std::string& countType, const std::string& type, const st
     return sizeOf(type) > 0 && (!isList || sizeOf(countType) > 0);
 }
 
-/// Reads the header up to the first value; empty if a line is not part of a PLY header, which VTK would skip.
+/// Reads the header up to the first value; empty if a line is not valid in a PLY header (VTK would skip it).
 std::optional<Header> takeHeader(io::TextCursor& lines)
 {
     static const std::regex known(
@@ -85,8 +85,8 @@ std::optional<Header> takeHeader(io::TextCursor& lines)
     return std::nullopt;
 }
 
-/// Counts the numbers of a text body or the bytes of a binary one; empty if a word of the text is not a number, which
-/// VTK would read as 0.
+/// Returns the size of the body: numbers of a text file, bytes of a binary file. Empty if a word of the text is not a
+/// number (VTK would read 0).
 std::optional<std::size_t> sizeOfBody(io::TextCursor body, bool isText)
 {
     std::size_t count = 0;
@@ -137,7 +137,7 @@ DecoderReply readPly(const std::string& path)
         hasPoints |= element.name == "vertex" && element.coordinates == "xyz";
         hasFaces |= element.name == "face" && element.count > 0 && element.cornerSize > 0;
     }
-    if (!hasFaces) {   // VTK would not read a file without faces
+    if (!hasFaces) {   // VTK does not read files without faces
         return {ReplyKind::Result, io::toReply({})};
     }
     const auto bodySize = sizeOfBody(cursor, header->isText);

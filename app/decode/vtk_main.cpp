@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-// angiopose-decode-vtk FORMAT FILE: reads polydata, unstructured_grid (legacy VTK), xml_polydata, xml_unstructured_grid
-// or ply, and replies with io::VtkLines.
+// angiopose-decode-vtk FORMAT FILE reads a file of the format polydata, unstructured_grid (legacy VTK), xml_polydata,
+// xml_unstructured_grid or ply, and replies with io::VtkLines.
 
 namespace {
 

@@ -14,7 +14,7 @@
 namespace angiopose::decode {
 namespace {
 
-/// Output window that receives all VTK errors and warnings, including those that observers of a reader do not get.
+/// Output window that receives all VTK errors and warnings, including those not sent to the observers of a reader.
 class ComplaintWindow : public vtkOutputWindow {
 public:
     static ComplaintWindow* New();

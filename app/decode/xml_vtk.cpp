@@ -22,7 +22,7 @@ namespace {
 using io::DecoderReply;
 using io::ReplyKind;
 
-/// Records that a reader reported an error; without an observer, VTK only prints it.
+/// Records that a reader reported an error; without an observer, VTK would only print it.
 class ErrorFlag : public vtkCommand {
 public:
     static ErrorFlag* New() { return new ErrorFlag; }

@@ -33,7 +33,7 @@ void CaseDocument::markSaved(const QString& path, const CaseState& written)
     if (written == state()) {
         undoStack_.setClean();
     } else {
-        undoStack_.resetClean();   // no stack position is known to match the file
+        undoStack_.resetClean();   // no position on the undo stack is known to match the file
     }
     emit stateChanged();
 }
@@ -76,7 +76,7 @@ void CaseDocument::beginTrial(std::unique_ptr<QUndoCommand> edit)
     if (isInTrial() || locked_) {
         return;
     }
-    undoFloor_ = undoStack_.index() + 1;   // set before anyone reads the changed case
+    undoFloor_ = undoStack_.index() + 1;   // set before the signals of the push let anyone read the changed case
     undoStack_.push(edit.release());
     emit stateChanged();
 }
@@ -87,12 +87,12 @@ void CaseDocument::endTrial()
         return;
     }
     {
-        const QSignalBlocker quiet(this);   // suppresses signals for the single steps
+        const QSignalBlocker quiet(this);   // suppresses the signals of the single steps
         undoStack_.setIndex(std::exchange(undoFloor_, 0) - 1);
     }
     auto nothing = std::make_unique<QUndoCommand>();
     nothing->setObsolete(true);
-    undoStack_.push(nothing.release());   // pushing a command discards the redo steps
+    undoStack_.push(nothing.release());   // an obsolete command discards the redo steps and removes itself
     emit changed();
     emit stateChanged();
 }

@@ -30,30 +30,30 @@ public:
     const QUndoStack& undoStack() const { return undoStack_; }
     bool isEmpty() const { return !case_.vessels.tree && !case_.shown().angiogram; }
     bool isModified() const { return unsavedByNature_ || !undoStack_.isClean(); }
-    /// Returns whether closing would lose work: edits or a recovered copy of a crashed session. Opening files alone is
-    /// not work.
+    /// Returns whether closing would lose work: unsaved edits, or a copy recovered after a crash. Opening files alone
+    /// does not count as work.
     bool holdsWork() const { return isModified() && (isRecovered_ || !undoStack_.isClean()); }
     const QString& path() const { return path_; }   ///< empty until saved or opened from a case file
 
-    /// Replaces the open case. Without a path the new one counts as unsaved.
+    /// Replaces the open case. Without a path, the new case counts as unsaved.
     void replace(core::Case opened, const QString& path);
     CaseState state() const { return {caseNumber_, revision_}; }
 
-    /// Marks the state `written` as saved to a file; later edits remain unsaved.
+    /// Marks the state `written` as saved to `path`; later edits remain unsaved.
     void markSaved(const QString& path, const CaseState& written);
-    void markUnsaved();   ///< e.g. recovered after a crash
+    void markUnsaved();   ///< e.g. after recovery from a crash
 
-    /// Applies an edit and adds it to the undo stack. While locked, it only emits `editRefused`.
+    /// Applies an edit and adds it to the undo stack. While the document is locked, only emits `editRefused`.
     bool push(std::unique_ptr<QUndoCommand> edit);
-    void setLocked(bool locked);   ///< during a registration: its result must fit the case it started from
+    void setLocked(bool locked);   ///< used during a registration, whose result must fit the case it started from
     bool isLocked() const { return locked_; }
 
-    /// Undo and redo steps of the user; undo never goes back past the start of a trial.
+    /// Undo and redo for the user; undo stops at the start of a blind trial.
     void undo();
     void redo();
     bool canUndo() const { return undoStack_.index() > undoFloor_ && undoStack_.canUndo(); }
 
-    /// Starts a blind trial with this edit; ending it reverts that edit and all later ones permanently.
+    /// Starts a blind trial with this edit. `endTrial` permanently reverts this edit and all later ones.
     void beginTrial(std::unique_ptr<QUndoCommand> edit);
     void endTrial();
     bool isInTrial() const { return undoFloor_ > 0; }
@@ -62,9 +62,9 @@ public:
     void noteChange() { emit changed(); }   ///< change of data outside the case that belong to it, such as a mask draft
 
 signals:
-    void aboutToStep();   ///< before undo or redo: finish any mouse interaction
+    void aboutToStep();   ///< emitted before undo or redo; receivers finish any mouse interaction
     void changed();
-    void stateChanged();   ///< path, saved state or lock has changed
+    void stateChanged();   ///< emitted when the path, the saved state or the lock has changed
     void editRefused();
 
 private:
@@ -77,9 +77,9 @@ private:
     int caseNumber_ = 0;   ///< number of cases opened
     std::uint64_t revision_ = 0;   ///< number of changes
     bool unsavedByNature_ = false;
-    bool isRecovered_ = false;   ///< recovered and not saved since
+    bool isRecovered_ = false;   ///< recovered after a crash and not saved since
     bool locked_ = false;
-    int undoFloor_ = 0;   ///< undo index at which the running trial began; 0: no trial
+    int undoFloor_ = 0;   ///< undo index at which the current trial began; 0 if there is no trial
 };
 
 }   // namespace angiopose::app

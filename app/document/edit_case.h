@@ -24,11 +24,11 @@ using ChangeSnapshots = SetFields<&View::snapshots>;
 using HideWhatIsKnown = SetFields<&View::cameraFromPatient, &View::initialCameraFromPatient, &View::result,
                                   &View::followed, &View::snapshots>;
 
-/// Change of frame, with the pose tracked there; the poses follow a change of gantry angle.
+/// Change of frame, with the pose tracked in it; if the gantry angle changes, the poses are adapted.
 using ShowFrame = SetFields<&View::frame, &View::initialCameraFromPatient, &View::cameraFromPatient, &View::result>;
 
 using ChooseAuxiliary = SetFields<&Vessels::auxiliaryBranchIds>;
-using ExcludeBranches = SetFields<&Vessels::excludedBranchIds, &Case::views>;   // see withoutResults
+using ExcludeBranches = SetFields<&Vessels::excludedBranchIds, &Case::views>;   // see withoutResults for the views
 using HideBranches = SetFields<&Vessels::hiddenBranchIds>;
 using RelabelTree = SetFields<&Vessels::tree, &Vessels::isTreeEdited>;
 using PickPivot = SetFields<&Vessels::pickedPivotInPatient>;
@@ -39,7 +39,7 @@ using ChangeVessels = SetFields<&Case::vessels, &Case::views>;
 using ChangeOptions = SetFields<&Case::options>;
 using ChangeGeometry = SetFields<&View::geometry, &View::cameraFromPatient, &View::result, &View::followed>;
 
-/// Change of all views at once: added, moved along with the displayed one, or registered.
+/// Change of all views at once, e.g. adding views, moving them along with the displayed one, or registering them.
 using ChangeViews = SetFields<&Case::views>;
 
 /// Display of another view, or removal of one.
@@ -59,33 +59,32 @@ using PlaceVessels =
 
 using ChangeTracing = SetFields<&View::traceOptions, &View::result, &View::followed>;
 
-/// Change of target; invalidates the result found with the former one.
+/// Change of target; invalidates the result found with the previous target.
 using ChangeTarget = SetFields<&View::target, &View::result, &View::followed>;
 using ChangeTreatment = SetFields<&View::treatment, &View::angiogram, &View::storedRun, &View::result, &View::followed>;
 
 /// Change of inputs and everything that depends on them.
 using JoinInputs = SetFields<&Case::title, &Case::vessels, &Case::views>;
 
-/// Removes results and tracked poses that belong to other vessels.
+/// Returns the views without results and tracked poses, which belong to other vessels.
 std::vector<View> withoutResults(std::vector<View> views);
 
 /// Creates the edit that gives the document's case the geometry of `wanted`.
 std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const Case& wanted, const ui::Words& name);
 
-/// Creates the edit that replaces the tree by an edited one. Removes marks of deleted branches and the result of the
-/// last registration; an initial pose stays initial.
+/// Creates the edit that replaces the tree by an edited one. Removes deleted branches from all selections, and the
+/// result of the last registration; an initial pose stays initial.
 std::unique_ptr<QUndoCommand> editTree(CaseDocument& document, core::VesselTree tree, const ui::Words& name);
 
 enum class LumenOrigin { Found, Edited };
 
-/// Newly traced tree with the inputs and settings it was traced with; `takeTrace` creates the edit that adds it to the
-/// case.
+/// Newly traced tree with the inputs and settings of the trace; `takeTrace` creates the edit that adds it to the case.
 struct TracedTree {
-    core::InputFile file;   ///< file it was traced from
+    core::InputFile file;   ///< file from which the tree was traced
     core::VesselInput input;
     std::shared_ptr<const core::VoxelMask> lumen;
     std::shared_ptr<const core::VesselTree> tree;
-    LumenOrigin lumenOrigin = LumenOrigin::Found;   ///< Edited: edited manually, has no file yet
+    LumenOrigin lumenOrigin = LumenOrigin::Found;   ///< `Edited` for a manually edited lumen that has no file yet
 };
 std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree& traced, const ui::Words& name);
 

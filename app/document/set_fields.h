@@ -12,7 +12,7 @@
 
 namespace angiopose::app {
 
-/// Burst number of an edit that merges with no other; see SetFields.
+/// Burst number of an edit that never merges with another; see SetFields.
 inline constexpr int separateEdit = -1;
 
 /// Edit whose name follows the current language of the window.
@@ -42,7 +42,7 @@ auto& partWith(core::Case& session, Value core::View::*)
     return session.shown();
 }
 
-/// Value type of a pointer to member.
+/// Yields the value type of a pointer to member.
 template <class Owner, class Value>
 Value valueOf(Value Owner::*);
 
@@ -78,7 +78,7 @@ private:
     }
 
     CaseDocument& document_;
-    Values others_;   ///< values not currently in the document
+    Values others_;   ///< values that undo or redo will swap into the document
     int burst_;
 };
 

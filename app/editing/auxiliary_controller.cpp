@@ -14,7 +14,7 @@ namespace {
 
 constexpr double insideShare = 0.5;   ///< share of a branch's projection inside the lasso that selects it
 
-/// Share of the branch's points that project inside the outline.
+/// Returns the fraction of the branch's points that project inside the outline.
 double shareInside(const core::VesselBranch& branch, const core::ProjectionCamera& camera,
                    const core::RigidTransform& cameraFromPatient, const QPolygonF& outline)
 {
@@ -162,7 +162,7 @@ void AuxiliaryController::request()
 {
     if (dialog_ && dialog_->isVisible()) {
         adviser_.ask();
-        show();   // shows the selection immediately, the figures once they are computed
+        show();   // shows the selection now; the figures follow when computed
     }
 }
 

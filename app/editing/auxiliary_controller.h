@@ -20,8 +20,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Supports selecting auxiliary branches by lasso, generation and radius, and by how well each branch constrains the
-/// pose, with a live preview of the effect.
+/// Supports the selection of auxiliary branches by lasso, generation, radius and the constraint that each branch places
+/// on the pose, with a live preview of the effect.
 class AuxiliaryController : public QObject {
     Q_OBJECT
 public:
@@ -30,8 +30,8 @@ public:
 
     bool isRunning() const { return adviser_.isRunning(); }   ///< computing how well each branch constrains the pose
     void open();
-    ui::AuxiliaryDialog* dialog() const { return dialog_; }   ///< null while closed
-    const std::vector<int>& suggestion() const;   ///< empty: not known
+    ui::AuxiliaryDialog* dialog() const { return dialog_; }   ///< null while the dialog is closed
+    const std::vector<int>& suggestion() const;   ///< empty if not known
 
     void chooseInside(const QPolygonF& outlineInImagePx, ui::LassoEffect effect);
     void chooseGenerations(int last);

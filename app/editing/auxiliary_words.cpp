@@ -14,7 +14,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Names of the pose components as in the pose panel, in the order of core::PoseUncertainty.
+/// Returns the name of a pose component as in the pose panel; order as in core::PoseUncertainty.
 QString nameOfStep(std::size_t step)
 {
     static const std::array names{QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "tilt"),
@@ -49,7 +49,7 @@ QString namesOf(const std::shared_ptr<const core::VesselTree>& tree, const std::
     return ui::joinedNames(names);
 }
 
-/// Describes which branches the alternating method would use now.
+/// Describes which branches the alternating method would currently use.
 QString previewWords(const core::Case& current)
 {
     if (!current.vessels.tree) {
@@ -57,7 +57,7 @@ QString previewWords(const core::Case& current)
     }
     double lengthMm = 0.0;
     double chosenMm = 0.0;
-    std::vector<int> chosenIds;   // without excluded branches, which are never used
+    std::vector<int> chosenIds;   // excluded branches are left out, since they are never used
     for (const core::VesselBranch& branch : current.vessels.tree->branches) {
         if (contains(current.vessels.excludedBranchIds, branch.id)) {
             continue;

@@ -9,10 +9,10 @@
 
 namespace angiopose::app {
 
-/// Id of the method that uses the auxiliary branches throughout.
+/// Id of the method that uses the auxiliary branches in every step.
 extern const std::string alternatingMethod;
 
-double medianRadiusMm(const core::VesselBranch& branch);   ///< 0: the branch has no radii
+double medianRadiusMm(const core::VesselBranch& branch);   ///< median radius of the branch, mm; 0 if it has no radii
 
 /// Builds the texts of the auxiliary-branch dialog in the current language: the effect of the selection and, if known,
 /// how well the branches constrain the pose.

@@ -12,7 +12,7 @@
 
 namespace angiopose::app {
 
-/// Constraints that the branches of the tree place on the pose of the displayed view.
+/// How strongly the branches of the tree constrain the pose of the displayed view.
 struct BranchAdvice {
     core::Vector6d stdOfAll =
         core::Vector6d::Zero();   ///< standard deviations of the pose components, degrees and mm, from all branches
@@ -21,7 +21,7 @@ struct BranchAdvice {
     std::vector<int> suggested;   ///< a few branches that are nearly as informative as all
 };
 
-/// Computes the advice on a worker; while one request is running, only the newest further one is kept.
+/// Computes the advice on a worker thread. Requests made meanwhile are merged into one that starts afterwards.
 class BranchAdviser : public QObject {
     Q_OBJECT
 public:
@@ -29,7 +29,7 @@ public:
 
     void ask();   ///< requests the advice for the current case
     bool isRunning() const { return job_.isRunning(); }
-    const std::optional<BranchAdvice>& advice() const { return advice_; }   ///< empty: not known
+    const std::optional<BranchAdvice>& advice() const { return advice_; }   ///< empty if not known
 
 signals:
     void answered();
@@ -41,7 +41,7 @@ private:
     const CaseDocument& document_;
     Job<BranchAdvice> job_;
     std::optional<BranchAdvice> advice_;
-    bool isAskedAgain_ = false;   ///< start again when the running job has finished
+    bool isAskedAgain_ = false;   ///< start again when the current job has finished
 };
 
 }   // namespace angiopose::app

@@ -11,8 +11,8 @@
 
 namespace angiopose::app {
 
-/// Tracks the hovered and selected branches, shared by list and views, and sets auxiliary, excluded and hidden
-/// branches, which are part of the case.
+/// Holds the hovered and the selected branches, shared by the list and the views, and edits the auxiliary, excluded and
+/// hidden branches, which are part of the case.
 class BranchController : public QObject {
     Q_OBJECT
 public:
@@ -27,11 +27,11 @@ public:
     void toggleAuxiliary(const std::set<int>& branchIds);
     void toggleExcluded(const std::set<int>& branchIds);
     void setAuxiliary(const std::set<int>& branchIds);
-    /// Make auxiliary the branches that project entirely into a part of the image, or whose radius is at least the
-    /// tree's median; report if there are none.
+    /// Selects as auxiliary the branches that project entirely into a part of the image, or those whose radius is at
+    /// least the tree's median; reports if there are none.
     void setAuxiliaryInside(const std::map<int, ui::ViewRect>& extents, const ui::ViewRect& part);
     void setAuxiliaryWide();
-    void followDocument();   ///< takes the selections from the case; drops deleted branches
+    void followDocument();   ///< updates the branch sets from the case and drops deleted branches
 
 signals:
     void marksChanged();

@@ -24,7 +24,7 @@ ui::Words branchWords(const core::VesselTree& tree, const std::set<int>& branchI
     if (!only) {
         return [count = branchIds.size()] { return countWords(count); };
     }
-    core::VesselBranch named;   // copy without the points
+    core::VesselBranch named;   // copy of the branch without its points
     named.id = only->id;
     named.name = only->name;
     return [named] { return ui::displayName(named); };

@@ -7,7 +7,7 @@
 
 namespace angiopose::app {
 
-/// Returns the name of a single branch or the number of branches, in the language current when called.
+/// Returns the name of a single branch or the number of branches, in the window's language at the time of the call.
 ui::Words branchWords(const core::VesselTree& tree, const std::set<int>& branchIds);
 
 }   // namespace angiopose::app

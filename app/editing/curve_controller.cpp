@@ -30,7 +30,7 @@ std::shared_ptr<ui::CurveGround> makeGround(const TraceRequest& request)
         core::LiveWire(ground.vesselness), std::move(ground.opacity), request.options.maxVesselRadiusPx});
 }
 
-/// Shares the curves; null if there are none.
+/// Wraps the curves in a shared pointer; null if there are none.
 SharedCenterline shared(const core::Centerline2d& curves)
 {
     return curves.curves.empty() ? nullptr : std::make_shared<const core::Centerline2d>(curves);
@@ -62,7 +62,7 @@ CurveController::CurveController(const AngiogramParts& parts, QObject* parent)
     connect(&target_, &TargetProvider::changed, this, &CurveController::follow);
     connect(&view_, &ui::AngiogramView::toolChanged, this, &CurveController::follow);
     connect(&ground_, &QFutureWatcherBase::finished, this, [this] {
-        if (grounded_) {   // otherwise the tool was left and nothing is wanted
+        if (grounded_) {   // otherwise the user has left the tool and the result is obsolete
             tool_->setGround(takeResult(ground_));
         }
     });
@@ -89,7 +89,7 @@ void CurveController::connectTool()
     connect(tool_, &ui::EditCurvesTool::editChanged, bar_, &ui::CurveEditBar::showEdit);
     connect(bar_, &ui::CurveEditBar::editChosen, this, [this](ui::CurveEdit edit) {
         tool_->setEdit(edit);
-        view_.setFocus();   // the image gets the keys of the mode
+        view_.setFocus();   // gives the image the keyboard focus, since the mode has its own keys
     });
     connect(bar_, &ui::CurveEditBar::doneRequested, this, [this] { view_.setTool(nullptr); });
     connect(bar_, &ui::CurveEditBar::traceAgainRequested, this, &CurveController::askToTraceAgain);
@@ -123,7 +123,7 @@ void CurveController::showCurves()
     const SharedCenterline devices = core::devicesOf(document_.current().shown());
     const bool isShown = shownCurves_ == target_.current() && shownDevices_ == devices;
     if (shownCurves_ && isShown && shownAccepted_ == accepted) {
-        return;   // unchanged: an edit in progress may continue
+        return;   // nothing changed, so an edit in progress may continue
     }
     shownCurves_ = target_.current();
     shownDevices_ = devices;
@@ -186,8 +186,8 @@ void CurveController::dropGround()
     tool_->setGround(nullptr);
 }
 
-/// Returns the accepted curves of this frame; none if it has just been traced, since those of the case belong to other
-/// curves.
+/// Returns the ids of the accepted curves in this frame; empty if the frame has just been traced, since the ids stored
+/// in the case refer to other curves.
 std::vector<int> CurveController::acceptedHere() const
 {
     return target_.trace() ? std::vector<int>() : document_.current().shown().target.acceptedCurveIds;
@@ -213,7 +213,7 @@ void CurveController::accept(int curveId)
          [] { return tr("Keep suspect curve"); });
 }
 
-/// Marks a curve as a catheter or guidewire, or as a vessel again; a vessel marked this way is no longer suspect.
+/// Marks a curve as a catheter or guidewire, or as a vessel; marking it as a vessel also clears its suspect state.
 void CurveController::keepApart(int curveId, bool apart)
 {
     const core::CurvesApart before = curvesHere();

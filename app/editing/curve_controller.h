@@ -15,7 +15,7 @@ class CurveEditBar;
 
 namespace angiopose::app {
 
-/// Edits the traced curves on the angiogram manually and marks catheters and guidewires, which are excluded. Edited
+/// Lets the user edit the traced curves on the angiogram and mark catheters and guidewires, which are excluded. Edited
 /// curves are the target of their frame until it is traced again; each edit is one undo step.
 class CurveController : public QObject {
     Q_OBJECT
@@ -30,7 +30,7 @@ private:
     void follow();
     void showCurves();
     void wantGround();
-    void dropGround();   ///< frees the large data, which also hold the angiogram
+    void dropGround();   ///< frees the edge data of the tool, which also keep the angiogram in memory
     std::vector<int> suspects() const;
     std::vector<int> acceptedHere() const;
     void take(const core::Centerline2d& curves, const ui::Words& what);
@@ -53,7 +53,7 @@ private:
     SharedCenterline shownCurves_;
     SharedCenterline shownDevices_;
     std::vector<int> shownAccepted_;
-    std::optional<TraceRequest> grounded_;   ///< request for which the ground is available or being computed
+    std::optional<TraceRequest> grounded_;   ///< request for which the data of the tool are available or being computed
     QFutureWatcher<std::shared_ptr<ui::CurveGround>> ground_;
 };
 

@@ -30,7 +30,7 @@ void CurveTracingController::change(const core::TraceOptions& options, const ui:
     document_.push(std::make_unique<ChangeTracing>(document_, ChangeTracing::Values{options, std::nullopt, {}}, what));
 }
 
-/// Shows the excluded image regions while the curves are displayed or edited.
+/// Shows the image regions excluded from tracing while the curves are displayed or edited.
 void CurveTracingController::showKeptOut()
 {
     const bool isLooking =

@@ -11,7 +11,7 @@ class GeometryPanel;
 
 namespace angiopose::app {
 
-/// Controls the geometry panel: shows the case's values with their origins and turns edits into undoable changes.
+/// Manages the geometry panel: shows the values of the case with their origins and turns edits into undo steps.
 class GeometryController : public QObject {
     Q_OBJECT
 public:

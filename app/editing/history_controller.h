@@ -13,7 +13,7 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Controls undo and redo, and the texts that their commands and the status strip show.
+/// Manages undo and redo, and the texts that their commands and the status strip show.
 class HistoryController : public QObject {
     Q_OBJECT
 public:

@@ -8,8 +8,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Sets the initial pose of a registration: from the gantry angles, or the current pose after manual moves. Each is one
-/// undo step.
+/// Sets the initial pose of a registration, either from the gantry angles or to the current pose after manual moves.
+/// Each change is one undo step.
 class InitialPoseController : public QObject {
     Q_OBJECT
 public:

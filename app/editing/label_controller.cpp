@@ -76,7 +76,7 @@ void LabelController::followDocument()
     }
 }
 
-/// Reads the label image, which can be large, only once the list is visible.
+/// Reads the label image, which may be large, once the list is visible.
 void LabelController::readIfWanted()
 {
     const bool isInSight = actions_[ui::Command::SlicesLarge]->isChecked();
@@ -97,7 +97,7 @@ void LabelController::takeOverview(const LabelOverview& overview)
     emit edited();
 }
 
-/// Checks the labels of the case; if it names none, those whose names denote vessels, else all.
+/// Checks the labels stored in the case. If there are none, checks the labels named like vessels, or else all labels.
 void LabelController::takeTicksOfCase()
 {
     isEdited_ = false;

@@ -15,8 +15,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Selects the labels of a label image to trace. They are listed while the slices are large; the selection is a draft
-/// until a trace stores it in the case.
+/// Lets the user select which labels of a label image to trace. The list is visible while the slices are large; the
+/// selection is a draft until a trace stores it in the case.
 class LabelController : public QObject {
     Q_OBJECT
 public:
@@ -43,11 +43,11 @@ private:
     ui::LabelChoice& choice_;
     ui::SliceModel& slices_;
     LabelJob job_;
-    core::InputFile shownFile_;   ///< label image of the case; empty path: none
+    core::InputFile shownFile_;   ///< label image of the case; no path if there is none
     std::vector<int> shownLabels_;   ///< labels stored in the case
     std::optional<LabelOverview> overview_;
-    std::set<int> ticked_;   ///< checked labels of the overview
-    bool isEdited_ = false;   ///< the checked labels differ from those of the case
+    std::set<int> ticked_;   ///< labels checked in the list
+    bool isEdited_ = false;   ///< true if the checked labels differ from those of the case
 };
 
 }   // namespace angiopose::app

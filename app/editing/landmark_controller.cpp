@@ -34,7 +34,7 @@ std::string branchName(const core::VesselTree& tree, int branchId)
     return branch && !branch->name.empty() ? branch->name : std::to_string(branchId);
 }
 
-/// Describes a position on the tree: "bifurcation 3 / 5", "end of 3", "on 3".
+/// Describes a position on the tree, e.g. "bifurcation 3 / 5", "end of 3" or "on 3".
 QString placeName(const core::VesselTree& tree, const std::vector<core::VesselNode>& nodes,
                   const Eigen::Vector3d& point)
 {
@@ -72,7 +72,7 @@ QString verdictOf(const core::LandmarkPose& pose)
         .arg(ui::numberText(pose.depthStdMm, 0));
 }
 
-/// Numbers the points from 1; the point whose position in the image is still missing comes last.
+/// Numbers the points from 1; the point that still lacks an image position comes last.
 std::vector<ui::SliceMark> sliceMarksAt(const std::vector<Eigen::Vector3d>& points,
                                         const std::optional<Eigen::Vector3d>& pending)
 {

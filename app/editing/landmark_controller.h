@@ -16,9 +16,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Controls landmark pairs: a point on the vessels (3-D view or slice; snaps to nodes) and one in the image, clicked in
-/// either order. The pairs are listed, moved and removed, and determine the initial pose. Every change is one undo
-/// step.
+/// Manages landmark pairs: a point on the vessels (3-D view or slice; snaps to nodes) and its image point, clicked in
+/// either order. Lists, moves and removes them and sets the initial pose from them; each change is one undo step.
 class LandmarkController : public QObject {
     Q_OBJECT
 public:
@@ -54,7 +53,7 @@ private:
     CaseDocument& document_;
     Ui ui_;
     ui::LandmarkTool* tool_;
-    std::shared_ptr<const core::VesselTree> tree_;   ///< tree of `nodes_`
+    std::shared_ptr<const core::VesselTree> tree_;   ///< tree to which `nodes_` belong
     std::vector<core::VesselNode> nodes_;
     std::optional<Eigen::Vector3d> pendingPoint_;
     std::optional<Eigen::Vector2d> pendingPixel_;

@@ -25,7 +25,7 @@ using core::VesselMark;
 using core::VesselMarkKind;
 using ui::MarkMode;
 
-constexpr double placeReachPx = 14.0;   // widget px; maximum distance of a vessel under the pointer
+constexpr double placeReachPx = 14.0;   // maximum distance of a vessel from the pointer, widget px
 constexpr double sliceReachMm = 4.0;   // maximum distance from a click in a slice to the vessels
 constexpr double sameMm = 1e-6;
 
@@ -44,8 +44,8 @@ VesselMarkKind kindOf(MarkMode mode)
     return mode == MarkMode::OstiumRing ? VesselMarkKind::OstiumRing : VesselMarkKind::TargetPoint;
 }
 
-/// Places a mark on the nearest branch; a ring gets the branch's diameter there. Empty if there is no branch or no
-/// radius.
+/// Places a mark on the nearest branch and gives a ring the diameter of the branch there. Empty if there is no branch,
+/// or no radius for a ring.
 std::optional<VesselMark> putOn(const core::VesselTree& tree, VesselMark mark, const Eigen::Vector3d& point)
 {
     const auto place = core::nearestPlace(tree, point);
@@ -127,7 +127,7 @@ core::PoseOfView MarkController::poseOf() const
     return [this](std::size_t view) { return preview_.poseIn(view); };
 }
 
-/// Returns the point under the pixel on the vessels as drawn.
+/// Returns the point on the drawn vessels under the pixel.
 std::optional<Eigen::Vector3d> MarkController::placeUnder(const Eigen::Vector2d& pixel) const
 {
     if (core::findProblem(ui_.view.camera())) {
@@ -137,7 +137,7 @@ std::optional<Eigen::Vector3d> MarkController::placeUnder(const Eigen::Vector2d&
                                  pixel, placeReachPx / ui_.view.zoom());
 }
 
-/// Maps a point on deformed vessels back to the rigid ones, on which marks are stored.
+/// Maps a point on the deformed vessels back to the rigid ones, on which marks are stored.
 Eigen::Vector3d MarkController::undeformed(const Eigen::Vector3d& drawnPoint) const
 {
     const core::Vessels& vessels = current().vessels;
@@ -156,7 +156,7 @@ void MarkController::pickPoint(const Eigen::Vector3d& pointInPatient)
     }
     const auto& tree = current().vessels.tree;
     const auto drawn = core::nearestOnTree(ui_.view.scene().content().tree, pointInPatient);
-    const bool isOfDrawn = drawn && (*drawn - pointInPatient).norm() < sameMm;   // picked in the 3-D view
+    const bool isOfDrawn = drawn && (*drawn - pointInPatient).norm() < sameMm;   // the point was picked in the 3-D view
     const Eigen::Vector3d point = isOfDrawn ? undeformed(pointInPatient) : pointInPatient;
     const auto nearest = tree ? core::nearestPlace(*tree, point) : std::nullopt;
     const double reachMm = nearest ? std::max(sliceReachMm, core::radiusAt(*tree, *nearest).value_or(0.0)) : 0.0;
@@ -296,12 +296,11 @@ void MarkController::rename(std::size_t row, const QString& name)
         all[row - count].text = words;
         changeAnnotations(std::move(all), edit);
     } else {
-        show();   // restores the name if only white space around it changed
+        show();   // restores the displayed name if only surrounding white space changed
     }
 }
 
-/// Removes marks and their positions in the images from all views, and annotations from the displayed view, in one
-/// step.
+/// Removes marks, including their image positions in all views, and annotations of the displayed view in one undo step.
 void MarkController::remove(const std::set<int>& rows)
 {
     std::vector<VesselMark> kept;
@@ -338,7 +337,7 @@ void MarkController::removeChosenOrLast()
 void MarkController::changeMarks(std::vector<VesselMark> marks, const ui::Words& name)
 {
     document_.push(std::make_unique<ChangeMarks>(document_, ChangeMarks::Values{std::move(marks)}, name));
-    show();   // also after a refused edit
+    show();   // needed even if the edit was refused
 }
 
 void MarkController::changeAnnotations(std::vector<ImageAnnotation> annotations, const ui::Words& name)

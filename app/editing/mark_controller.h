@@ -22,9 +22,9 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Controls target points and rings on the vessels, their positions in the image, arrows and texts. Clicks in the
-/// image, 3-D view and slices set them; they are listed with their errors, renamed, moved and removed, each as an undo
-/// step. Errors follow the displayed poses.
+/// Manages target points and rings on the vessels, their positions in the image, and arrows and texts. The user sets
+/// them by clicks in the image, the 3-D view and slices; the list shows their errors and lets the user rename, move and
+/// remove them. Each change is one undo step. The errors follow the displayed poses.
 class MarkController : public QObject {
     Q_OBJECT
 public:
@@ -69,7 +69,7 @@ private:
     const core::Case& current() const { return document_.current(); }
     const std::vector<core::VesselMark>& marks() const { return document_.current().vessels.marks; }
 
-    /// Object that a handle in the image moves.
+    /// Object moved by a handle in the image.
     struct Handle {
         std::size_t index = 0;   ///< index of the mark or annotation
         std::size_t point = 0;   ///< point of the annotation
@@ -80,7 +80,7 @@ private:
     Ui ui_;
     std::array<ui::MarkTool*, ui::markModeCount> tools_{};
     std::array<std::vector<Handle>, ui::markModeCount> handles_;
-    QTimer again_;   ///< delays updates, since poses change in bursts
+    QTimer again_;   ///< delays updates, since poses change in rapid succession
 };
 
 }   // namespace angiopose::app

@@ -1,4 +1,4 @@
-// Display part of MarkController: rows of the list, marks in every view, handles of the modes.
+// Display part of MarkController: rows of the list, marks in every view, and handles of the modes.
 #include "app/editing/mark_controller.h"
 #include "app/words/mark_words.h"
 #include "app/words/measure_words.h"
@@ -94,7 +94,7 @@ void MarkController::showHandles()
         if (!isRing && seen != current().shown().sightings.end()) {
             take(MarkMode::SeenHere, {i, 0}, seen->pixel);
         } else if (!isRing && at && ui_.view.camera().width > 0) {
-            take(MarkMode::SeenHere, {i, 0}, *at);   // handle to drag to the position seen in the image
+            take(MarkMode::SeenHere, {i, 0}, *at);   // the handle is dragged to the point's position in the image
         }
     }
     const std::vector<ImageAnnotation>& annotations = current().shown().annotations;

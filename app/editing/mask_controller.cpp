@@ -23,7 +23,7 @@ using core::MaskAim;
 using core::VoxelMask;
 
 constexpr double minRadiusMm = 0.2;
-constexpr double maxRadiusMm = 25.0;   // a ball of this size is computed within one display frame
+constexpr double maxRadiusMm = 25.0;   // the largest ball that is computed within one display frame
 
 ui::MaskSettings storedSettings()
 {
@@ -45,8 +45,8 @@ void store(const ui::MaskSettings& chosen)
     settings::cutRangeMm.write(chosen.rangeMm);
 }
 
-/// Returns the mask that editing starts from: the lumen, else the voxels above the displayed threshold, else an empty
-/// mask.
+/// Returns the mask with which editing starts: the lumen, or else the voxels above the displayed threshold, or else an
+/// empty mask.
 std::shared_ptr<VoxelMask> startOf(const std::shared_ptr<const VoxelMask>& lumen,
                                    const std::shared_ptr<const core::Volume>& scan, std::optional<double> threshold)
 {
@@ -175,7 +175,7 @@ std::shared_ptr<MaskDraft> MaskController::knownDraft() const
     return nullptr;
 }
 
-/// Selects the draft of the current lumen; undo may restore a lumen that belongs to another draft.
+/// Selects the draft of the current lumen, since undo may restore a lumen that belongs to another draft.
 void MaskController::followDocument()
 {
     if (const int caseNumber = document_.state().caseNumber; caseNumber != caseNumber_) {
@@ -189,7 +189,7 @@ void MaskController::followDocument()
     if (!draft_ &&
         (ui_.actions[ui::Command::PaintMask]->isChecked() || ui_.actions[ui::Command::EraseMask]->isChecked() ||
          ui_.actions[ui::Command::CutMask]->isChecked())) {
-        beginEditing();   // the mode stays on for the new lumen
+        beginEditing();   // the mode stays on, so editing starts with the new lumen
     }
     const ui::SliceModel& slices = ui_.slices;
     for (const ui::Command command : {ui::Command::PaintMask, ui::Command::EraseMask, ui::Command::CutMask}) {
@@ -206,7 +206,7 @@ void MaskController::useDraft(std::shared_ptr<MaskDraft> draft)
         draft_->disconnect(&ui_.slices);
     }
     if (draft_ && draft_ != draft && !stroke_.empty()) {
-        draft_->apply(core::changeOf(stroke_));   // reverts an unfinished stroke on a draft that is no longer current
+        draft_->apply(core::changeOf(stroke_));   // reverts the unfinished stroke before another draft becomes current
     }
     if (draft_ != draft) {
         stroke_.clear();
@@ -221,7 +221,7 @@ void MaskController::useDraft(std::shared_ptr<MaskDraft> draft)
     showState();
 }
 
-/// Copies the lumen on a worker, since it may be large.
+/// Starts copying the lumen on a worker, since it may be large.
 void MaskController::beginEditing()
 {
     const core::Vessels& vessels = document_.current().vessels;
@@ -277,7 +277,7 @@ void MaskController::endStroke()
     }
 }
 
-/// Starts a cut on a worker, since cutting through a whole volume takes longer than a display frame.
+/// Starts a cut on a worker, since cutting a whole volume takes longer than a display frame.
 void MaskController::cut(core::MaskCut cut)
 {
     if (!canEdit() || cut_.isRunning()) {
@@ -293,13 +293,13 @@ void MaskController::cut(core::MaskCut cut)
                    JobLink<double>&) -> core::Result<core::VoxelPlaces> { return core::cutVoxels(*mask, cut); });
 }
 
-/// Applies the cut to the voxels that still exist; an undo may have removed some in the meantime.
+/// Applies the cut to the voxels that are still set; undo may have cleared some in the meantime.
 void MaskController::takeCut(const core::VoxelPlaces& found)
 {
     const auto draft = std::exchange(cutDraft_, nullptr);
     draft->takeBack();
     if (draft != draft_) {
-        return;   // another mask is being edited now
+        return;   // another mask has become current
     }
     core::VoxelPlaces there;
     std::ranges::copy_if(found, std::back_inserter(there),

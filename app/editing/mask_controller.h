@@ -18,8 +18,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Edits the lumen mask manually with brush and scissors in the slices, each stroke as an undo step, and then traces
-/// the vessels from it on a worker as a further step.
+/// Lets the user edit the lumen mask with brush and scissors in the slices (each stroke is an undo step), and then
+/// traces the vessels from the mask on a worker (one further step).
 class MaskController : public QObject {
     Q_OBJECT
 public:
@@ -36,8 +36,8 @@ public:
     bool isRunning() const { return tracing_.isRunning(); }
     bool isPreparing() const { return copy_.isRunning() || cut_.isRunning(); }
     void trace();
-    /// Call after saving. Marks the case unsaved, with a note, if the latest mask edits were not traced and so are not
-    /// in the file.
+    /// Call after saving. If the latest mask edits were not traced and are therefore not in the file, marks the case
+    /// unsaved and shows a note.
     void noteSaved();
 
 signals:
@@ -75,9 +75,9 @@ private:
     std::vector<std::weak_ptr<MaskDraft>> drafts_;   ///< drafts referenced by undo steps
     core::VoxelPlaces stroke_;   ///< voxels of the current stroke
     core::MaskAim strokeAim_ = core::MaskAim::Paint;
-    std::shared_ptr<MaskDraft> cutDraft_;   ///< draft that the running cut reads
-    int caseNumber_ = 0;   ///< case that the drafts belong to
-    std::shared_ptr<const core::VoxelMask> copied_;   ///< lumen of the running copy
+    std::shared_ptr<MaskDraft> cutDraft_;   ///< draft that the active cut reads
+    int caseNumber_ = 0;   ///< number of the case to which the drafts belong
+    std::shared_ptr<const core::VoxelMask> copied_;   ///< lumen being copied
     Job<std::shared_ptr<core::VoxelMask>> copy_;
     Job<core::VoxelPlaces> cut_;
     MaskTracing tracing_;

@@ -10,8 +10,8 @@
 
 namespace angiopose::app {
 
-/// Mask being edited with brush and scissors, and the lumens of the case it represents. It changes only on the window's
-/// thread and not while a worker reads it; changes made meanwhile are queued.
+/// Mask edited with brush and scissors, with a record of the lumens of the case that it matched. Changes only on the
+/// GUI thread and not while a worker reads it; changes made meanwhile are queued.
 class MaskDraft : public QObject {
     Q_OBJECT
 public:
@@ -19,18 +19,18 @@ public:
 
     const std::shared_ptr<core::VoxelMask>& mask() const { return mask_; }
     void apply(const core::MaskChange& change);   ///< immediately, or once no worker reads it
-    void lendOut() { isLent_ = true; }   ///< a worker starts reading it
+    void lendOut() { isLent_ = true; }   ///< call when a worker starts reading the draft
     void takeBack();
     bool isLent() const { return isLent_; }
 
-    using Strokes = std::vector<int>;   ///< stroke numbers in the order of the strokes
-    int newStroke() { return ++lastStroke_; }   ///< unique number
+    using Strokes = std::vector<int>;   ///< stroke numbers in the order in which the strokes were made
+    int newStroke() { return ++lastStroke_; }   ///< returns a unique number
     void noteMade(int stroke);
     void noteUndone();
     const Strokes& strokes() const { return strokes_; }
-    /// Records that lumen and draft were equal after these strokes; null: no lumen.
+    /// Records that the draft matched this lumen after these strokes; null stands for no lumen.
     void standFor(const std::shared_ptr<const core::VoxelMask>& lumen, const Strokes& strokes);
-    /// Returns by how many strokes the draft differs from that lumen; empty: it does not represent it.
+    /// Returns the number of strokes by which the draft differs from this lumen; empty if the draft never matched it.
     std::optional<int> strokesSince(const std::shared_ptr<const core::VoxelMask>& lumen) const;
 
 signals:

@@ -137,7 +137,7 @@ std::set<int> MeasureController::chosenSlices() const
     return places;
 }
 
-/// Goes to the slice of the selected measurement if it was drawn in one.
+/// Shows the slice of the selected measurement if it was drawn in a slice.
 void MeasureController::goToChosen()
 {
     if (const std::set<int> places = chosenSlices(); places.size() == 1) {
@@ -182,7 +182,7 @@ void MeasureController::rename(std::size_t place, const QString& name)
     std::vector<SliceMeasurement> slices = inSlices();
     const QString trimmed = name.trimmed();
     const ui::Words edit = [] { return tr("Rename measurement"); };
-    const std::size_t slice = place - all.size();   // used if it is not a measurement in the image
+    const std::size_t slice = place - all.size();   // meaningful only for a measurement in a slice
     if (place < all.size() && trimmed != measureRow(all[place], seen()).name) {
         all[place].name = trimmed.toStdString();
         change(std::move(all), edit);
@@ -190,7 +190,7 @@ void MeasureController::rename(std::size_t place, const QString& name)
         slices[slice].name = trimmed.toStdString();
         changeInSlices(std::move(slices), edit);
     } else {
-        show();   // restores the name if only white space around it changed
+        show();   // restores the displayed name if only surrounding white space changed
     }
 }
 
@@ -209,8 +209,8 @@ void MeasureController::remove(const std::set<int>& places)
     show();
 }
 
-/// Removes the measurements selected in the list, else the last one in [first, end): in the image or in the slices,
-/// depending on where the key was pressed.
+/// Removes the measurements selected in the list; if none are selected, removes the last one in [first, end), i.e. of
+/// the image or of the slices, depending on where the key was pressed.
 void MeasureController::removeChosenOrLast(int first, int end)
 {
     std::set<int> gone = ui_.panel.chosen();
@@ -247,7 +247,7 @@ void MeasureController::change(std::vector<ImageMeasurement> measurements, const
 {
     document_.push(std::make_unique<ChangeMeasurements>(
         document_, ChangeMeasurements::Values{std::move(measurements), inSlices()}, name));
-    show();   // also after a refused edit
+    show();   // needed even if the edit was refused
 }
 
 void MeasureController::changeInSlices(std::vector<SliceMeasurement> slices, const ui::Words& name)

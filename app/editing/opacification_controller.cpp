@@ -42,7 +42,7 @@ void OpacificationController::open()
     layout->addWidget(plot_);
     connect(plot_, &ui::OpacificationPlot::frameRequested, &strip_, &ui::BottomStrip::frameRequested);
     show();
-    dialog->show();   // non-modal: frames can be selected in dialog and window
+    dialog->show();   // non-modal, so that frames can be selected in both the dialog and the window
 }
 
 void OpacificationController::show()

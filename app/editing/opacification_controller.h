@@ -11,7 +11,7 @@ class OpacificationPlot;
 
 namespace angiopose::app {
 
-/// Opens the large plot of opacification over time and updates it while it is open.
+/// Opens the large plot of opacification over time and keeps it up to date.
 class OpacificationController : public QObject {
     Q_OBJECT
 public:

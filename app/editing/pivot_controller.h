@@ -15,8 +15,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Controls the rotation center on the vessels for manual rotation: picked in the angiogram, in 3-D or in a slice, and
-/// marked there until it is reset to the centroid.
+/// Manages the rotation center for manual rotation: the user picks a point on the vessels in the angiogram, in 3-D or
+/// in a slice; the views mark it until it is reset to the centroid.
 class PivotController : public QObject {
     Q_OBJECT
 public:
@@ -29,8 +29,8 @@ public:
     };
     PivotController(CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
-    void pick(const Eigen::Vector3d& pointInPatient);   ///< takes the nearest point on the vessels
-    void pickIfWanted(const Eigen::Vector3d& pointInPatient);   ///< only while the pick command is on
+    void pick(const Eigen::Vector3d& pointInPatient);   ///< uses the point on the vessels nearest to the picked one
+    void pickIfWanted(const Eigen::Vector3d& pointInPatient);   ///< picks only while the pick command is on
     void backToCentroid();
 
 signals:
@@ -44,7 +44,7 @@ private:
     Ui ui_;
     ui::PivotTool* tool_;   ///< owned by the view
     std::shared_ptr<const core::VesselTree> tree_;   ///< tree shown by the tool
-    std::vector<int> hidden_;   ///< branches it leaves out
+    std::vector<int> hidden_;   ///< branches that the tool does not show
 };
 
 }   // namespace angiopose::app

@@ -9,8 +9,8 @@
 namespace angiopose::app {
 namespace {
 
-constexpr qint64 poseBurstPauseMs = 900;   ///< a longer pause starts a new undo step
-constexpr int fieldKind = 100;   ///< typed edits merge with each other, not with nudges
+constexpr qint64 poseBurstPauseMs = 900;   ///< a pause longer than this starts a new undo step
+constexpr int fieldKind = 100;   ///< burst number of typed edits, which merge with each other but not with nudges
 
 }   // namespace
 
@@ -140,7 +140,7 @@ void PoseController::move(const core::RigidTransform& pose, const ui::Words& nam
     push(core::movedAlong(document_.current(), pose), name, burst);
 }
 
-/// Pushes the pose of the displayed view, and those of the other views if all move together.
+/// Pushes the new pose of the displayed view, and those of the other views if all views move together.
 void PoseController::push(std::vector<core::View> moved, const ui::Words& name, int burst)
 {
     const core::Case& current = document_.current();

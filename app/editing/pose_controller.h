@@ -11,7 +11,7 @@
 
 namespace angiopose::app {
 
-/// Edits the pose manually through fields, keys and drags. Each burst of the same kind is one undo step.
+/// Lets the user edit the pose with fields, keys and drags. A burst of edits of the same kind is one undo step.
 class PoseController : public QObject {
     Q_OBJECT
 public:
@@ -21,8 +21,8 @@ public:
     std::optional<core::PoseOffset> currentOffset() const;
     bool isMovedFromStart() const;
     const ui::PoseLocks& locks() const { return document_.current().options.locks; }
-    void setMovesAllViews(bool all) { movesAllViews_ = all; }   ///< for a case with several views
-    void setLocks(const ui::PoseLocks& locks);   ///< one undo step
+    void setMovesAllViews(bool all) { movesAllViews_ = all; }   ///< whether edits move all views of the case together
+    void setLocks(const ui::PoseLocks& locks);   ///< changes the locks in one undo step
 
     void setOffset(const core::PoseOffset& fromStart);
     void nudge(const ui::Nudge& nudge);
@@ -34,7 +34,7 @@ public:
     void cancelDrag();
 
 signals:
-    void previewed(const core::RigidTransform& cameraFromPatient);   ///< during a drag
+    void previewed(const core::RigidTransform& cameraFromPatient);   ///< emitted during a drag
     void previewEnded();
     void refused(const QString& why);
 

@@ -17,7 +17,7 @@ class SlicesPage;
 namespace angiopose::app {
 
 /// Draws and shows measurements in slices of the scan. MeasureController lists them after those of the image and
-/// changes the case.
+/// applies the changes to the case.
 class SliceMeasureController : public QObject {
     Q_OBJECT
 public:

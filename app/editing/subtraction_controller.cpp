@@ -136,7 +136,7 @@ void SubtractionController::change(const core::RunTreatment& wanted, const ui::W
     }
     request_ = Request{core::storedRunOf(current.shown()), wanted, what};
     if (wanted == current.shown().treatment) {
-        request_.reset();   // returned to the current treatment before the other run was computed
+        request_.reset();   // the request is the current treatment again, so nothing needs to be computed
     } else if (!wanted.changesFrames()) {
         take(*std::exchange(request_, std::nullopt), nullptr);
     } else if (const SharedRun known = made_.find(request_->stored, wanted)) {
@@ -150,7 +150,7 @@ void SubtractionController::change(const core::RunTreatment& wanted, const ui::W
 void SubtractionController::compute()
 {
     if (run_.isRunning()) {
-        *stop_ = true;   // `publish` then starts the new request
+        *stop_ = true;   // `publish` starts the new request once the worker has stopped
         return;
     }
     computing_ = request_;
@@ -165,7 +165,7 @@ void SubtractionController::publish()
     const Outcome outcome = takeResult(run_);
     const Request done = *std::exchange(computing_, std::nullopt);
     const auto& stored = core::storedRunOf(document_.current().shown());
-    if (outcome && done.stored == stored) {   // discards the outcome if another run has been opened in the meantime
+    if (outcome && done.stored == stored) {   // otherwise another run has been opened in the meantime
         made_.remember(done.stored, done.treatment, outcome.value());
     }
     if (request_ && request_->stored != stored) {
@@ -258,7 +258,7 @@ void SubtractionController::settleShift()
 {
     rest_.stop();
     if (shiftTool_->shiftPx() == shiftBegan_) {
-        sync_.showFrame(document_.current().shown().frame);   // restores the frame
+        sync_.showFrame(document_.current().shown().frame);   // replaces the preview by the actual frame
         view_.autoWindowLevel();
         return;
     }
@@ -274,7 +274,7 @@ void SubtractionController::follow()
     const core::Case& current = document_.current();
     made_.forgetAllBut(core::storedRunOf(current.shown()));
     if (view_.tool() == shiftTool_ && current.shown().treatment.plan.maskShiftPx && !rest_.isActive() && !request_) {
-        shiftBegan_ = *current.shown().treatment.plan.maskShiftPx;   // after an undo
+        shiftBegan_ = *current.shown().treatment.plan.maskShiftPx;   // undo may have changed the shift
         shiftTool_->showShift(shiftBegan_);
     }
     showState();

@@ -15,22 +15,22 @@
 
 namespace angiopose::app {
 
-/// Controls subtraction, peak-opacification image and meaning of the pixel values. A worker computes the run, which
-/// then enters the case as one undo step. During a manual pixel shift the displayed frame follows immediately, and the
-/// run once the mouse rests.
+/// Manages subtraction, the peak-opacification image and the meaning of the pixel values. A worker computes the new
+/// run, which then enters the case as one undo step. During a manual pixel shift, the displayed frame updates
+/// immediately and the run once the mouse rests.
 class SubtractionController : public QObject {
     Q_OBJECT
 public:
     explicit SubtractionController(const AngiogramParts& parts, QObject* parent = nullptr);
-    ~SubtractionController() override;   ///< stops a running computation at its next frame and discards it
+    ~SubtractionController() override;   ///< stops a computation at its next frame and discards the result
 
-    /// Requests the run with that treatment; only the newest request is answered.
+    /// Requests the run with this treatment; a newer request replaces a pending one.
     void change(const core::RunTreatment& wanted, const ui::Words& what);
     bool isComputing() const { return request_.has_value(); }
     bool isFindingShift() const
     {
         return !isShiftFound_;
-    }   ///< searching for the initial shift of a manual pixel shift
+    }   ///< true while the automatic shift is computed from which a manual pixel shift starts
 
 private:
     using SharedRun = TreatedRuns::SharedRun;
@@ -72,10 +72,10 @@ private:
     TreatedRuns made_;
     QFutureWatcher<Picture> preview_;
     std::optional<core::SubtractionPlan> wantedPreview_;
-    bool isShiftFound_ = true;   ///< false: the automatic shift of the frame is still being computed
+    bool isShiftFound_ = true;   ///< false while the automatic shift of the frame is computed
     Eigen::Vector2d shiftBegan_ = Eigen::Vector2d::Zero();   ///< shift of the case or from the search
     QTimer rest_;
-    bool isPreviewNew_ = false;   ///< its gray values differ from those displayed
+    bool isPreviewNew_ = false;   ///< true if the gray values of the preview differ from those displayed
 };
 
 }   // namespace angiopose::app

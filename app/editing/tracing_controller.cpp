@@ -19,7 +19,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Returns the range of useful thresholds: the values of the scan; for CT, those from blood to bone.
+/// Returns the range of useful thresholds: −200 to 1200 HU for CT, otherwise the value range of the scan.
 std::optional<std::pair<double, double>> thresholdRange(const ui::SliceModel& slices)
 {
     if (!slices.volume()) {
@@ -43,12 +43,12 @@ std::vector<ui::SliceMark> marksAt(const std::vector<Eigen::Vector3d>& points)
 
 /// Input of the tracing.
 struct Source {
-    core::InputFile file;   ///< empty: no input
+    core::InputFile file;   ///< no path if there is no input
     core::VesselInput input;
 };
 
-/// Returns the input that the vessels were traced from. Returns the scan if the mask was edited, or if the case has no
-/// vessels because tracing on opening failed.
+/// Returns the input from which the vessels were traced. Returns the scan instead if the mask was edited, or if the
+/// case has no vessels because tracing failed when it was opened.
 Source sourceOf(const core::Case& current)
 {
     const bool isFromScan = current.vessels.isLumenEdited && current.vessels.scan;   // rather than from the edited mask
@@ -168,7 +168,7 @@ void TracingController::followDocument()
         shownInput_ = current.vessels.input;
         setDraft(shownInput_.tracing);
     }
-    if (current.vessels.tree != warnedOf_) {   // the warnings are about another tree
+    if (current.vessels.tree != warnedOf_) {   // the warnings belong to a different tree
         ui_.panel.showOtherLumen({});
     } else if (otherLumen_) {
         ui_.panel.showOtherLumen(ui::messagesText(warnings_));
@@ -230,7 +230,7 @@ void TracingController::setPick(ui::TracingPick pick)
 {
     pick_ = pick;
     if (pick != ui::TracingPick::Nothing) {
-        ui_.slices.setTool(nullptr);   // clicks set points
+        ui_.slices.setTool(nullptr);   // clicks now set points instead of using the tool
     }
     ui_.panel.showPick(pick);
 }

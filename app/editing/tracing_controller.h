@@ -17,8 +17,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Traces the vessels of a scan with manual threshold, seeds and limits. The settings are a draft until a trace
-/// succeeds; then tree and settings enter the case as one step.
+/// Traces the vessels of a scan with user-defined threshold, seeds and limits. The settings are a draft until a trace
+/// succeeds; then the tree and the settings enter the case as one undo step.
 class TracingController : public QObject {
     Q_OBJECT
 public:
@@ -36,9 +36,9 @@ public:
     bool isRunning() const { return job_.isRunning(); }
     void start();
     void stop() { job_.stop(); }
-    void dropPick() { setPick(ui::TracingPick::Nothing); }   ///< clicks in a slice no longer set points
+    void dropPick() { setPick(ui::TracingPick::Nothing); }   ///< ends the mode in which clicks in a slice set points
     void addPoint(ui::TracingPick kind, const Eigen::Vector3d& pointInPatient);
-    void knowWarnings(const core::Messages& warnings);   ///< warnings from tracing the scan of the case
+    void knowWarnings(const core::Messages& warnings);   ///< takes the warnings from tracing the scan of the case
 
 signals:
     void traced(const QString& note);
@@ -51,7 +51,7 @@ private:
     void setDraft(const core::VesselTracingOptions& draft);
     void setPick(ui::TracingPick pick);
     void showPreview();
-    void findThreshold();   ///< computes the "automatic" threshold on a worker
+    void findThreshold();   ///< computes the automatic threshold on a worker
     void finish(const VesselTrace& result);
     void ended();
     void seedOtherLumen();
@@ -63,13 +63,13 @@ private:
     VesselTraceJob job_;
     core::VesselTracingOptions draft_;
     core::VesselInput shownInput_;
-    std::shared_ptr<const core::Volume> shownVolume_;   ///< scan that the vessels are traced from
+    std::shared_ptr<const core::Volume> shownVolume_;   ///< scan from which the vessels are traced
     CaseState startedFrom_;
-    core::InputFile source_;   ///< input of the running trace
+    core::InputFile source_;   ///< input of the current trace
     core::Messages warnings_;
-    std::optional<Eigen::Vector3d> otherLumen_;   ///< lumen that the warnings report
+    std::optional<Eigen::Vector3d> otherLumen_;   ///< position of the possible false lumen, from the warnings
     std::shared_ptr<const core::VesselTree> warnedOf_;
-    std::optional<VesselTrace> waiting_;   ///< held until a registration ends
+    std::optional<VesselTrace> waiting_;   ///< result of a trace, held back until the registration ends
     ui::TracingPick pick_ = ui::TracingPick::Nothing;
     Job<double> level_;
 };

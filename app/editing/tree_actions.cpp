@@ -35,7 +35,7 @@ int countGone(const core::VesselTree& tree, const ui::PruneLimits& limits)
     return left ? static_cast<int>(tree.branches.size() - left.value().branches.size()) : -1;
 }
 
-/// Returns the branch nearest to a point of a slice, if it is close enough.
+/// Returns the branch nearest to a point in a slice; empty if none is close enough.
 std::optional<int> branchNear(const core::VesselTree& tree, const Eigen::Vector3d& point)
 {
     double nearestMm = 3.0;
@@ -167,7 +167,7 @@ void TreeActions::showAdvice()
         const core::TreeGap& gap = advice_.gaps().front();
         const auto nameOf = [&tree](int id) {
             return ui::displayName(*tree->find(id))
-                .replace(QLatin1Char(' '), QChar::Nbsp);   // keeps the name on one line
+                .replace(QLatin1Char(' '), QChar::Nbsp);   // prevents a line break within the name
         };
         text = tr("%1 pieces · gap %2 mm: %3 – %4")
                    .arg(advice_.pieceCount())

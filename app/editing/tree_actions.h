@@ -40,7 +40,7 @@ public:
 signals:
     void refused(const QString& why);
     void adviceChanged();
-    void pivotWanted(const Eigen::Vector3d& pointInPatient);   ///< requested from a menu
+    void pivotWanted(const Eigen::Vector3d& pointInPatient);   ///< emitted when a menu requests the rotation center
 
 private:
     void connectCommands();

@@ -12,7 +12,7 @@
 namespace angiopose::app {
 namespace {
 
-constexpr double smoothWidthMm = 8.0;   // narrower bends are smoothed
+constexpr double smoothWidthMm = 8.0;   // window of the smoothing along the centerline
 
 QString words(const core::Error& error)
 {
@@ -97,7 +97,7 @@ void TreeController::deleteSelectedSubtrees()
     }
     Edited left = *tree();
     for (const int id : branches_.marks().selected) {
-        if (left && left.value().find(id)) {   // otherwise it was deleted with another subtree
+        if (left && left.value().find(id)) {   // otherwise already deleted as part of another subtree
             left = core::withoutSubtree(left.value(), id);
         }
     }
@@ -222,7 +222,7 @@ void TreeController::mend(const core::TreeGap& gap)
     }
     Edited whole = core::mended(*tree(), gap);
     const core::VesselBranch& first = tree()->branches.front();
-    if (whole && first.generation >= 0) {   // renumbers the generations beyond the gap from the root
+    if (whole && first.generation >= 0) {   // renumbers the generations beyond the gap, starting at the root
         whole = core::rootedAt(whole.value(), first.pointsInPatient.front());
     }
     apply(whole, joinName(gap.fromBranchId, gap.toBranchId));

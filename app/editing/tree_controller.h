@@ -12,22 +12,22 @@
 
 namespace angiopose::app {
 
-/// Edits the vessel tree; each edit is a named undo step. Marks of deleted branches and a result that no longer belongs
-/// to the tree are removed with the edit and restored by its undo. The pose stays, unless it is the initial pose.
+/// Edits the vessel tree; each edit is a named undo step. An edit also removes the marks of deleted branches and any
+/// result that no longer belongs to the tree; undo restores them. The pose stays, unless it is the initial pose.
 class TreeController : public QObject {
     Q_OBJECT
 public:
     TreeController(CaseDocument& document, BranchController& branches, QObject* parent = nullptr);
 
-    /// Sets the point last clicked in a view, where a cut or a root goes.
+    /// Sets the point last clicked in a view, at which a branch is cut or a root is set.
     void setPlace(const Eigen::Vector3d& pointInPatient) { place_ = pointInPatient; }
 
     void deleteSelected();
     void deleteSelectedSubtrees();
-    void cutSelected();   ///< at the point of `setPlace`
+    void cutSelected();   ///< cuts the branch at the point of `setPlace`
     void joinSelected();   ///< joins two branches at their nearest ends
     void smoothSelected();
-    void rootAtSelected();   ///< at the end of the selected branch nearest to the point of `setPlace`
+    void rootAtSelected();   ///< sets the root at the end of the selected branch nearest to the point of `setPlace`
     void toggleHiddenSelected();
     void showAll();
     void prune(double minLengthMm, double minRadiusMm);

@@ -42,7 +42,7 @@ QString sidecarOf(const QString& path)
     return path + QStringLiteral(".origin");
 }
 
-/// Returns the lock file of the session, the same for a case and for vessels alone.
+/// Returns the lock file of the session, which is the same for a case and for vessels without an angiogram.
 QString lockOf(const QString& path)
 {
     const QFileInfo file(path);
@@ -62,7 +62,7 @@ core::Result<QString> write(const core::Case& snapshot, const QString& path, con
         if (const core::Status written = io::writeVesselTree(*snapshot.vessels.tree, vessels.toStdString()); !written) {
             return written.error();
         }
-        QFile::remove(path);   // the angiogram has been removed, so an older copy of the case is obsolete
+        QFile::remove(path);   // an older copy of the case is obsolete once its angiogram has been removed
         return vessels;
     }
     if (const auto saved = io::saveCase(snapshot, path.toStdString()); !saved) {
@@ -132,7 +132,7 @@ bool Autosave::isWorthCopying() const
     if (document_.isEmpty() || !document_.isModified() || document_.isInTrial()) {
         return false;
     }
-    // Centerlines that were only opened exist in their file; traced vessels take time to compute again.
+    // Centerlines that were only opened are still in their file; traced vessels would have to be recomputed.
     return current.shown().angiogram || document_.holdsWork() ||
            current.vessels.input.kind != core::VesselInputKind::Centerline;
 }
@@ -157,7 +157,7 @@ void Autosave::take(const core::Result<QString>& written)
         emit saved();
         return;
     }
-    savedIndex_ = -1;   // retried at the next interval
+    savedIndex_ = -1;   // try again at the next interval
     if (!wasFailing) {
         emit failed(ui::messageText(written.error().message));
     }
@@ -185,7 +185,7 @@ std::vector<Leftover> Autosave::leftBehind()
         QLockFile lock(lockOf(file.absoluteFilePath()));
         lock.setStaleLockTime(0);
         if (!lock.tryLock(0)) {
-            continue;   // that session is still running
+            continue;   // the session is still running
         }
         QFile sidecar(sidecarOf(file.absoluteFilePath()));
         const QString origin = sidecar.open(QIODevice::ReadOnly) ? QString::fromUtf8(sidecar.readAll()) : QString();
@@ -238,14 +238,14 @@ void CaseKeeper::expectUnchangedSince(const QDateTime& when)
         [kept = kept_, when]() -> core::Result<QString> {
             const QFileInfo file(QString::fromStdString(kept->path));
             if (!kept->sha256.empty() && file.lastModified() > when) {
-                kept->sha256 = "changed since";   // matches no hash
+                kept->sha256 = "changed since";   // a value that matches no hash
             }
             return file.filePath();
         },
         {});
 }
 
-/// Handles a change of the open case or of its file path.
+/// Handles a change of the open case or of its path.
 void CaseKeeper::follow()
 {
     const int caseNumber = document_.state().caseNumber;

@@ -18,40 +18,40 @@ namespace angiopose::app {
 /// Autosaved copy left by a session that did not close normally.
 struct Leftover {
     QString path;   ///< path of the autosaved copy
-    QString original;   ///< path of the case file; empty: never saved
-    QString title;   ///< title of the case; empty: not known
+    QString original;   ///< path of the case file; empty if it was never saved
+    QString title;   ///< title of the case; empty if not known
     QDateTime when;
 
     bool holdsVessels() const
     {
         return path.endsWith(QLatin1String(".vtp"));
-    }   ///< vessels without an angiogram, not a case
+    }   ///< true for vessels without an angiogram, which are not a case
 };
 
 /// Saves a copy of a modified case to the application's data folder every minute on a worker. Vessels without an
-/// angiogram are saved as centerlines. A failed save is retried every minute.
+/// angiogram are saved as centerlines. A failed save is retried a minute later.
 class Autosave : public QObject {
     Q_OBJECT
 public:
     explicit Autosave(const CaseDocument& document, QObject* parent = nullptr);
 
-    void saveSoon();   ///< called by the timer and by tests
-    void discard();   ///< removes the copy after save, close or discard; waits for a running write
+    void saveSoon();   ///< called by the timer and by the tests
+    void discard();   ///< removes the copy after save, close or discard; first waits for a write in progress
     std::optional<QDateTime> lastSaved() const { return lastSaved_; }
-    bool isFailing() const { return isFailing_; }   ///< the last attempt failed; an older copy may exist
+    bool isFailing() const { return isFailing_; }   ///< true if the last attempt failed; an older copy may exist
 
     /// Lists the copies of sessions that are no longer running, newest first.
     static std::vector<Leftover> leftBehind();
     static void forget(const Leftover& copy);
-    /// Moves recovered vessels to a permanent file that cases can refer to; returns its path.
+    /// Moves recovered vessels to a permanent file to which cases can refer; returns its path.
     static QString keepVessels(const Leftover& copy);
 
 signals:
     void saved();
-    void failed(const QString& reason);   ///< emitted once until autosave works again
+    void failed(const QString& reason);   ///< emitted once per series of failed attempts
 
 private:
-    QString path() const;   ///< path for the case; vessels alone are saved next to it
+    QString path() const;   ///< path of the case copy; vessels without an angiogram are saved next to it
     bool isWorthCopying() const;
     void take(const core::Result<QString>& written);
 
@@ -60,7 +60,7 @@ private:
     std::unique_ptr<QLockFile> lock_;
     std::optional<QDateTime> lastSaved_;
     bool isFailing_ = false;
-    int savedIndex_ = -1;   ///< undo index that the copy holds
+    int savedIndex_ = -1;   ///< undo index of the saved copy
     FileQueue files_;
 };
 
@@ -73,10 +73,10 @@ public:
 
     enum class Replaced { KnownContent, AnyContent };   ///< content that a save may overwrite
 
-    /// Returns the job that writes a case; it fails without writing if another program has changed the file.
+    /// Returns the job that writes a case. The job fails without writing if another program has changed the file.
     std::function<core::Status()> saving(core::Case snapshot, const QString& path, Replaced replaced) const;
 
-    /// Call for a case opened from a copy of that time: a later version of its file counts as changed elsewhere.
+    /// Call for a case recovered from a copy written at `when`; a newer case file counts as changed by another program.
     void expectUnchangedSince(const QDateTime& when);
 
 signals:
@@ -86,7 +86,7 @@ private:
     /// Accessed only by jobs of the queue.
     struct Kept {
         std::string path;
-        std::string sha256;   ///< hash of the file as opened or saved here
+        std::string sha256;   ///< hash of the file when last opened or saved here
         io::CaseLock lock;
     };
     void follow();

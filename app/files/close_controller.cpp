@@ -15,7 +15,7 @@ CloseController::CloseController(CaseDocument& document, SaveController& save, R
     connect(actions[ui::Command::CloseCase], &QAction::triggered, this, [this] { requestClose(Closed::Case); });
     connect(&registration_, &RegistrationController::runningChanged, this, [this](bool running) {
         if (!running && closing_ != Closing::No) {
-            // The same event applies the solver's best pose, so close after it.
+            // The same event also applies the solver's best pose, so close only after it.
             QMetaObject::invokeMethod(this, &CloseController::close, Qt::QueuedConnection);
         }
     });
@@ -44,7 +44,7 @@ void CloseController::requestClose(Closed closed)
     connect(
         dialog, &ui::QuestionDialog::answered, this,
         [this, answers = words.answers](int index) { answerClose(answers.at(static_cast<std::size_t>(index)).second); },
-        Qt::QueuedConnection);   // close this dialog before another one may open
+        Qt::QueuedConnection);   // queued: this dialog closes before another one opens
     dialog->open();
 }
 
@@ -83,7 +83,7 @@ void CloseController::answerClose(Closing closing)
     }
     closing_ = closing;
     if (registration_.isRunning()) {
-        registration_.stop();   // setRunning continues once the worker has finished
+        registration_.stop();   // the slot of runningChanged closes once the worker has finished
     } else {
         close();
     }
@@ -92,7 +92,7 @@ void CloseController::answerClose(Closing closing)
 void CloseController::close()
 {
     if (std::exchange(closing_, Closing::No) == Closing::AfterSaving) {
-        // Edits made while saving are not in the file: ask again instead of discarding them.
+        // Edits made during saving are not in the file: ask again instead of discarding them.
         const auto goOn = [this] { save_.holdsWork() ? requestClose(closed_) : close(); };
         if (save_.savable() == SaveController::Savable::Vessels) {
             save_.saveVessels(goOn);

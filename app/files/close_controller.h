@@ -19,8 +19,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Closes the window or the case without losing unsaved changes or a running registration unless the user agrees; the
-/// best pose of a running registration is kept before saving.
+/// Closes the window or the case. Asks the user before unsaved changes or a running registration are lost. The best
+/// pose of a running registration is applied before saving.
 class CloseController : public QObject {
     Q_OBJECT
 public:
@@ -30,8 +30,8 @@ public:
     void closeWindow() { requestClose(Closed::Window); }
 
 signals:
-    void aboutToClose();   ///< the user requested it; end everything that must not stay open
-    void windowMayClose();   ///< closing loses nothing
+    void aboutToClose();   ///< emitted when the user requests closing; receivers end everything that must not stay open
+    void windowMayClose();   ///< emitted when the window can close without loss
 
 private:
     enum class Closing { No, Now, AfterSaving };
@@ -39,7 +39,7 @@ private:
 
     struct Question {
         ui::Message message;
-        std::vector<std::pair<QString, Closing>> answers;   ///< the first one is the default
+        std::vector<std::pair<QString, Closing>> answers;   ///< the first answer is the default
     };
 
     void requestClose(Closed closed);

@@ -172,7 +172,7 @@ void PackController::ask()
     }
     auto* dialog = new ui::PackDialog(&dialogParent_);
     connect(dialog, &ui::PackDialog::chosen, this, &PackController::askPath,
-            Qt::QueuedConnection);   // close this dialog before the next one opens
+            Qt::QueuedConnection);   // queued: this dialog closes before the next one opens
     dialog->open();
 }
 

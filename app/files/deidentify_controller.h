@@ -20,7 +20,7 @@ namespace angiopose::app {
 /// Converts the de-identification options of the dialog.
 io::Deidentification deidentificationOf(const ui::PackChoice& choice);
 
-/// De-identifies files and folders: asks for the options, then writes on a worker with progress and Stop.
+/// De-identifies files and folders: asks for the options, then writes on a worker with progress and a Stop button.
 class DeidentifyController : public QObject {
     Q_OBJECT
 public:
@@ -32,7 +32,7 @@ public:
 
 signals:
     void written(const QString& folder, const QString& words);
-    void partlyRefused(const QString& words, const QString& details);   ///< `details`: one line per file
+    void partlyRefused(const QString& words, const QString& details);   ///< `details` has one line per file
     void stopped();
     void failed(const QString& reason);
 
@@ -46,12 +46,12 @@ private:
     ui::BottomStrip& strip_;
     QWidget& dialogParent_;
     QPointer<ui::DeidentifyDialog> dialog_;
-    QString output_;   ///< output of the running job
+    QString output_;   ///< output path of the current job
     Job<io::DeidentifiedFiles> job_;
 };
 
 /// Writes the case with its inputs to one archive, in its current state: asks for the options, then writes on a worker
-/// with progress and Stop.
+/// with progress and a Stop button.
 class PackController : public QObject {
     Q_OBJECT
 public:
@@ -72,8 +72,8 @@ private:
     CaseDocument& document_;
     ui::BottomStrip& strip_;
     QWidget& dialogParent_;
-    QString archive_;   ///< archive being written
-    Job<QStringList> job_;   ///< its outcome is a list of notes
+    QString archive_;   ///< path of the archive being written
+    Job<QStringList> job_;   ///< returns notes for the user
 };
 
 }   // namespace angiopose::app

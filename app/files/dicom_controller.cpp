@@ -20,7 +20,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Creates the same report as the menu command.
+/// Returns a function that creates the same report as the menu command.
 std::function<core::Result<std::string>()> reportMaker(const core::Case& session, const core::Centerline2d& target,
                                                        const OverlayPictureOptions& look)
 {
@@ -72,7 +72,7 @@ std::vector<ui::DicomPart> DicomController::possibleParts() const
     return parts;
 }
 
-/// Opens the dialog; null, with a message, if there is no case yet.
+/// Opens the dialog; if there is no case yet, reports this and returns null.
 ui::DicomDialog* DicomController::askWhat(ui::DicomPurpose purpose)
 {
     const core::Case& current = document_.current();
@@ -91,7 +91,7 @@ void DicomController::ask()
 {
     if (const auto* dialog = askWhat(ui::DicomPurpose::Export)) {
         connect(dialog, &ui::DicomDialog::chosen, this, &DicomController::askFolder,
-                Qt::QueuedConnection);   // close this dialog before the next one opens
+                Qt::QueuedConnection);   // queued: this dialog closes before the next one opens
     }
 }
 
@@ -180,12 +180,12 @@ void ReportController::ask()
         emit failed(tr("Nothing to report yet. Open vessels and an angiogram first."));
         return;
     }
-    // The identity option starts off every time and is not remembered.
+    // The identity option is off whenever the dialog opens; its state is not remembered.
     auto* dialog = new ui::ReportDialog({ui::Choice::Off, settings::reportTemplate.read()}, &dialogParent_);
     connect(dialog, &ui::ReportDialog::templateWanted, this, [this, dialog] { askTemplate(*dialog); });
     connect(dialog, &ui::ReportDialog::copyWanted, this, &ReportController::askCopy);
     connect(dialog, &ui::ReportDialog::chosen, this, &ReportController::askFile,
-            Qt::QueuedConnection);   // close this dialog before the next one opens
+            Qt::QueuedConnection);   // queued: this dialog closes before the next one opens
     dialog->open();
 }
 
@@ -211,7 +211,7 @@ void ReportController::askFile(const ui::ReportChoice& choice)
     settings::reportTemplate.write(choice.templatePath);
     const core::Case current = outgoingCase(document_.current());
     if (!target_.current()) {
-        return;   // removed in the meantime
+        return;   // the target has been removed in the meantime
     }
     ui::ExportChoice picture;
     picture.residualColors = ui::Choice::On;

@@ -25,7 +25,7 @@ public:
                     QObject* parent = nullptr);
 
     void ask();
-    /// Asks which objects to send; emits `wanted` if the user selects some.
+    /// Asks which objects to send; emits `wanted` if the user selects any.
     void askToSend();
 
     /// Creates the objects of the current case in a folder; may run on any thread.
@@ -38,7 +38,7 @@ signals:
     void started();
     void written(const QString& folder, const QStringList& notes);
     void failed(const QString& reason);
-    void wanted(const ui::DicomChoice& choice);   ///< objects to send
+    void wanted(const ui::DicomChoice& choice);   ///< emitted with the objects to send
 
 private:
     ui::DicomDialog* askWhat(ui::DicomPurpose purpose);
@@ -55,7 +55,7 @@ private:
 
 class ExportController;
 
-/// Asks for the options and template of a case report and writes it through the export controller.
+/// Asks for the options and the template of a case report and writes the report through the export controller.
 class ReportController : public QObject {
     Q_OBJECT
 public:

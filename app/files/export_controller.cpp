@@ -138,7 +138,7 @@ void ExportController::askOverlay()
         askFile(questionFor(choice.format), overlayWriter(choice));
     };
     connect(dialog, &ui::ExportDialog::chosen, this, ask,
-            Qt::QueuedConnection);   // close this dialog before the next one opens
+            Qt::QueuedConnection);   // queued: this dialog closes before another one opens
     dialog->open();
 }
 
@@ -150,7 +150,7 @@ OverlayPictureOptions ExportController::lookOf(const ui::ExportChoice& choice) c
                                   choice.residualColors == ui::Choice::On ? coloring : OverlayColoring::Branches,
                                   choice.identity == ui::Choice::On ? Identity::Shown : Identity::Hidden,
                                   choice.english == ui::Choice::On ? englishTexts : windowTexts};
-    options.vessels = view.scene().mode();   // as displayed
+    options.vessels = view.scene().mode();   // exports use the displayed vessel style
     options.range = view.shownRange();
     options.depthCue = view.scene().depthCue();
     options.shape = preview_.shape();

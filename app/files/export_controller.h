@@ -19,7 +19,7 @@ class AngiogramView;
 
 namespace angiopose::app {
 
-/// Exports files: overlay image, result, pose, traced vessels.
+/// Exports files, e.g. the overlay image, the result, the pose and the traced vessels.
 class ExportController : public QObject {
     Q_OBJECT
 public:
@@ -29,16 +29,16 @@ public:
     struct FileQuestion {
         QString title;
         QString filter;
-        QString suffix;   ///< also ends the suggested file name
-        bool isOfCase = true;   ///< false: not an export of the case, such as a template
+        QString suffix;   ///< file extension; also used as the ending of the suggested name
+        bool isOfCase = true;   ///< false for other files, e.g. a template
     };
-    /// Writes one file on a worker; holds all its data by value.
+    /// Writes one file on a worker; holds copies of all its data.
     using Write = std::function<core::Status(const QString& path)>;
     using Then = std::function<void()>;   ///< called after the file is written
     void askFile(const FileQuestion& question, const Write& write, const Then& then = {});
     void askPath(const FileQuestion& question, const std::function<void(const QString& path)>& use);
     void writeFile(const QString& path, const Write& write,
-                   const Then& then = {});   ///< exports from the case; returns at once
+                   const Then& then = {});   ///< writes a file with data from the case; returns at once
 
     void askOverlay();
     OverlayPictureOptions lookOf(const ui::ExportChoice& choice) const;   ///< appearance as in the window
@@ -48,14 +48,14 @@ public:
     void askTrace();
     void askMeasurements();
     void askCheckPoints();
-    void askMask();   ///< the lumen as a label image
+    void askMask();   ///< exports the lumen as a label image
     void askVessels(const Then& then = {});
-    void askDeformed();   ///< deformed tree, or displacement of each of its points
+    void askDeformed();   ///< exports the deformed tree or the displacement of each of its points
 
 signals:
     void started();
     void written(const QString& path);
-    void exported();   ///< an export of the case was written
+    void exported();   ///< emitted when an export of the case was written
     void failed(const QString& reason);
 
 private:
@@ -65,7 +65,7 @@ private:
 
     CaseDocument& document_;
     TargetProvider& target_;
-    const PosePreview& preview_;   ///< vessels that exported images show
+    const PosePreview& preview_;   ///< provides the vessels that exported images show
     ui::AngiogramView& view_;
     QWidget& dialogParent_;
     FileQueue files_;

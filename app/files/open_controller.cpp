@@ -15,7 +15,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Lists the folders used recently.
+/// Lists recently used folders.
 std::vector<std::string> foldersInUse()
 {
     QStringList folders;
@@ -85,7 +85,7 @@ void OpenController::openView(const QStringList& paths)
     load(paths, {{}, {}, foldersInUse()});
 }
 
-/// Opens the next run of a study as a view, unless there are no vessels.
+/// Opens the next run of a study as a view; does nothing if the case has no vessels.
 void OpenController::openNextRun()
 {
     if (furtherRuns_.isEmpty()) {
@@ -222,8 +222,8 @@ void OpenController::finish()
     emit ended();
 }
 
-/// Asks for the series, the use of the scan or the location of missing inputs if reading stopped to find out; returns
-/// whether it asked.
+/// If reading stopped because a decision is needed, asks the user for the series, the use of the scan or the location
+/// of missing inputs. Returns whether it asked.
 bool OpenController::asksFirst(const io::LoadedInputs& inputs, const QStringList& paths)
 {
     if (inputs.isStudyOffered) {
@@ -293,7 +293,7 @@ void OpenController::take(const io::LoadedInputs& inputs, const QStringList& pat
     admit(opening);
 }
 
-/// Takes a pose or points, which change the open case but do not become one of its inputs.
+/// Applies a pose or points to the open case, of which their file does not become an input.
 void OpenController::takeShared(const io::LoadedInputs& inputs, const QStringList& paths)
 {
     asView_ = false;
@@ -333,7 +333,7 @@ void OpenController::finishPose(const io::PoseWithCamera& pose, ArrivingCamera c
     emit poseOpened(QStringList{tr("Pose from %1 applied.").arg(name)} + notes);
 }
 
-/// Takes the opened files into the case, after confirmation if they seem to belong to another patient.
+/// Adds the opened files to the case; asks first if they seem to belong to another patient.
 void OpenController::admit(const Opening& opening)
 {
     const auto wanted = caseWith(document_.current(), opening);

@@ -8,26 +8,26 @@
 
 namespace angiopose::app {
 
-/// Selection from the studies in a folder.
+/// Items selected from the studies in a folder.
 struct StudyChoice {
-    QString folder, seriesId;   ///< folder and series of the vessels; empty: none
+    QString folder, seriesId;   ///< folder and series of the vessels; empty if there are none
     QStringList runs;   ///< angiogram files to open as views
 };
 
-/// Opens files: cases, or parts that make a case or join the open one. Reads on a worker; the open case does not change
-/// until everything has been read and all questions are answered.
+/// Opens files: complete cases, inputs that form a new case, and inputs that are added to the open one. Reads on a
+/// worker; the open case does not change until all files have been read and all questions have been answered.
 class OpenController : public QObject {
     Q_OBJECT
 public:
     explicit OpenController(CaseDocument& document, QObject* parent = nullptr);
 
     void open(const QStringList& paths);
-    /// Opens a copy of the case at `original` (empty: never saved); it counts as unsaved.
+    /// Opens a copy of the case at `original` (empty if it was never saved). The case counts as unsaved.
     void openCopy(const QString& copy, const QString& original);
     /// Answers `seriesChoiceNeeded`: opens one of the offered series.
     void openSeries(const QString& seriesId);
-    /// Opens vessels and the first run together, as a new case or into the open one, and the other runs as further
-    /// views.
+    /// Opens the vessels and the first run together, as a new case or as part of the open one, and the other runs as
+    /// further views.
     void openStudy(const StudyChoice& choice);
     /// Opens an angiogram, or the image of a case, as another view of the open case's vessels.
     void openView(const QStringList& paths);
@@ -46,7 +46,7 @@ public:
     void openWithoutOptional();
     /// Answers `inputsMissing` with the locations of some inputs, or with another folder to search.
     void openWithInputs(const io::MovedInputs& moved, const QString& searchFolder = {});
-    /// Path of the copy that the open case came from; empty if it is not a copy.
+    /// Path of the copy from which the open case was read; empty if it was not read from a copy.
     QString openedCopy() const { return original_ ? copy_ : QString(); }
     void abandon();
     bool isLoading() const { return job_ != nullptr; }
@@ -55,28 +55,28 @@ signals:
     void tookIn(const core::Messages& warnings);   ///< warnings about files that are now part of the case
     void started(const QString& what);
     void advanced(const QString& what, double fraction);
-    /// Emitted if a DICOM folder holds several series; answer with `openSeries` or ignore.
+    /// Emitted if a DICOM folder contains several series; answer with `openSeries` or ignore.
     void seriesChoiceNeeded(const QString& folder, const std::vector<io::DicomSeries>& series);
     void ended();
     /// Emitted if only a folder or DICOMDIR was opened; answer with `openStudy` or ignore.
     void studyOffered(const QString& place);
-    /// Emitted if files that a case refers to were not found; answer with `openWithInputs` or ignore.
+    /// Emitted if files named by a case were not found; answer with `openWithInputs` or ignore.
     void inputsMissing(const QString& casePath, const QStringList& missing, bool areOptional);
-    /// Emitted if a scan was opened while the case has vessels from a file: show it with them, or trace vessels in it?
-    /// Answer with `openScan` or ignore.
+    /// Emitted if a scan was opened while the case has vessels from a file. The question is whether to show the scan
+    /// with them or to trace vessels in it; answer with `openScan` or ignore.
     void scanChoiceNeeded(const QString& name);
-    /// Emitted if vessels without a unit are too small or too large for mm; answer with `openInUnit` or ignore.
+    /// Emitted if vessels without a unit are implausibly small or large in mm; answer with `openInUnit` or ignore.
     void unitNeeded(const QString& name, double unitsAcross);
-    /// Emitted if an angiogram was opened while the case has one: add a view, or replace it? Answer with
-    /// `addWaitingView`, `replaceImage` or ignore.
+    /// Emitted if an angiogram was opened while the case already has one. The question is whether to add a view or to
+    /// replace the image; answer with `addWaitingView`, `replaceImage` or ignore.
     void viewChoiceNeeded(const QString& name);
     /// Emitted if a pose comes with a camera other than that of the case; answer with `openWaitingPose` or ignore.
     void cameraChoiceNeeded(const QString& name);
-    /// Emitted if the opened files seem to belong to another patient or to the other side; answer with `openMismatched`
-    /// or ignore.
+    /// Emitted if the opened files seem to belong to another patient or to the other body side; answer with
+    /// `openMismatched` or ignore.
     void mismatchNeedsConsent(const QString& names, const core::Messages& mismatch, const core::Case& wanted);
-    void opened(const QStringList& notes);   ///< remarks on the files for the user
-    void poseOpened(const QStringList& notes);   ///< the open case took a pose or points
+    void opened(const QStringList& notes);   ///< emitted after opening; `notes` holds remarks for the user
+    void poseOpened(const QStringList& notes);   ///< emitted when a pose or points were applied to the open case
     void failed(const QString& reason, const QStringList& paths);
     /// Emitted before an open case with unsaved changes is replaced; answer with `replaceOpenCase` or ignore.
     void replacementNeedsConsent();
@@ -98,15 +98,15 @@ private:
 
     CaseDocument& document_;
     LoadJob* job_ = nullptr;
-    std::optional<Opening> waiting_;   ///< read, waiting for the user's consent
+    std::optional<Opening> waiting_;   ///< files that have been read and await the user's consent
     std::optional<io::PoseWithCamera> waitingPose_;   ///< has a camera other than that of the case
     QString waitingPoseName_;
-    QString askedSeries_;   ///< series of the scan in question
+    QString askedSeries_;   ///< series of the scan about which the user is asked
     QStringList furtherRuns_;   ///< runs of a study, to be opened as views
-    QStringList askedPaths_;   ///< paths whose series or input locations were asked for
-    bool asView_ = false;   ///< the files being opened become another view
-    io::MovedInputs moved_;   ///< inputs found so far for a case with missing ones
-    std::optional<QString> original_;   ///< for the last opened copy, path of its case
+    QStringList askedPaths_;   ///< paths for which the user is asked about the series or missing inputs
+    bool asView_ = false;   ///< true if the files being opened become another view
+    io::MovedInputs moved_;   ///< inputs located so far, for a case with missing inputs
+    std::optional<QString> original_;   ///< for a recovered copy, the path of its case
     QString copy_;
 };
 

@@ -28,7 +28,7 @@ struct KindWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::InputKind)
 };
 
-/// Name filters of the open dialog; the first one covers all kinds.
+/// Name filters of the open dialog; the first filter covers all file types.
 QStringList openFilters()
 {
     const QString scans = QStringLiteral("*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.stl *.ply *.obj");
@@ -49,8 +49,8 @@ struct LengthUnit {
     double mm;
 };
 
-/// Returns the units that give a plausible vessel size, most likely first and millimeters, which are in doubt, last; if
-/// no unit fits, returns all.
+/// Returns the units that give a plausible vessel size, most likely first, with millimeters, which have become
+/// doubtful, at the end. Returns all units if none fits.
 std::vector<LengthUnit> unitsFor(double unitsAcross)
 {
     constexpr double smallestMm = 10.0, usualMm = 200.0, largestMm = 2000.0;
@@ -227,7 +227,7 @@ void OpenDialogs::askWhatScan(const QString& name)
     question->open();
 }
 
-/// Asks for the unit; each button shows the resulting size, the most likely one first.
+/// Asks for the unit. Each button shows the resulting size; the most likely unit comes first.
 void OpenDialogs::askUnit(const QString& name, double unitsAcross)
 {
     const std::vector<LengthUnit> units = unitsFor(unitsAcross);
@@ -310,7 +310,7 @@ void OpenDialogs::askToReplace()
         if (index == keep) {
             open_.abandon();
         } else if (index == 0) {
-            save_.save([this] { askToReplace(); });   // asks no question if nothing is left unsaved
+            save_.save([this] { askToReplace(); });   // no further question if nothing remains unsaved
         } else {
             open_.replaceOpenCase();
         }

@@ -38,7 +38,7 @@ QStringList notesOf(const io::LoadedInputs& inputs, const core::Case& opened)
         notes << NoteWords::tr("One unit of the file is %1 mm, as you selected.")
                      .arg(ui::briefNumber(inputs.vesselInput.unitMm, 6));
     }
-    if (!inputs.wholeCase) {   // loading a case file has already compared its images
+    if (!inputs.wholeCase) {   // for a complete case file, the images were compared while loading
         for (const core::Message& mismatch : core::findMismatch(opened)) {
             notes << ui::messageText(mismatch);
         }

@@ -7,13 +7,13 @@
 
 namespace angiopose::app {
 
-/// Joins the file names, as in "a.dcm, b.vtp".
+/// Joins file names, e.g. "a.dcm, b.vtp".
 QString namesOf(const QStringList& paths);
 
-/// Remarks on the opened files and on how they fit the case they are now part of.
+/// Returns remarks on the opened files and on how they fit the case to which they now belong.
 QStringList notesOf(const io::LoadedInputs& inputs, const core::Case& opened);
 
-/// Remarks on a scan opened with vessels of another origin, which must share its axes.
+/// Returns remarks on a scan opened with vessels from another file, which must use the same patient coordinates.
 QStringList notesOnScan(const io::LoadedInputs& inputs, const core::Case& opened);
 
 }   // namespace angiopose::app

@@ -24,7 +24,7 @@ QStringList replaceCase(CaseDocument& document, const core::Case& wanted, const 
         rememberCase(path);
     }
     if (opening.original || !opening.inputs.moved.empty()) {
-        document.markUnsaved();   // the case in the window differs from its file
+        document.markUnsaved();   // the open case differs from its file
     }
     return notesOf(opening.inputs, document.current());
 }
@@ -52,7 +52,7 @@ QStringList addView(CaseDocument& document, const core::Case& wanted, const Open
 
 constexpr double farFromVesselsMm = 50.0;
 
-/// Returns the camera of the file with the size of the image.
+/// Returns the camera from the file with the image size of the view.
 core::ProjectionCamera arrivingCamera(const core::View& view, core::ProjectionCamera camera)
 {
     camera.width = view.angiogram->width();
@@ -86,7 +86,7 @@ bool liesBehindSource(const core::Case& open, const core::RigidTransform& pose)
     return (pose * core::centroidInPatient(*open.vessels.tree)).z() < core::minProjectableDepthMm;
 }
 
-/// For the pose of a result, lists the inputs it was found with that differ from those of the case.
+/// For the pose of a result, lists the inputs of its registration that differ from those of the case.
 QStringList notesOnInputs(const core::Case& open, const io::PoseWithCamera& pose)
 {
     const auto differ = [](const std::string& theirs, const std::string& ours) {

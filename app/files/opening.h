@@ -10,9 +10,9 @@
 
 namespace angiopose::app {
 
-/// Files that have been read and how they enter the case.
+/// Files that have been read, and how they are added to the case.
 struct Opening {
-    enum class Way { Replace, Join, AddView };   ///< replace the open case, add inputs to it, or add a view
+    enum class Way { Replace, Join, AddView };   ///< replaces the open case, adds inputs to it, or adds a view
 
     io::LoadedInputs inputs;
     QStringList paths;
@@ -21,23 +21,23 @@ struct Opening {
     std::optional<bool> isSamePatient{};   ///< the user's answer for all images; empty: not asked
 };
 
-/// Returns whether only an angiogram was opened and a case with vessels already has a different one.
+/// Returns whether the only opened file is an angiogram and the case, which has vessels, already has a different one.
 bool isAnotherView(const core::Case& open, const io::LoadedInputs& inputs);
 
-/// Returns the open case as it would be after opening.
+/// Returns the case that would result from opening.
 core::Result<core::Case> caseWith(const core::Case& open, const Opening& opening);
 
-/// Takes the files into the document, as one undo step if the open case stays. Returns remarks for the user.
+/// Adds the files to the document, as one undo step unless the case is replaced. Returns remarks for the user.
 core::Result<QStringList> takeIn(CaseDocument& document, const Opening& opening);
 
-/// Camera to use after opening a pose with another one.
+/// Camera to use after opening a pose whose camera differs from that of the case.
 enum class ArrivingCamera { OfCase, OfPose };
 
 /// Compatibility of a pose from a file with the displayed view.
 struct PoseFit {
-    QString refusal;   ///< reason why the pose cannot be used; empty: it can
-    bool isOtherCamera = false;   ///< its camera differs from that of the case: ask which to use
-    QStringList notes;   ///< remarks for the user in any case
+    QString refusal;   ///< reason why the pose cannot be used; empty if it can
+    bool isOtherCamera = false;   ///< true if its camera differs from that of the case, so the user must choose one
+    QStringList notes;   ///< remarks for the user, even if the pose is refused
 };
 PoseFit poseFit(const core::Case& open, const io::PoseWithCamera& pose);
 
@@ -45,8 +45,8 @@ PoseFit poseFit(const core::Case& open, const io::PoseWithCamera& pose);
 QStringList takePose(CaseDocument& document, const io::PoseWithCamera& pose, ArrivingCamera camera,
                      const QString& name);
 
-/// Adds the points as target points of the case in one undo step. Returns remarks for the user; fails if they cannot be
-/// used.
+/// Adds the points to the case as target points in one undo step. Returns remarks for the user; fails if the points
+/// cannot be used.
 core::Result<QStringList> takePoints(CaseDocument& document, const std::vector<io::Fiducial>& points,
                                      const QString& name);
 

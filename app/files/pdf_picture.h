@@ -6,8 +6,8 @@
 
 namespace angiopose::app {
 
-/// Returns the image as a PDF page of its size; paths stay paths and texts stay texts. Provenance is an attached file.
-/// Empty if Qt cannot read the intermediate SVG.
+/// Returns the image as a PDF page of the same size, with paths as vectors and texts as text. The provenance is an
+/// attached file. Empty if Qt cannot read the intermediate SVG.
 QByteArray pdfOf(const ui::VectorPicture& picture, const SvgFacts& facts);
 
 }   // namespace angiopose::app

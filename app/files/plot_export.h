@@ -14,7 +14,7 @@ QByteArray plotAsSvg(QWidget& plot);
 /// Returns the plot as PNG at three times the screen resolution.
 QByteArray plotAsPng(QWidget& plot);
 
-/// Adds a context menu to the window's plots that copies them or writes them to a file.
+/// Adds a context menu to the window's plots that copies a plot or writes it to a file.
 class PlotExport : public QObject {
     Q_OBJECT
 public:

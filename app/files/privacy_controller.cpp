@@ -103,7 +103,7 @@ void AuditController::choose(bool on)
         ui::speakAgain();
         return;
     }
-    keep_.setChecked(false);   // off until a file is chosen
+    keep_.setChecked(false);   // stays off until a file has been chosen
     auto* dialog = new QFileDialog(&dialogParent_, tr("Write audit log"),
                                    suggestedPath({}, QStringLiteral("audit.jsonl")), tr("Audit logs (*.jsonl)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);

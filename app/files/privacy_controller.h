@@ -12,7 +12,7 @@ class QWidget;
 
 namespace angiopose::app {
 
-/// Switches private mode on and off: asks before deleting stored data, and clears data when the window closes.
+/// Switches private mode on and off. Asks before deleting stored data, and clears such data when the window closes.
 class PrivacyController : public QObject {
     Q_OBJECT
 public:
@@ -20,7 +20,7 @@ public:
     ~PrivacyController() override;
 
 signals:
-    void changed();   ///< the stored and displayed data have changed
+    void changed();   ///< emitted when stored and displayed data have changed
 
 private:
     void choose(bool on);
@@ -31,8 +31,8 @@ private:
     QWidget& dialogParent_;
 };
 
-/// Writes the audit file, which records who opened and wrote which files. Set by the environment or by the menu switch,
-/// which asks for the file; off by default.
+/// Writes the audit file, which records who opened and wrote which files. Off by default; the environment variable sets
+/// the file, or the menu switch, which asks for it.
 class AuditController : public QObject {
     Q_OBJECT
 public:
@@ -40,10 +40,10 @@ public:
 
     void note(io::AuditEvent event, const QStringList& paths);   ///< returns at once
     void noteOpened();   ///< records the open case and its inputs
-    void noteCase(io::AuditEvent event);   ///< records an event of the open case's own file
+    void noteCase(io::AuditEvent event);   ///< records an event that concerns the case file itself
 
 signals:
-    void failed(const QString& reason);   ///< an event could not be recorded
+    void failed(const QString& reason);   ///< emitted if an event could not be recorded
 
 private:
     void choose(bool on);

@@ -30,7 +30,7 @@ QString pictureName(const QString& casePath)
            QStringLiteral(".png");
 }
 
-/// Returns the frame alone, with burned-in text replaced by a uniform gray.
+/// Returns a run with only this frame, in which burned-in text is replaced by a uniform gray.
 std::shared_ptr<const core::Angiogram> withoutLetters(const core::Angiogram& run, int frame)
 {
     core::Angiogram shown;
@@ -47,18 +47,18 @@ std::shared_ptr<const core::Angiogram> withoutLetters(const core::Angiogram& run
     return std::make_shared<const core::Angiogram>(std::move(shown));
 }
 
-/// Gives the thumbnail the time stamp of its case, to distinguish another case at the same path, for example on another
-/// USB drive.
+/// Gives the thumbnail the time stamp of its case file, so that it is not shown for a different case at the same path,
+/// e.g. on another USB drive.
 void markAsOf(const std::string& picturePath, const std::string& casePath)
 {
     std::error_code failed;
     const auto time = std::filesystem::last_write_time(casePath, failed);
     if (!failed) {
-        std::filesystem::last_write_time(picturePath, time, failed);   // on failure, the thumbnail is not shown
+        std::filesystem::last_write_time(picturePath, time, failed);   // if this fails, the thumbnail is not shown
     }
 }
 
-constexpr qsizetype keptCases = 30;   // maximum number of cases besides the pinned ones
+constexpr qsizetype keptCases = 30;   // maximum number of cases in addition to the pinned ones
 
 void store(const QStringList& cases)
 {

@@ -7,31 +7,31 @@
 
 namespace angiopose::app {
 
-/// Thumbnails of recent cases in the user's cache folder: vessels over the image without captions, burned-in text
-/// masked. They are removed with the list of recent cases.
+/// Thumbnails of recent cases in the user's cache folder. They show the vessels over the image, without captions and
+/// with burned-in text masked, and are removed with the list of recent cases.
 
-/// Width of a thumbnail, device px.
+/// Width of a thumbnail, device pixels.
 inline constexpr int casePictureWidthPx = 192;
 
-/// Creates and stores the thumbnail of a case file on a worker; returns false if there is nothing to show yet.
+/// Creates and stores the thumbnail of a case file; call on a worker. Returns false if there is nothing to show yet.
 bool storeCasePicture(const core::Case& session, const QString& casePath);
 
 /// Reads the thumbnail of a case; null if there is none.
 QImage casePicture(const QString& casePath);
 
-/// Path of the thumbnail of a case, if it has one; its name reveals nothing about the case.
+/// Returns the path of the thumbnail of a case, if it has one; the file name reveals nothing about the case.
 QString casePicturePath(const QString& casePath);
 
-/// Removes the thumbnails of all other cases.
+/// Removes all thumbnails except those of the given cases.
 void keepCasePictures(const QStringList& casePaths);
 
-/// Paths of recently opened or saved cases: pinned ones first, then newest first.
+/// Paths of recently opened or saved cases: pinned cases first, each group from newest to oldest.
 QStringList recentCases();
 void rememberCase(const QString& path);
 void forgetCase(const QString& path);   ///< also removes its thumbnail
-void forgetRecentCases();   ///< removes all except the pinned ones, with their thumbnails
+void forgetRecentCases();   ///< removes all cases except the pinned ones, with their thumbnails
 
-/// Pinned cases stay in the list and come first.
+/// Returns whether a case is pinned: it stays in the list and comes first.
 bool isPinned(const QString& path);
 void setPinned(const QString& path, bool pinned);
 

@@ -46,7 +46,7 @@ std::string contentOf(const std::string& path)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Returns whether the thumbnail has the time stamp of the case.
+/// Returns whether the thumbnail has the time stamp of the case file.
 bool isOfSameTime(const std::string& casePath, const std::string& picturePath)
 {
     std::error_code failed, alsoFailed;
@@ -76,19 +76,19 @@ CaseLook lookAtCase(const std::string& casePath, const std::string& picturePath)
     if (!std::filesystem::is_regular_file(casePath, failed)) {
         return {CasePresence::Missing, {}};
     }
-    const auto missing = io::missingInputs(casePath);   // an unreadable case is reported when it is opened
+    const auto missing = io::missingInputs(casePath);   // fails for an unreadable case, which is reported when opened
     const bool isWhole = !missing || missing.value().empty();
     return {isWhole ? CasePresence::Present : CasePresence::InputsMissing,
             isOfSameTime(casePath, picturePath) ? contentOf(picturePath) : std::string()};
 }
 
-/// State shared by the threads and the window; outlives both.
+/// State shared by the threads and the lookup object; lives as long as any of them.
 struct CaseLookup::Shared {
     std::mutex mutex;
     std::condition_variable ended;
     int threads = 0;
     std::set<QString> underWay;
-    std::set<QString> askedAgain;   ///< requested again while running: the result may be outdated
+    std::set<QString> askedAgain;   ///< requested again during a check, whose result may then be outdated
     std::vector<std::pair<QString, CaseLook>> answers;
 
     void answer(const Asked& asked, const Look& look)
@@ -171,7 +171,7 @@ RecentController::RecentController(const CaseDocument& document, const Ui& ui, C
 {
     const ui::RecentList& list = ui_.welcome.recent();
     connect(&list, &ui::RecentList::openRequested, this, &RecentController::openRequested);
-    // Queued, because these actions delete the widgets that emit the signals.
+    // Queued, because the slots delete the widgets that emit the signals.
     connect(&list, &ui::RecentList::clearRequested, this, &RecentController::clear, Qt::QueuedConnection);
     connect(
         &list, &ui::RecentList::removeRequested, this,
@@ -242,7 +242,7 @@ void RecentController::take(const QString& path, const CaseLook& look)
     known = {look.state, picture};
 }
 
-/// Rebuilds the rows only if something has changed, since one may be under the mouse.
+/// Rebuilds the rows only if something has changed, since the mouse may be over one of them.
 void RecentController::showNews()
 {
     if (std::exchange(isNews_, false)) {

@@ -24,13 +24,13 @@ enum class CasePresence { Present, Missing, InputsMissing };
 /// State of a case in the list of recent cases.
 struct CaseLook {
     CasePresence state = CasePresence::Present;
-    std::string picture;   ///< content of its thumbnail file; empty: none
+    std::string picture;   ///< content of the thumbnail file; empty if there is none
 };
 
-/// Checks whether the case file and its inputs exist, and reads its thumbnail.
+/// Checks whether the case file and its inputs exist, and reads the thumbnail of the case.
 CaseLook lookAtCase(const std::string& casePath, const std::string& picturePath);
 
-/// Checks cases on separate threads, one per folder, so a drive that does not respond blocks neither the window nor the
+/// Checks cases on separate threads, one per folder, so that an unresponsive drive blocks neither the window nor the
 /// other folders. The program does not wait for these threads when it exits.
 class CaseLookup : public QObject {
     Q_OBJECT
@@ -39,12 +39,12 @@ public:
     explicit CaseLookup(Look look, QObject* parent = nullptr);
     ~CaseLookup() override;
 
-    /// Checks the cases; a case being checked is checked again afterwards.
+    /// Checks the cases; if a check is already in progress for a case, checks that case again afterwards.
     void look(const QStringList& paths);
 
 signals:
     void found(const QString& path, const CaseLook& look);
-    void reported();   ///< all results so far have been reported
+    void reported();   ///< emitted when all results so far have been reported
 
 private:
     struct Shared;
@@ -55,7 +55,7 @@ private:
     QTimer poll_;
 };
 
-/// Shows recently opened or saved cases on the welcome page and in the menu. File checks run on separate threads and
+/// Shows recently opened or saved cases on the welcome page and in the menu. Separate threads check the files and
 /// update the list later.
 class RecentController : public QObject {
     Q_OBJECT
@@ -68,8 +68,8 @@ public:
     RecentController(const CaseDocument& document, const Ui& ui, CaseLookup::Look look = lookAtCase,
                      QObject* parent = nullptr);
 
-    void fill();   ///< rebuilds the list and checks every case in it
-    void pictureOpened();   ///< creates the thumbnail of the case just opened
+    void fill();   ///< rebuilds the list and starts a check of every case in it
+    void pictureOpened();   ///< creates the thumbnail of the case that was just opened
 
 signals:
     void openRequested(const QString& path);
@@ -91,7 +91,7 @@ private:
     CaseLookup lookup_;
     FileQueue pictures_;
     QHash<QString, Known> known_;
-    bool isNews_ = false;   ///< something changed since the list was shown
+    bool isNews_ = false;   ///< true if something has changed since the list was last shown
 };
 
 }   // namespace angiopose::app

@@ -94,11 +94,11 @@ void SaveController::offerVessels(const std::function<void()>& whenSaved)
                 saveVessels(whenSaved);
             }
         },
-        Qt::QueuedConnection);   // close this dialog before another one opens
+        Qt::QueuedConnection);   // queued: this dialog closes before another one opens
     question->open();
 }
 
-/// Refuses before asking for a name if the case cannot be saved.
+/// Refuses, before asking for a name, if the case cannot be saved.
 bool SaveController::refusesToSave(const std::function<void()>& whenSaved)
 {
     if (savable() == Savable::Vessels) {
@@ -163,7 +163,7 @@ void SaveController::saveTo(const QString& path, const std::function<void()>& wh
         });
 }
 
-/// Asks before overwriting changes saved by another window or program.
+/// Asks before overwriting changes that another window or program has saved.
 void SaveController::askAboutChange(const QString& path, const std::function<void()>& whenSaved)
 {
     auto* question =
@@ -186,7 +186,7 @@ void SaveController::askAboutChange(const QString& path, const std::function<voi
                 emit reloadWanted(path);
             }
         },
-        Qt::QueuedConnection);   // close this dialog before another one opens
+        Qt::QueuedConnection);   // queued: this dialog closes before another one opens
     question->open();
 }
 
@@ -250,7 +250,7 @@ void SaveController::noteOpened(const QString& copy)
     }
     const QString vessels = std::exchange(recoveredVessels_, {});
     if (!vessels.isEmpty() && document_.current().vessels.file.path == vessels.toStdString()) {
-        document_.markUnsaved();   // the user has not named the file yet
+        document_.markUnsaved();   // the user has not yet chosen a name for the file
     }
 }
 

@@ -13,7 +13,7 @@ class QWidget;
 
 namespace angiopose::app {
 
-/// Saves the open case under its name or a new one, and offers to recover copies left by crashed sessions.
+/// Saves the open case under its current or a new name, and offers to recover copies left by crashed sessions.
 class SaveController : public QObject {
     Q_OBJECT
 public:
@@ -22,10 +22,10 @@ public:
     /// Part of the open case that can be saved: a case has vessels and an angiogram; vessels alone are centerlines.
     enum class Savable { Case, Vessels, Nothing };
     Savable savable() const;
-    bool holdsWork() const;   ///< work that is not in any file
+    bool holdsWork() const;   ///< true if there is work that no file contains
 
-    void save(const std::function<void()>& whenSaved = {});   ///< asks for a name if there is none
-    void saveVessels(const std::function<void()>& whenSaved = {});   ///< as centerlines; asks for a name
+    void save(const std::function<void()>& whenSaved = {});   ///< asks for a name if the case has none
+    void saveVessels(const std::function<void()>& whenSaved = {});   ///< saves centerlines; asks for a name
     void saveAs(const std::function<void()>& whenSaved = {});
     /// Saves in the background. Asks the user if the file was changed elsewhere since it was opened.
     void saveTo(const QString& path, const std::function<void()>& whenSaved = {},
@@ -33,17 +33,17 @@ public:
     bool isSaving() const { return files_.isBusy(); }
     void offerRecovery();
     void keepWork() { givenUp_.reset(); }   ///< the file that was to replace the work could not be opened
-    void noteOpened(const QString& copy);   ///< another case is open; `copy`: recovered copy, or empty
+    void noteOpened(const QString& copy);   ///< call when another case is open; `copy` is the recovered copy, or empty
     void autosaveSoon() { autosave_.saveSoon(); }
     void discardAutosave() { autosave_.discard(); }
-    QString saveState() const;   ///< "Autosaved 12 s ago", "All changes saved", …
+    QString saveState() const;   ///< e.g. "Autosaved 12 s ago" or "All changes saved"
 
 signals:
     void started();
     void failed(const QString& reason);
     void saved();
-    void autosaveFailed(const QString& reason);   ///< autosave keeps trying
-    void openElsewhere(const QString& words);   ///< the open case is also open in another window or program
+    void autosaveFailed(const QString& reason);   ///< emitted when autosave fails; autosave keeps trying
+    void openElsewhere(const QString& words);   ///< emitted if the open case is also open in another window or program
     void reloadWanted(const QString& path);   ///< instead of overwriting changes made elsewhere
     void recoveryWanted(const app::Leftover& copy);
     void vesselsRecovered(const QString& path);   ///< vessels without an angiogram and their new file
@@ -62,11 +62,11 @@ private:
     Autosave autosave_;
     FileQueue files_;
     CaseKeeper keeper_;
-    std::optional<CaseState> keptVessels_;   ///< state saved in a centerline file
-    std::optional<CaseState> givenUp_;   ///< state that the user discards in favor of the file
-    QString recoveredVessels_;   ///< their file path
-    std::optional<Leftover> wanted_;   ///< being opened
-    std::optional<Leftover> recovered_;   ///< open; its copy is removed once this session has its own
+    std::optional<CaseState> keptVessels_;   ///< state of the case last saved as a centerline file
+    std::optional<CaseState> givenUp_;   ///< state that the user agreed to discard in favor of the saved file
+    QString recoveredVessels_;   ///< path of the recovered vessels
+    std::optional<Leftover> wanted_;   ///< recovered copy that is being opened
+    std::optional<Leftover> recovered_;   ///< recovered copy that is open; removed once this session has its own copy
 };
 
 }   // namespace angiopose::app

@@ -75,7 +75,7 @@ void SessionController::start(const QStringList& paths)
     if (paths.isEmpty()) {
         save_.offerRecovery();
     } else {
-        offersRecovery_ = true;   // wait until questions from opening are answered
+        offersRecovery_ = true;   // recovery is offered after the questions from opening have been answered
         open(paths);
     }
 }
@@ -93,7 +93,7 @@ void SessionController::abandonLoading()
     studies_.abandon();
 }
 
-/// Shows the notice, then opens the files, whose questions would otherwise cover it.
+/// Shows the notice and opens the files afterwards, since their questions would cover the notice.
 void SessionController::showNotice(const QStringList& paths)
 {
     auto* notice = new ui::QuestionDialog(
@@ -217,7 +217,7 @@ void SessionController::connectDicom()
             [this](const QString& reason) { notifications_.showProblem(tr("Could not export"), reason); });
 }
 
-/// Reports what was written, with remarks.
+/// Reports the written file, with remarks.
 void SessionController::tellWritten(const QString& there, const QStringList& notes)
 {
     if (notes.isEmpty()) {
@@ -291,7 +291,7 @@ void SessionController::connectAudit(RegistrationController& registration)
     connect(archive_.get(), &ArchiveController::unaudited, this, showIncomplete);
 }
 
-/// Starts a separate process, so a problem with one case cannot affect another.
+/// Starts a separate process, so that a problem with one case cannot affect another.
 void SessionController::openNewWindow()
 {
     if (!QProcess::startDetached(QCoreApplication::applicationFilePath(), {})) {

@@ -34,7 +34,7 @@ namespace angiopose::app {
 class ArchiveController;
 class ArchiveSender;
 
-/// Controls the session: notice, opening, saving, exporting, recovery and closing.
+/// Manages the session: notice, opening, saving, exporting, recovery and closing.
 class SessionController : public QObject {
     Q_OBJECT
 public:
@@ -51,10 +51,10 @@ public:
                       QObject* parent = nullptr);
     ~SessionController() override;
 
-    /// Shows the notice and the recovery offer, and opens the files of the command line.
+    /// Shows the notice and the recovery offer, and opens the files given on the command line.
     void begin(const QStringList& paths);
     void open(const QStringList& paths) { open_.open(paths); }
-    void closeWindow() { close_.closeWindow(); }   ///< asks first if something would be lost
+    void closeWindow() { close_.closeWindow(); }   ///< asks first if work would be lost
     void abandonLoading();
     bool isLoading() const { return open_.isLoading() || studies_.isLooking(); }
     bool isWriting() const { return pack_.isRunning() || deidentify_.isRunning(); }   ///< jobs that may take long
@@ -65,10 +65,10 @@ public:
     OpenController& opening() { return open_; }
 
 signals:
-    void restarted();   ///< first start, after the notice and without files to open
+    void restarted();   ///< emitted on the first start, after the notice, if no files are opened
     void exported();
-    void aboutToClose();   ///< the user requested it; end everything that must not stay open
-    void windowMayClose();   ///< closing loses nothing
+    void aboutToClose();   ///< emitted when the user requests closing; receivers end everything that must not stay open
+    void windowMayClose();   ///< emitted when the window can close without loss
 
 private:
     void connectFiles();
@@ -105,7 +105,7 @@ private:
     PrivacyController privacy_;
     AuditController audit_;
     bool offersRecovery_ =
-        false;   ///< offer recovery after the files of the command line were opened or failed to open
+        false;   ///< recovery is offered once the files from the command line have been opened or have failed to open
     QStringList openingNotes_;
 };
 

@@ -19,8 +19,8 @@ namespace angiopose::app {
 namespace {
 
 constexpr int patienceMs = 700;   // time in which a folder with one series is read and opened without a list
-constexpr int restShare = 10;   // minimum pause between list updates, in multiples of the time an update takes
-constexpr int picturePx = 2 * ui::StudyList::pictureSize;   // sharp at 200 % scaling
+constexpr int restShare = 10;   // minimum pause between list updates, as a multiple of the duration of an update
+constexpr int picturePx = 2 * ui::StudyList::pictureSize;   // high enough for 200 % display scaling
 
 std::vector<const io::StudySeries*> usableOf(const io::StudyTree& tree)
 {
@@ -122,7 +122,7 @@ void StudyController::start(io::StudyReach reach)
     job_.start(folders_, reach);
 }
 
-/// Stops reading for the list.
+/// Stops reading the folder and the thumbnails.
 void StudyController::leave()
 {
     patience_.stop();
@@ -209,7 +209,7 @@ void StudyController::showTree(const SharedStudies& tree)
                                  isComplete_ ? Numbering::Final : Numbering::Passing));
 }
 
-/// Reports how many files were read, which are damaged, and which are not listed in a DICOMDIR.
+/// Reports the number of files read, and which files are damaged or missing from the DICOMDIR.
 void StudyController::showEnd()
 {
     const QLocale locale;
@@ -290,7 +290,7 @@ void StudyController::open(const QString& vessels, const QStringList& views)
 {
     StudyChoice choice;
     if (const io::StudySeries* series = find(vessels)) {
-        // If reading did not finish, slices of the series may lie anywhere below the folder.
+        // If reading was incomplete, other slices of the series may be anywhere below the opened folder.
         choice.folder = isComplete_ || folders_.size() > 1 ? QString::fromStdString(series->place) : placeFolder();
         choice.seriesId = QString::fromStdString(series->series.id);
     }

@@ -20,8 +20,8 @@ class StudyBrowser;
 
 namespace angiopose::app {
 
-/// Opens a folder or disc: lists its contents while they are found and opens the selection like any other files. A
-/// folder with a single item that can be opened is opened without asking.
+/// Opens a folder or disc: lists its contents as they are found and opens the user's selection like any other files. If
+/// the folder contains a single item that can be opened, opens it without asking.
 class StudyController : public QObject {
     Q_OBJECT
 public:
@@ -34,7 +34,7 @@ public:
     StudyController(OpenController& open, Notifications& notifications, const Ui& ui, QObject* parent = nullptr);
 
     void look(const QString& place);
-    /// Lists several folders of series together under one name.
+    /// Lists the series of several folders together under one name.
     void lookAtAll(const QStringList& folders, const QString& name);
     void abandon();
     bool isLooking() const { return job_.isRunning(); }
@@ -58,15 +58,15 @@ private:
     OpenController& open_;
     Notifications& notifications_;
     Ui ui_;
-    QStringList folders_;   ///< one folder, or several listed together
-    QString name_;   ///< display name of all folders
+    QStringList folders_;   ///< the folder, or several folders listed together
+    QString name_;   ///< display name of all folders together
     SharedStudies tree_;
     QPointer<ui::StudyBrowser> browser_;
     io::StudyReach reach_ = io::StudyReach::Listed;
-    bool isComplete_ = false;   ///< all files within reach have been read
-    QElapsedTimer shown_;   ///< time since the list was rebuilt
+    bool isComplete_ = false;   ///< true if all files within `reach_` have been read
+    QElapsedTimer shown_;   ///< time since the list was last rebuilt
     qint64 showingMs_ = 0;   ///< duration of the last rebuild
-    QTimer patience_;   ///< shows the browser on timeout, whatever was found
+    QTimer patience_;   ///< on timeout, shows the browser with whatever was found so far
     StudyJob job_;
     SeriesPictures pictures_;
 };

@@ -70,7 +70,7 @@ QString sizeOf(const io::DicomSeries& series)
     return QStringLiteral("%1 × %2").arg(size.x()).arg(size.y());
 }
 
-/// Adds the slice spacing, or the frames per second.
+/// Adds the slice spacing, or the frame rate of a run.
 void addPace(const io::StudySeries& each, ui::StudySeriesRow& row)
 {
     if (each.use == io::SeriesUse::Vessels) {
@@ -137,7 +137,7 @@ ui::StudySeriesRow rowOf(const io::StudySeries& each, Numbering numbering)
 
 QString keyOf(const io::StudySeries& each)
 {
-    // Parts are renumbered while reading: a check mark must not move from one to another.
+    // The number of a part may change while reading; the slice count keeps a check mark with its part.
     const std::string size = each.series.part ? "|" + std::to_string(each.series.slices.size()) : std::string();
     return QString::fromStdString(each.series.id + "|" + each.series.identity.modality + "|" + each.place + size);
 }

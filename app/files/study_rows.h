@@ -9,13 +9,13 @@ namespace angiopose::app {
 
 enum class IdentityShown { Yes, No };
 
-enum class Numbering { Final, Passing };   ///< numbering of the parts of a series; Passing: more parts may follow
+enum class Numbering { Final, Passing };   ///< numbering of the parts of a series; `Passing` if more parts may follow
 
-/// Builds the list rows of the studies; without names, IDs, dates of birth and accession numbers if identity is hidden.
-/// A part of a series can be opened once its number is final.
+/// Builds the list rows of the studies; if the identity is hidden, without names, IDs, dates of birth and accession
+/// numbers. A part of a series can be opened once its number is final.
 std::vector<ui::PatientRow> studyRows(const io::StudyTree& tree, IdentityShown identity, Numbering numbering);
 
-/// Key that identifies a series in the list.
+/// Returns the key that identifies a series in the list.
 QString keyOf(const io::StudySeries& series);
 
 }   // namespace angiopose::app

@@ -15,7 +15,7 @@ class HeaderBar;
 
 namespace angiopose::app {
 
-/// Shows the open case, its study and its save state in title bar, header and status strip.
+/// Shows the open case, its study and its save state in the title bar, the header and the status strip.
 class TitleController : public QObject {
     Q_OBJECT
 public:
@@ -32,7 +32,7 @@ private:
     ui::HeaderBar& header_;
     ui::BottomStrip& strip_;
     QWidget& window_;
-    QTimer clock_;   ///< keeps texts such as "Autosaved 12 s ago" current
+    QTimer clock_;   ///< refreshes texts such as "Autosaved 12 s ago"
 };
 
 }   // namespace angiopose::app

@@ -27,7 +27,7 @@ core::DsaOptions imageOf(ui::FitExample example)
     return options;
 }
 
-/// Pose error of the example relative to the ground truth.
+/// Returns the pose error of the example relative to the ground truth.
 core::PoseOffset errorOf(ui::FitExample example)
 {
     core::PoseOffset error;

@@ -7,9 +7,9 @@
 
 namespace angiopose::app {
 
-/// Returns the image of an example fit, drawn like exports: a simulated angiogram, its vessel tree at a correct or
-/// wrong pose, and residual colors relative to the true vessels. Created once per version and cached. Call it on a
-/// worker thread.
+/// Returns the image of an example fit, drawn like an export: a simulated angiogram, its vessel tree at a correct or
+/// wrong pose, and residual colors relative to the true vessels. Created once per program version and cached. Call it
+/// on a worker thread.
 core::Result<QString> fitExamplePicture(ui::FitExample example);
 
 }   // namespace angiopose::app

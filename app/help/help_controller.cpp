@@ -28,8 +28,8 @@ HelpController::HelpController(ui::MainWindow& window, QObject* parent) : QObjec
     connect(actions[ui::Command::About], &QAction::triggered, this, &HelpController::showAbout);
 }
 
-/// Shows the help page of the widget under the mouse; if the mouse is outside the window, of the widget with keyboard
-/// focus.
+/// Shows the help page of the widget under the mouse, or of the widget with keyboard focus if the mouse is outside the
+/// window.
 void HelpController::showPage()
 {
     QWidget* pointed = QApplication::widgetAt(QCursor::pos());
@@ -59,7 +59,7 @@ void HelpController::startTour()
     ui::TourStop start{&window_.angiogramView(), tr("Start here"),
                        tr("Drop a case, or vessels and an angiogram, anywhere in the window. “Open the sample case” "
                           "needs no data of your own.")};
-    if (!window_.angiogramView().isVisible()) {   // an empty window does not show the parts that the tour explains
+    if (!window_.angiogramView().isVisible()) {   // without a case, the parts that the tour explains are hidden
         start.target = &window_.welcome();
         start.way = tr("Open the sample case");
         start.onLeave = [this] { window_.actions()[ui::Command::OpenSample]->trigger(); };
@@ -112,7 +112,7 @@ void HelpController::fillGoodFit(int index)
                   });
 }
 
-/// Who draws, for reports of what looks wrong.
+/// Describes the renderer and the OpenGL driver, for reports of display errors.
 QString HelpController::drawnBy() const
 {
     const ui::GlDriver& driver = ui::glDriver();

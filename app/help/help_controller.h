@@ -12,14 +12,14 @@ class Tour;
 }   // namespace angiopose::ui
 namespace angiopose::app {
 
-/// Context help, the tour, and the page of good and bad fits. Gets the whole window because it explains every part of
-/// it.
+/// Provides context help, the tour, and the page of good and bad fits. Takes the whole window because it explains every
+/// part of it.
 class HelpController : public QObject {
     Q_OBJECT
 public:
     explicit HelpController(ui::MainWindow& window, QObject* parent = nullptr);
 
-    void offerTour();   ///< on the first start only
+    void offerTour();   ///< only on the first start
 
 private:
     void showPage();

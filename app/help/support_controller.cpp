@@ -28,10 +28,10 @@
 namespace angiopose::app {
 namespace {
 
-/// Text settings with a fixed set of values; other text settings may hold anything.
+/// Text settings with a fixed set of values; all other text settings may contain arbitrary text.
 constexpr std::array namedSettings{"window/theme", "window/colors", "window/language", "window/mouse"};
 
-/// Words of transient status notes, which no message catalog contains.
+/// Words of transient status notes, which are not in the message catalogs.
 constexpr std::array wordsThatMayPass{
     "opened saved saving written writing packed packing ready stopped finished failed traced tracing registered",
     "could not export open save the file files case pack with without identity converged iterations median trustworthy "
@@ -54,15 +54,15 @@ QString valueOf(const QString& key, const QVariant& value)
     return isEmpty ? QStringLiteral("(none)") : QStringLiteral("(set)");
 }
 
-/// Whether a settings key is one of the program's own, such as "files/lastFolder", and may be shown: ASCII letters,
-/// digits and at most two slashes. Other keys may contain names.
+/// Returns whether a settings key is one of the program's own, e.g. "files/lastFolder", and may be shown: at most two
+/// slashes, otherwise ASCII letters and digits. Other keys may contain names.
 bool isOwnKey(const QString& key)
 {
     return key.size() < 40 && key.count(QLatin1Char('/')) <= 2 &&
            std::ranges::all_of(key, [](QChar c) { return c.unicode() < 128 && (c.isLetterOrNumber() || c == u'/'); });
 }
 
-/// Toolkit, screens and renderer as lines of "key: value". Must be called on the GUI thread.
+/// Describes toolkit, screens and renderer in lines of "key: value". Must be called on the GUI thread.
 std::string windowFacts()
 {
     const ui::GlDriver& driver = ui::glDriver();
@@ -83,8 +83,8 @@ std::string windowFacts()
     return facts.toStdString();
 }
 
-/// Preferences with their values if these are switches, numbers or one of a few names; for other texts only whether
-/// they are set.
+/// Lists the preferences. Values are given for switches, numbers and settings with a fixed set of values; for other
+/// texts, only whether they are set.
 std::string settingsText()
 {
     const QSettings stored;
@@ -97,7 +97,7 @@ std::string settingsText()
     return text.toStdString();
 }
 
-/// All words of the message catalogs, in English and in the language of the window, and of the menus.
+/// Collects all words of the message catalogs, in English and in the window's language, and of the menus.
 io::KnownWords wordsOfProgram()
 {
     io::KnownWords words;
@@ -115,7 +115,7 @@ io::KnownWords wordsOfProgram()
     for (const char* each : wordsThatMayPass) {
         words.add(each);
     }
-    words.add("name path file uid date");   // placeholders for redacted text
+    words.add("name path file uid date");   // names used as placeholders for redacted text
     return words;
 }
 
@@ -160,8 +160,8 @@ void SupportController::tellOfFault()
     }
 }
 
-/// Adds the identifiers of the open case to the redaction, because the log covers every case of the session. Acts only
-/// when the inputs change; edited texts are added when the bundle is created.
+/// Adds the identifiers of the open case to the redaction, because the log covers every case of the session. Does
+/// nothing unless the inputs have changed; texts edited by the user are added when the bundle is created.
 void SupportController::rememberCase()
 {
     const QStringList inputs = inputsOf(document_);

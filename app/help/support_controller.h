@@ -38,7 +38,7 @@ public:
     };
     SupportController(const CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
-    void tellOfFault();   ///< once for each crash
+    void tellOfFault();   ///< reports each crash only once
 
 signals:
     void written(const QString& path);
@@ -55,8 +55,8 @@ private:
     const CaseDocument& document_;
     Ui ui_;
     QDateTime begun_ = QDateTime::currentDateTime();
-    io::Redaction redaction_;   ///< identifiers of every case of this session
-    QStringList inputs_;   ///< input files of all these cases
+    io::Redaction redaction_;   ///< contains the identifiers of every case of this session
+    QStringList inputs_;   ///< input files of all cases of this session
     QStringList newest_;
     Job<SharedTexts> texts_;
     Job<QString> writing_;

@@ -15,23 +15,23 @@ namespace angiopose::app {
 class DrrSource;
 
 /// Computes DRRs of the vessels (from the CTA inside them, or from tubes) off the GUI thread, always for the newest
-/// pose: a request during the computation replaces the waiting one.
+/// pose: a request made during a computation replaces the pending one.
 class DrrJob : public QObject {
     Q_OBJECT
 public:
     explicit DrrJob(QObject* parent = nullptr);
 
     void setInput(core::RegistrationInput input,
-                  core::RegistrationOptions options);   ///< prepared with the next request
+                  core::RegistrationOptions options);   ///< the input is prepared when the next request arrives
     void request(const core::RigidTransform& cameraFromPatient);
-    void clear();   ///< drops the waiting request, the one in progress and the input
+    void clear();   ///< drops the pending request, the computation in progress and the input
 
 signals:
     void made(const core::ImageF& picture);   ///< vessels bright on 0, at half the image's resolution
     void failed(const core::Message& reason);
 
 private:
-    void cancel();   ///< drops the waiting request and the one in progress
+    void cancel();   ///< drops the pending request and the computation in progress
     void start(const core::RigidTransform& cameraFromPatient);
     void startWaiting();
 

@@ -8,8 +8,8 @@
 
 namespace angiopose::app {
 
-/// Computes DRRs of the vessels of a case from any pose; the first call prepares the data. Used by one worker at a
-/// time.
+/// Computes DRRs of the vessels of a case for any pose; the first call prepares the data. Not thread-safe: one worker
+/// at a time.
 class DrrSource {
 public:
     DrrSource(core::RegistrationInput input, core::RegistrationOptions options);

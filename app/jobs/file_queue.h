@@ -11,8 +11,8 @@
 
 namespace angiopose::app {
 
-/// Writes files off the GUI thread, one at a time in the order of the requests. The work receives its data by value and
-/// returns the path it wrote. A destroyed queue completes all pending work first.
+/// Writes files off the GUI thread, one at a time in the order of the requests. Each task holds copies of its data and
+/// returns the path that it wrote. The destructor first completes all pending tasks.
 class FileQueue : public QObject {
     Q_OBJECT
 public:
@@ -33,7 +33,7 @@ private:
     void startNext();
     void publish();
 
-    std::deque<Task> tasks_;   ///< the first one is running
+    std::deque<Task> tasks_;   ///< the first task is the one in progress
     QFutureWatcher<core::Result<QString>> watcher_;
     bool running_ = false;
 };

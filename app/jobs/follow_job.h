@@ -9,14 +9,14 @@
 
 namespace angiopose::app {
 
-/// Tracks the vessels through the frames of a cine run off the GUI thread: core::followFrames.
+/// Runs core::followFrames off the GUI thread: tracks the vessels through the frames of a cine run.
 class FollowJob : public QObject {
     Q_OBJECT
 public:
     explicit FollowJob(QObject* parent = nullptr);
 
     void start(core::Case session);
-    void requestStop() { job_.requestStop(); }   ///< returns at once; `finished` follows
+    void requestStop() { job_.requestStop(); }   ///< returns at once; the job then emits `finished`
     bool isRunning() const { return job_.isRunning(); }
 
 signals:

@@ -9,8 +9,8 @@
 
 namespace angiopose::app {
 
-/// Shares the same object, but frees it on a worker thread, whoever releases the last reference: the system reclaims
-/// the pages of a cine run or scan one by one, which would block the window.
+/// Returns a pointer to the same object that frees it on a worker thread, whichever thread releases the last reference.
+/// Freeing a cine run or scan is slow, since the system reclaims its pages one by one, and would block the window.
 template <class T>
 std::shared_ptr<const T> freedElsewhere(std::shared_ptr<const T> shared)
 {
@@ -23,7 +23,7 @@ std::shared_ptr<const T> freedElsewhere(std::shared_ptr<const T> shared)
             }};
 }
 
-/// The same for the cine runs and scans among loaded inputs.
+/// Does the same for the cine runs and scans of loaded inputs.
 io::LoadedInputs freedElsewhere(io::LoadedInputs inputs);
 
 }   // namespace angiopose::app

@@ -5,8 +5,8 @@
 
 namespace angiopose::app {
 
-/// Takes the result of completed work out of its watcher, once; a future that kept it would keep closed cases alive.
-/// Afterwards the future is neither running nor finished.
+/// Moves the result of completed work out of its watcher; call once. A future that kept its result would keep closed
+/// cases in memory. Afterwards the future is neither running nor finished.
 template <typename T>
 T takeResult(const QFutureWatcher<T>& watcher)
 {

@@ -18,12 +18,12 @@
 
 namespace angiopose::app {
 
-/// State shared by running work and the job that waits for it; outlives both.
+/// State shared by a worker and the job that waits for it; lives as long as either of them.
 template <class Report>
 class JobLink {
 public:
-    /// Called by the worker as often as it likes; only the newest report is delivered. Returns Stop after a stop
-    /// request.
+    /// Reports progress; the worker may call it at any rate, since only the newest report is delivered. Returns Stop
+    /// after a stop request.
     core::Verdict tell(Report report)
     {
         const std::lock_guard lock(mutex_);
@@ -45,15 +45,15 @@ private:
     std::optional<Report> report_;
 };
 
-/// Runs one piece of work at a time off the GUI thread. The work receives a snapshot; reports (at most 30 per second)
-/// and one outcome are delivered on the thread that created the job. The destructor requests a stop and returns without
+/// Runs one task at a time off the GUI thread. The task works on a snapshot; its reports (at most 30 per second) and
+/// its outcome are delivered on the thread that created the job. The destructor requests a stop and returns without
 /// waiting.
 template <class Found, class Report = double>
 class Job {
 public:
     using Link = JobLink<Report>;
     using Outcome = core::Result<Found>;
-    using Work = std::function<Outcome(Link&)>;   ///< receives all data by value; exceptions become errors
+    using Work = std::function<Outcome(Link&)>;   ///< holds copies of all data; exceptions become errors
 
     struct Answers {
         std::function<void(const Found&)> finished;
@@ -63,10 +63,10 @@ public:
 
     explicit Job(Answers answers) : answers_(std::move(answers))
     {
-        poll_.setInterval(33);   // ms; about 30 updates per second
+        poll_.setInterval(33);   // 33 ms, i.e. about 30 updates per second
         QObject::connect(&poll_, &QTimer::timeout, &poll_, [this] { tellNews(); });
     }
-    /// For optional results: a failure is ignored.
+    /// Creates a job whose result is optional: failures are ignored.
     explicit Job(std::function<void(const Found&)> finished)
         : Job(Answers{std::move(finished), [](const core::Error&) {}})
     {
@@ -75,7 +75,7 @@ public:
     Job(const Job&) = delete;
     Job& operator=(const Job&) = delete;
 
-    void start(Work work)   ///< drops work in progress
+    void start(Work work)   ///< abandons any task in progress
     {
         drop();
         link_ = std::make_shared<Link>();
@@ -87,14 +87,14 @@ public:
         }));
     }
 
-    void requestStop()   ///< returns at once; an outcome follows
+    void requestStop()   ///< returns at once; the outcome is still delivered
     {
         if (link_) {
             link_->requestStop();
         }
     }
 
-    void drop()   ///< stops the work; no further signals follow
+    void drop()   ///< stops the task without delivering an outcome
     {
         requestStop();
         link_.reset();
@@ -117,12 +117,12 @@ private:
         const auto link = link_;
         tellNews();
         if (link != link_) {
-            return;   // dropped by a receiver of the report
+            return;   // a receiver of the report has dropped the job
         }
         const Outcome outcome = takeResult(*watcher_);
         link_.reset();
         poll_.stop();
-        watcher_.release()->deleteLater();   // its signal is still being delivered
+        watcher_.release()->deleteLater();   // deleted later, since its signal is still being delivered
         if (outcome) {
             answers_.finished(outcome.value());
         } else {
@@ -132,12 +132,12 @@ private:
 
     Answers answers_;
     QTimer poll_;
-    std::shared_ptr<Link> link_;   ///< of the work in progress; null: none
+    std::shared_ptr<Link> link_;   ///< link to the task in progress; null if there is none
     std::unique_ptr<QFutureWatcher<Outcome>> watcher_;
 };
 
-/// Forwards the answers as signals of `owner`: finished(found), failed(message) and, if `owner` has it,
-/// advanced(report).
+/// Forwards the answers as signals of `owner`: finished(found), failed(message) and advanced(report), the last only if
+/// `owner` has this signal.
 template <class Found, class Report = double, class Owner>
 typename Job<Found, Report>::Answers signalsOf(Owner& owner)
 {

@@ -12,24 +12,24 @@
 
 namespace angiopose::app {
 
-/// Request to evaluate a pose; all data by value, or shared and constant.
+/// Request to evaluate a pose. All data are copies, or shared and immutable.
 struct JudgeRequest {
-    core::RegistrationInput input;   ///< its target is the reference for the tree
+    core::RegistrationInput input;   ///< its target is the reference to which the tree is compared
     core::RigidTransform cameraFromPatient;
 };
 
 using SharedJudgement = std::shared_ptr<const core::PoseJudgement>;
 
-/// Evaluates poses off the GUI thread, always the newest: a request that arrives during an evaluation, or shortly after
-/// it, replaces the waiting one.
+/// Evaluates poses off the GUI thread, always the newest one: a request made during an evaluation, or shortly after
+/// one, replaces the pending request.
 class JudgeJob : public QObject {
     Q_OBJECT
 public:
-    /// `rest`: pause between an outcome and the next request, which leaves processor time for other work.
+    /// `rest` is the pause between an outcome and the next evaluation, which leaves processor time for other work.
     explicit JudgeJob(std::chrono::milliseconds rest = {}, QObject* parent = nullptr);
 
     void request(JudgeRequest request);
-    void cancel();   ///< drops the waiting request and the outcome of the running one
+    void cancel();   ///< drops the pending request and the evaluation in progress
 
 signals:
     void judged(const app::SharedJudgement& judgement);

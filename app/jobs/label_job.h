@@ -10,10 +10,10 @@
 
 namespace angiopose::app {
 
-/// Labels of a label image that the user can choose from.
+/// Labels of a label image, from which the user can select.
 struct LabelOverview {
     std::vector<io::ListedLabel> labels;
-    std::set<int> vessels;   ///< labels whose names denote vessels; empty: no name does
+    std::set<int> vessels;   ///< labels whose names denote vessels; empty if no name does
     std::shared_ptr<const core::VoxelMask> rows;   ///< see core::LabelRows
     std::vector<Eigen::Vector3d> middlesInPatient;
 };
@@ -25,7 +25,7 @@ public:
     explicit LabelJob(QObject* parent = nullptr);
 
     void start(const std::string& path);
-    void drop() { job_.drop(); }   ///< no further signals follow
+    void drop() { job_.drop(); }   ///< abandons the request without further signals
     bool isRunning() const { return job_.isRunning(); }
 
 signals:

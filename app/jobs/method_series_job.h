@@ -12,20 +12,20 @@
 namespace angiopose::app {
 
 /// Runs several registration methods one after the other off the GUI thread, each from the same input with its default
-/// or given options. All signals are emitted on the job's own thread.
+/// or the given options. The signals are emitted on the thread that owns the job.
 class MethodSeriesJob : public QObject {
     Q_OBJECT
 public:
     explicit MethodSeriesJob(QObject* parent = nullptr);
 
     void start(core::RegistrationInput input, core::RegistrationOptions options, std::vector<std::string> methodIds);
-    void requestStop();   ///< returns at once; `ended` follows
+    void requestStop();   ///< returns at once; the job then emits `ended`
     bool isRunning() const { return job_.isRunning(); }
 
 signals:
-    void advanced(const QString& methodId, double progress);   ///< over all methods, 0…1
-    void solved(const core::RegistrationResult& result);   ///< once for each method that completed
-    void failed(const QString& methodId, const core::Message& reason);   ///< the next method follows
+    void advanced(const QString& methodId, double progress);   ///< `progress` covers all methods, 0…1
+    void solved(const core::RegistrationResult& result);   ///< emitted for each method that completed
+    void failed(const QString& methodId, const core::Message& reason);   ///< the job continues with the next method
     void ended(bool wasStopped);
 
 private:
@@ -34,7 +34,7 @@ private:
         std::string methodId;
         core::Result<core::RegistrationResult> outcome;
     };
-    /// Progress of the series, with all methods that have ended so far.
+    /// Progress of the series and the outcomes of all methods that have ended so far.
     struct Report {
         std::string methodId;
         double progress = 0.0;

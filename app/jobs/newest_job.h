@@ -8,8 +8,8 @@
 
 namespace angiopose::app {
 
-/// Works off the GUI thread on the newest of many requests: a request that arrives during work waits and replaces the
-/// one that was waiting.
+/// Processes the newest of many requests off the GUI thread: a request made while another is being processed replaces
+/// the pending one.
 template <class Request, class Found>
 class NewestJob {
 public:
@@ -41,7 +41,7 @@ public:
             start(std::move(wanted));
         }
     }
-    /// Starts at once and drops the work in progress.
+    /// Abandons the request in progress and starts this one at once.
     void requestInstead(Request wanted)
     {
         drop();

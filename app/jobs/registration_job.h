@@ -9,23 +9,23 @@ namespace angiopose::app {
 
 /// Progress of a running registration, for display.
 struct RunReport {
-    core::IterationReport iteration;   ///< of the solver; its progress is that of the whole registration
-    bool isOfShownView = true;   ///< whether the pose belongs to the shown view
+    core::IterationReport iteration;   ///< report of the solver; its progress refers to the whole registration
+    bool isOfShownView = true;   ///< true if the pose belongs to the shown view
 };
 
-/// Registers the open case off the GUI thread: core::registerCase.
+/// Runs core::registerCase on the open case off the GUI thread.
 class RegistrationJob : public QObject {
     Q_OBJECT
 public:
     explicit RegistrationJob(QObject* parent = nullptr);
 
     void start(core::Case session, core::RegistrationPlan plan);
-    void requestStop() { job_.requestStop(); }   ///< returns at once; `finished` or `failed` follows
+    void requestStop() { job_.requestStop(); }   ///< returns at once; the job then emits `finished` or `failed`
     bool isRunning() const { return job_.isRunning(); }
 
 signals:
-    void advanced(const app::RunReport& report);   ///< at most thirty times a second
-    void finished(const core::RegisteredCase& registered);   ///< after a stop: with the best poses so far
+    void advanced(const app::RunReport& report);   ///< emitted at most 30 times per second
+    void finished(const core::RegisteredCase& registered);   ///< after a stop, `registered` holds the best poses so far
     void failed(const core::Message& reason);
 
 private:

@@ -9,7 +9,7 @@ namespace angiopose::app {
 namespace {
 
 constexpr std::size_t roughVoxels = 400'000;
-constexpr double fineStepShare = 0.6;   // sampling step, relative to the voxel size
+constexpr double fineStepShare = 0.6;   // sampling step as a fraction of the voxel size
 constexpr double roughStepShare = 1.0;
 
 }   // namespace
@@ -56,7 +56,7 @@ core::Result<std::shared_ptr<const ScanJob::Ready>> ScanJob::madeReady(const cor
     if (!fine) {
         return core::Error(messages::scanBesideVessels());
     }
-    core::VolumeToPrepare again;   // built from the volume that is already reduced
+    core::VolumeToPrepare again;   // the rough volume is derived from the fine one, which is already reduced
     again.scan = std::make_shared<const core::Volume>(fine->volume);
     if (fine->hasKinds) {
         auto kinds = std::make_shared<core::VoxelMask>();
@@ -86,7 +86,7 @@ core::Result<CastPicture> ScanJob::cast(const Ready& ready, const ScanPictureReq
         ready.isMask ? core::lookOfMask(wanted.look) : core::lookOf(ready.levels, wanted.look, scan.hasKinds);
     auto pixels = core::castScan(scan, look, wanted.sight, isFine ? fineStepShare : roughStepShare, shouldContinue);
     if (!pixels) {
-        return core::Error(messages::notShown());   // stopped because a newer request has arrived
+        return core::Error(messages::notShown());   // a newer request has stopped the rendering
     }
     return CastPicture{wanted.sight, std::move(*pixels), wanted.detail};
 }

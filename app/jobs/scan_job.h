@@ -25,15 +25,15 @@ struct CastPicture {
 };
 
 /// Prepares a scan for volume rendering and renders it off the GUI thread. Rough renderings use fewer voxels. A new
-/// request replaces a fine rendering in progress but waits for a rough one, so that the display keeps updating while
-/// the view turns.
+/// request replaces a fine rendering in progress but waits for a rough one, so that the display keeps updating during
+/// rotation.
 class ScanJob : public QObject {
     Q_OBJECT
 public:
     explicit ScanJob(QObject* parent = nullptr);
 
     void prepare(core::VolumeToPrepare what,
-                 std::optional<double> threshold);   ///< releases the previously prepared scan
+                 std::optional<double> threshold);   ///< discards the previously prepared scan
     void clear();
     bool isReady() const { return ready_ != nullptr; }
     bool isHu() const;   ///< valid once the scan is ready
@@ -43,7 +43,7 @@ public:
 
 signals:
     void prepared();
-    void failed(const core::Message& reason);   ///< there is nothing to show
+    void failed(const core::Message& reason);   ///< emitted if there is nothing to show
     void made(const CastPicture& picture);
 
 private:

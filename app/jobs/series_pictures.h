@@ -12,7 +12,7 @@
 
 namespace angiopose::app {
 
-/// Creates thumbnails of the currently requested series off the GUI thread, one at a time.
+/// Creates thumbnails of the requested series off the GUI thread, one at a time.
 class SeriesPictures : public QObject {
     Q_OBJECT
 public:
@@ -22,19 +22,19 @@ public:
     };
     SeriesPictures(int sidePx, QObject* parent);
 
-    /// Replaces the previous requests; work in progress stops unless it is still requested.
+    /// Replaces the previous requests. Work in progress stops unless its series is still requested.
     void want(std::deque<Wanted> wanted);
 
 signals:
-    void made(const QString& key, const core::ImageF& picture);   ///< 0 black to 1 white
-    void failed(const QString& key);   ///< no thumbnail can be made
+    void made(const QString& key, const core::ImageF& picture);   ///< from 0 (black) to 1 (white)
+    void failed(const QString& key);   ///< emitted if no thumbnail can be created
 
 private:
     void startNext();
 
     int sidePx_;
     std::deque<Wanted> waiting_;
-    QString underWay_;   ///< key of the series in progress; empty: none
+    QString underWay_;   ///< key of the series in progress; empty if there is none
     Job<core::ImageF> job_;
 };
 

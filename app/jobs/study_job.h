@@ -10,17 +10,17 @@ namespace angiopose::app {
 
 using SharedStudies = std::shared_ptr<const io::StudyTree>;
 
-/// Scans a folder, a disc or a DICOMDIR for studies off the GUI thread. A stop is not a failure: the studies found so
-/// far are delivered.
+/// Searches a folder, a disc or a DICOMDIR for studies off the GUI thread. A stop is not a failure: the studies found
+/// so far are delivered.
 class StudyJob : public QObject {
     Q_OBJECT
 public:
     explicit StudyJob(QObject* parent = nullptr);
 
-    /// If several places are given, they are folders of series, and all their files are read.
+    /// Several places must be folders of series; all their files are read.
     void start(const QStringList& places, io::StudyReach reach);
     void requestStop() { job_.requestStop(); }
-    void abandon() { job_.drop(); }   ///< no further signals follow
+    void abandon() { job_.drop(); }   ///< abandons the search without further signals
     bool isRunning() const { return job_.isRunning(); }
 
 signals:

@@ -13,7 +13,7 @@
 
 namespace angiopose::app {
 
-/// Request to trace one frame, by value; the cine run itself is shared and constant.
+/// Request to trace one frame. Holds copies of its data; the cine run is shared and immutable.
 struct TraceRequest {
     std::shared_ptr<const core::Angiogram> angiogram;
     int frame = 0;
@@ -24,16 +24,16 @@ struct TraceRequest {
 
 using SharedCenterline = std::shared_ptr<const core::Centerline2d>;
 
-/// Parts of a trace that the window shows.
+/// Results of tracing one frame that the window shows.
 struct TracedFrame {
     core::Centerline2d centerline;
     std::vector<int> suspectIds;
     core::Messages warnings;
-    core::Mask2d fieldMask;   ///< 0 outside the field of view, where nothing is traced
+    core::Mask2d fieldMask;   ///< 0 outside the field of view, which is not traced
 };
 using SharedTrace = std::shared_ptr<const TracedFrame>;
 
-/// Traces one frame off the GUI thread. The destructor drops the result.
+/// Traces one frame off the GUI thread. The destructor abandons the trace.
 class TraceJob : public QObject {
     Q_OBJECT
 public:

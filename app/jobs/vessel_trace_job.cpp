@@ -5,7 +5,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Traces a scan from memory; reads other inputs again.
+/// Traces a scan that is in memory; reads any other input from its file again.
 core::Result<VesselTrace> traceVessels(const VesselTraceRequest& request, const io::ReadObserver& observe)
 {
     const bool isScan = request.volume && request.input.kind == core::VesselInputKind::Volume;
@@ -28,7 +28,7 @@ core::Result<VesselTrace> traceVessels(const VesselTraceRequest& request, const 
 
 VesselTraceJob::VesselTraceJob(QObject* parent) : QObject(parent), job_(answers()) {}
 
-/// After a stop request only `stopped` is emitted, even if the work has completed meanwhile.
+/// After a stop request, emits only `stopped`, even if the trace has completed in the meantime.
 Job<VesselTrace>::Answers VesselTraceJob::answers()
 {
     const auto unlessStopped = [this](const auto& answer) {

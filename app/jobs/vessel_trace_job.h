@@ -10,7 +10,7 @@
 
 namespace angiopose::app {
 
-/// Input of vessel-tree tracing. A scan is used from memory; other inputs are read again.
+/// Input for tracing a vessel tree. A scan is taken from memory; any other input is read from its file again.
 struct VesselTraceRequest {
     std::string path;
     core::VesselInput input;
@@ -21,12 +21,12 @@ struct VesselTrace {
     core::VesselInput input;
     std::shared_ptr<const core::VoxelMask> lumen;
     std::shared_ptr<const core::VesselTree> tree;
-    double threshold = 0.0;   ///< lower bound of the lumen
+    double threshold = 0.0;   ///< lower threshold of the lumen
     core::Messages warnings;
 };
 
 /// Traces a vessel tree off the GUI thread. A stop request takes effect within a second and leaves no result; the
-/// destructor stops the work and drops it.
+/// destructor stops and abandons the trace.
 class VesselTraceJob : public QObject {
     Q_OBJECT
 public:

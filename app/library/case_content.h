@@ -11,14 +11,14 @@ namespace angiopose {
 
 struct Case::Content {
     core::Case values;
-    core::Messages warnings;   ///< from reading the case
-    std::string path;   ///< absolute path of the case file read or written last; empty: none
-    std::string sha256;   ///< hash of the file last known to be at `path`
+    core::Messages warnings;   ///< warnings from reading the case
+    std::string path;   ///< absolute path of the case file last read or written; empty if there is none
+    std::string sha256;   ///< last known hash of the file at `path`
 };
 
 namespace library {
 
-/// Adds an angiogram to a case that has vessels: its geometry, its suggested frame and, if known, the initial pose.
+/// Adds an angiogram to a case that has vessels, with its geometry and suggested frame and, if known, the initial pose.
 void putAngiogram(core::Case& values, const std::shared_ptr<const core::Angiogram>& angiogram);
 
 }   // namespace library

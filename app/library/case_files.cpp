@@ -22,13 +22,13 @@ std::string absolute(const std::string& path)
     return fs::absolute(path).lexically_normal().string();
 }
 
-/// Path of a file next to the case at `casePath`, named after it.
+/// Returns the path of a file next to the case at `casePath`, with the same base name.
 std::string besideCase(const std::string& casePath, const std::string& ending)
 {
     return fs::path(absolute(casePath)).replace_extension(ending).string();
 }
 
-/// Writes vessels and angiogram to files if they do not come from one.
+/// Writes the vessels and the angiogram to files if they are not stored in files yet.
 void keepInputs(core::Case& values, const std::string& casePath)
 {
     core::Vessels& vessels = values.vessels;
@@ -45,7 +45,7 @@ void keepInputs(core::Case& values, const std::string& casePath)
     }
 }
 
-/// Throws an error that says why the two files are not vessels and an angiogram.
+/// Throws the error that explains why the two files are not vessels and an angiogram.
 [[noreturn]] void throwWhyNoCase(const std::string& vesselPath, const core::VesselInput& input,
                                  const std::string& imagePath)
 {

@@ -20,8 +20,8 @@
 #include "core/vessel/centerline2d.h"
 #include "core/vessel/vessel_tree.h"
 
-// Conversions between the public types and those of core. A round trip restores every number to the last bit. `toCore`
-// throws Error if arrays do not match in length; core checks whether the values make sense.
+// Conversions between the public types and those of core. A round trip reproduces every number bit for bit. `toCore`
+// throws Error if the lengths of arrays differ; core checks whether the values are plausible.
 namespace angiopose::library {
 
 core::RigidTransform toCore(const Pose& pose);
@@ -37,7 +37,7 @@ core::VesselTracingOptions toCore(const VesselTracingOptions& options);
 core::RegistrationOptions toCore(const RegistrationOptions& options);
 core::RegistrationInput toCore(const RegistrationInput& input);
 
-/// Kind of vessel input that the file contains, and how to read it.
+/// Determines the kind of vessel input in the file, and how to read it.
 core::VesselInput vesselInputOf(const std::string& path, const VesselReadOptions& options);
 
 Pose toPublic(const core::RigidTransform& transform);
@@ -56,7 +56,7 @@ BranchResidual toPublic(const core::BranchResidual& branch);
 Hypothesis toPublic(const core::Hypothesis& hypothesis);
 WirePath toPublic(const core::WirePath& path);
 
-// Needs the tree of the result: the covariance refers to its centroid, the displacements to its points.
+// These overloads need the tree of the result: the covariance refers to its centroid, the displacements to its points.
 PoseUncertainty toPublic(const core::PoseUncertainty& uncertainty, const core::VesselTree& tree);
 DeformedVessels toPublic(const core::DeformableResult& deformed, const core::VesselTree& tree);
 RegistrationResult toPublic(const core::RegistrationResult& result, const core::VesselTree& tree);

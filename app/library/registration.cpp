@@ -9,7 +9,7 @@
 namespace angiopose::library {
 namespace {
 
-/// Throws if the view has no initial pose; registration would otherwise start from the identity.
+/// Throws if the view has no initial pose, since registration would otherwise start from the identity.
 void requireStart(const core::View& view, const core::Vessels& vessels)
 {
     if (auto start = core::initialPoseOf(view, vessels); !start) {
@@ -24,7 +24,7 @@ core::RegistrationInput coreInputOf(const core::Case& values)
     return valueOf(core::registrationInputOf(values, valueOf(core::targetOf(values.shown(), values.options.method))));
 }
 
-/// Checks that every view with an image has an initial pose; the registration itself reports views without one.
+/// Throws if a view with an image lacks an initial pose; the registration itself reports views without an image.
 void requireStarts(const core::Case& values)
 {
     for (const core::View& view : values.views) {
@@ -55,7 +55,7 @@ StopReason toPublic(core::StopReason reason)
     }
 }
 
-// Naming every member causes a compile error when core adds one.
+// Lists every member, so that the compiler reports an error when core adds one.
 DistanceMetrics toPublic(const core::DistanceMetrics& metrics)
 {
     const auto& [meanPx, medianPx, p75Px, p95Px, meanMm, medianMm, p75Mm, p95Mm, coverage, reversePx, reverseMm] =

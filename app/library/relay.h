@@ -17,14 +17,14 @@
 
 namespace angiopose::library {
 
-/// Converts messages of the lower layers to the public type.
+/// Converts a message of the lower layers to the public type.
 Message toPublic(const core::Message& message);
 std::vector<Message> toPublic(const core::Messages& messages);
 
-/// Throws the error of a lower layer as an exception.
+/// Throws an error of the lower layers as an exception.
 [[noreturn]] void raise(const core::Error& error);
 
-/// Value of unobserved work; throws its error if it failed.
+/// Returns the value of work without an observer, or throws its error.
 template <class T>
 T valueOf(core::Result<T> outcome)
 {
@@ -41,8 +41,8 @@ inline void check(const core::Status& status)
     }
 }
 
-/// Forwards the progress of observed work to the caller's observer. An exception of the observer stops the work and is
-/// rethrown by `take`, because the lower layers do not handle foreign exceptions.
+/// Forwards the progress of observed work to the caller's observer. The lower layers do not handle the caller's
+/// exceptions, so an exception of the observer stops the work, and `take` rethrows it.
 class Relay {
 public:
     explicit Relay(const Observer& observe) : observe_(observe) {}

@@ -16,14 +16,14 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Rows of the arrays that belong to one branch or curve.
+/// Range of rows that belong to one branch or curve.
 struct Run {
     int id = 0;
     std::size_t first = 0;
     std::size_t end = 0;
 };
 
-/// Splits the rows where the id changes; throws if an id occurs in two separate runs.
+/// Splits the rows where the id changes; throws if an id occurs in two separate ranges.
 std::vector<Run> runsOf(const std::vector<int>& ids, const char* noun)
 {
     std::vector<Run> runs;
@@ -51,7 +51,7 @@ void checkLength(std::size_t length, std::size_t points, const char* name)
     }
 }
 
-/// Radii of a run of rows; empty if all are unknown.
+/// Returns the radii of a range of rows; empty if all are unknown.
 std::vector<double> radiiOf(const std::vector<double>& radii, const Run& run)
 {
     if (radii.empty()) {
@@ -77,7 +77,7 @@ void append(std::vector<double>& all, const std::vector<double>& radii, std::siz
     all.insert(all.end(), count - radii.size(), unknown);
 }
 
-/// Empties the array if all radii are unknown.
+/// Clears the array if all radii are unknown.
 void forgetUnknown(std::vector<double>& radii)
 {
     if (std::all_of(radii.begin(), radii.end(), [](double radius) { return std::isnan(radius); })) {

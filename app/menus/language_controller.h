@@ -13,7 +13,7 @@ enum class ColorScheme;
 
 namespace angiopose::app {
 
-/// Language menu: stores the choice and switches the window to it at once.
+/// Provides the language menu; stores the choice and switches the window at once.
 class LanguageController : public QObject {
     Q_OBJECT
 public:
@@ -25,10 +25,10 @@ private:
     QWidget& window_;
 };
 
-/// Applies the color scheme for vessels and residuals that the user chose; for images rendered without a window.
+/// Applies the user's color scheme for vessels and residuals; for images rendered without a window.
 void applyChosenColors();
 
-/// Menu of color schemes for vessels and residuals, all readable with any type of color vision.
+/// Provides the menu of color schemes for vessels and residuals, all readable with any type of color vision.
 class ColorController : public QObject {
     Q_OBJECT
 public:

@@ -37,7 +37,7 @@ MenuController::MenuController(BranchController& branches, ui::WindowActions& ac
     connect(&treeView, &ui::TreeView::menuRequested, this, &MenuController::showTreeMenu);
 }
 
-/// Starts the menu with the commands for the branch under the mouse, which becomes selected.
+/// Creates the menu, starting with the commands for the branch under the mouse, which is also selected.
 QMenu* MenuController::makeMenu(std::optional<int> branchId)
 {
     auto* menu = new QMenu(&menuParent_);
@@ -89,7 +89,7 @@ void PictureController::copy()
 
 void PictureController::askFile()
 {
-    const QPixmap picture = window_.grab();   // grabbed before the dialog covers it
+    const QPixmap picture = window_.grab();   // captured before the dialog covers the window
     QMetaObject::invokeMethod(
         this, [this, picture] { askFileFor(picture); }, Qt::QueuedConnection);
 }

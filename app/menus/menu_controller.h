@@ -36,7 +36,7 @@ private:
     QWidget& menuParent_;
 };
 
-/// Screenshots of the whole window, to the clipboard or to a file.
+/// Takes screenshots of the whole window, to the clipboard or to a file.
 class PictureController : public QObject {
     Q_OBJECT
 public:
@@ -45,8 +45,8 @@ public:
 private:
     void copy();
     void askFile();
-    void askFileFor(const QPixmap& picture);   ///< in a separate event: grabbing and opening the dialog each use up
-                                               ///< most of the time budget
+    void askFileFor(const QPixmap& picture);   ///< called in a separate event: capturing the window and opening the
+                                               ///< dialog each take most of the time budget of an event
 
     ui::BottomStrip& strip_;
     QWidget& window_;

@@ -32,13 +32,13 @@ const MouseChoice& chosenMouseChoice()
     return found == mouseChoices.end() ? mouseChoices.front() : *found;
 }
 
-/// Settings key of a command's shortcuts, from its object name.
+/// Returns the settings key for the shortcuts of a command, derived from its object name.
 QString settingOf(const QAction* action)
 {
     return QStringLiteral("keys/%1").arg(action->objectName());
 }
 
-/// Parses stored shortcuts, separated by "; "; empty if there is none.
+/// Parses stored shortcuts, which are separated by "; "; returns an empty list for an empty text.
 QList<QKeySequence> keysOf(const QString& stored)
 {
     return stored.isEmpty() ? QList<QKeySequence>() : QKeySequence::listFromString(stored);
@@ -98,7 +98,7 @@ void ShortcutController::openSheet()
     connect(sheet_, &ui::KeySheet::keyChosen, this, &ShortcutController::choose);
     connect(sheet_, &ui::KeySheet::resetRequested, this, &ShortcutController::resetAll);
     connect(sheet_, &QDialog::finished, this, [this] {
-        if (std::exchange(areNew_, false)) {   // buttons and tooltips show shortcuts
+        if (std::exchange(areNew_, false)) {   // updates the shortcuts shown on buttons and in tooltips
             applyChosenKeys();
             ui::speakAgain();
         }

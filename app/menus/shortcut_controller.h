@@ -19,10 +19,10 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Mouse preset that the user chose.
+/// Returns the mouse preset that the user chose.
 ui::MousePreset chosenMouse();
 
-/// Mouse menu: assigns actions to the mouse buttons on the angiogram.
+/// Provides the mouse menu, which assigns actions to the mouse buttons on the angiogram.
 class MouseController : public QObject {
     Q_OBJECT
 public:
@@ -48,7 +48,7 @@ private:
     QWidget& dialogParent_;
     std::map<QAction*, QList<QKeySequence>> usual_;   ///< default shortcuts of the program
     ui::KeySheet* sheet_ = nullptr;
-    bool areNew_ = false;   ///< changed since the sheet was opened
+    bool areNew_ = false;   ///< true if shortcuts have changed since the sheet was opened
 };
 
 }   // namespace angiopose::app

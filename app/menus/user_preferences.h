@@ -6,10 +6,10 @@
 
 namespace angiopose::app {
 
-/// Preferences of the user that persist between sessions; none belongs to a case.
+/// User preferences that persist between sessions; none of them belongs to a case.
 class UserPreferences {
 public:
-    /// Parts of the main window that the preferences apply to.
+    /// Parts of the main window to which the preferences apply.
     struct Ui {
         ui::WindowActions& actions;
         ui::AngiogramView& view;

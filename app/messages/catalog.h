@@ -6,7 +6,7 @@
 
 namespace angiopose::app {
 
-/// All messages of this layer, for translations and tests.
+/// Lists all messages of this layer, for translations and tests.
 std::span<const core::MessageEntry* const> messageCatalog();
 
 }   // namespace angiopose::app

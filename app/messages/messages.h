@@ -2,7 +2,7 @@
 
 #include "core/support/message.h"
 
-/// Messages of the command line and of the window's background work, by name; see core/messages/messages.h.
+/// Named messages of the command line and of the window's background work; see core/messages/messages.h.
 namespace angiopose::app::messages {
 
 #define MESSAGE(name, id, english) inline constexpr core::MessageKind<core::placesIn(english)> name{{id, english}};

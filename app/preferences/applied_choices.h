@@ -6,23 +6,23 @@
 
 namespace angiopose::app {
 
-/// Applies the language that the user chose. Call it before the first window is created; later, texts that are already
-/// shown must be set again.
+/// Applies the user's language. Call it before the first window is created; if called later, texts already shown must
+/// be set again.
 void applyChosenLanguage();
 
-/// Shows the user's shortcuts on buttons and in tooltips. Texts that are already shown must be set again.
+/// Shows the user's shortcuts on buttons and in tooltips. Texts already shown must be set again.
 void applyChosenKeys();
 
-/// Applies the theme that the user chose. Called before the first window is created and after each new choice.
+/// Applies the user's theme. Call it before the first window is created and after each change.
 void applyChosenTheme(QApplication& application);
 
-/// `--renderer=auto|vtk|painter`: renderer of the angiogram's overlay.
+/// Option `--renderer=auto|vtk|painter`, which selects the renderer of the angiogram's overlay.
 QCommandLineOption rendererOption();
 
-/// Value of this option on the command line.
+/// Returns the value of `--renderer` on the command line.
 QString rendererIn(const QCommandLineParser& parser);
 
-/// Applies this option; false if it does not name a renderer.
+/// Applies `--renderer`; returns false if it does not name a renderer.
 bool applyRenderer(const QCommandLineParser& parser);
 
 }   // namespace angiopose::app

@@ -13,7 +13,7 @@ core::Case outgoingCase(const core::Case& session);
 /// Clears the folder history of Qt's file dialogs, for all programs of this user.
 void forgetFileDialogs();
 
-/// Clears everything stored about earlier cases and people: lists, thumbnails, folders, names.
+/// Clears all stored data about earlier cases and people: lists, thumbnails, folders and names.
 void forgetTraces();
 
 }   // namespace angiopose::app

@@ -10,8 +10,8 @@
 namespace angiopose::app {
 namespace {
 
-/// Whether the folder belongs to the program's own files, which include the sample case; nobody would look for an
-/// export there.
+/// Returns whether the folder belongs to the program's own files (including the sample case), where users would not
+/// look for an export.
 bool isOurs(const QString& folder)
 {
     const QString ours = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);

@@ -6,10 +6,10 @@
 
 namespace angiopose::app {
 
-/// Whether a preference could identify a case or a person; private mode does not store such values.
+/// States whether a preference could identify a case or a person; private mode does not store such values.
 enum class Informative { Nothing, OfCases };
 
-/// One stored preference, with its key, type and default in one place.
+/// Stored preference, with its key, type and default in one place.
 template <class T>
 struct Setting {
     const char* key;
@@ -21,7 +21,7 @@ struct Setting {
         const QVariant stored = QSettings().value(QLatin1String(key));
         return stored.isValid() ? stored.value<T>() : fallback;
     }
-    /// Skips unchanged values, because writing waits for the disk.
+    /// Skips unchanged values, because writing to disk is slow.
     void write(const T& value) const
     {
         QSettings stored;
@@ -35,13 +35,13 @@ struct Setting {
     void forget() const { QSettings().remove(QLatin1String(key)); }
 };
 
-/// All preferences that persist between sessions. Poses and registration options belong to the case instead.
+/// All preferences that persist between sessions. Poses and registration options are stored in the case instead.
 namespace settings {
 inline const Setting<QString> lastFolder{"files/lastFolder", {}, Informative::OfCases};
 inline const Setting<QString> saveFolder{"files/saveFolder", {}, Informative::OfCases};   ///< for exports and new cases
 inline const Setting<QStringList> recentCases{"files/recentCases", {}, Informative::OfCases};
 inline const Setting<QStringList> pinnedCases{
-    "files/pinnedCases", {}, Informative::OfCases};   ///< subset of the recent cases
+    "files/pinnedCases", {}, Informative::OfCases};   ///< pinned cases, a subset of the recent ones
 inline const Setting<bool> recentPictures{"files/recentPictures", true};
 inline const Setting<QByteArray> windowLayout{"window/layout", {}};
 inline const Setting<bool> layoutFollowsStep{"window/layoutFollowsStep", true};
@@ -65,14 +65,14 @@ inline const Setting<double> gantryRao{"angles/rao", -90.0};   ///< gantry limit
 inline const Setting<double> gantryLao{"angles/lao", 90.0};
 inline const Setting<double> gantryCaudal{"angles/caudal", -40.0};
 inline const Setting<double> gantryCranial{"angles/cranial", 40.0};
-inline const Setting<bool> linkedCrosshair{"view/linkedCrosshair", true};   ///< between views side by side
+inline const Setting<bool> linkedCrosshair{"view/linkedCrosshair", true};   ///< between side-by-side views
 inline const Setting<double> maskOpacity{"slices/maskOpacity", 0.28};
 inline const Setting<double> brushRadiusMm{"slices/brushRadiusMm", 2.0};
 inline const Setting<bool> isBrushBall{"slices/brushBall", false};
 inline const Setting<bool> brushAboveThreshold{"slices/brushAboveThreshold", false};
 inline const Setting<int> cutDepth{"slices/cutDepth", 0};   ///< see ui::CutDepth
 inline const Setting<double> cutRangeMm{"slices/cutRangeMm", 10.0};
-inline const Setting<int> cornerView{"view/corner", 0};   ///< 0: 3-D, then axial, coronal, sagittal
+inline const Setting<int> cornerView{"view/corner", 0};   ///< 0 for 3-D, 1 to 3 for axial, coronal and sagittal
 inline const Setting<bool> scanIn3d{"view/scanIn3d", false};
 inline const Setting<int> scanLook{"view/scanLook", 0};   ///< see core::ScanPreset
 inline const Setting<bool> scanAtVessels{"view/scanAtVessels", false};
@@ -87,15 +87,15 @@ inline const Setting<int> exportWidthPx{"export/widthPx", 1024};
 inline const Setting<int> exportDotsPerInch{"export/dotsPerInch", 300};
 inline const Setting<int> exportFormat{"export/format", 0};   ///< see ui::PictureFormat
 inline const Setting<QString> reportTemplate{
-    "export/reportTemplate", {}, Informative::OfCases};   ///< file path; empty: the built-in template
+    "export/reportTemplate", {}, Informative::OfCases};   ///< file path; if empty, the built-in template is used
 inline const Setting<bool> privateMode{"privacy/private", false};   ///< see app/preferences/private_mode.h
-inline const Setting<QString> auditFile{"privacy/auditFile", {}};   ///< empty: no audit log
+inline const Setting<QString> auditFile{"privacy/auditFile", {}};   ///< empty if there is no audit log
 inline const Setting<QString> seenFault{"support/seenFault", {}};   ///< name of the last crash dump shown to the user
-inline const Setting<bool> movieIsGif{"export/movieIsGif", false};   ///< false: MP4
+inline const Setting<bool> movieIsGif{"export/movieIsGif", false};   ///< if false, movies are MP4
 inline const Setting<int> movieWidthPx{"export/movieWidthPx", 1024};
 inline const Setting<bool> exportResiduals{"export/residuals", true};
 inline const Setting<bool> exportEnglish{"export/english",
-                                         false};   ///< in English, whatever the language of the window
+                                         false};   ///< always English, whatever the language of the window
 }   // namespace settings
 
 }   // namespace angiopose::app

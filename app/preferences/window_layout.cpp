@@ -10,7 +10,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Settings key of the current set of screens and their arrangement.
+/// Returns the settings key for the current set of screens and their arrangement.
 QString screensKey()
 {
     QByteArray text;

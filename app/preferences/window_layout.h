@@ -6,8 +6,8 @@ class MainWindow;
 
 namespace angiopose::app {
 
-/// Restores position, column widths and collapsed panels of the window as they were when it was last closed on the same
-/// set of screens; on a new set, the most recent layout.
+/// Restores the position, column widths and collapsed panels that the window had when it was last closed on the same
+/// set of screens; for a new set, restores the most recent layout.
 void restoreWindowLayout(ui::MainWindow& window);
 void storeWindowLayout(const ui::MainWindow& window);
 

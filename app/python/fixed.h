@@ -21,7 +21,7 @@ namespace angiopose::python {
 
 namespace py = pybind11;
 
-/// Path from Python: str, bytes or os.PathLike.
+/// Path argument from Python: str, bytes or os.PathLike.
 using Path = std::filesystem::path;
 
 /// C-contiguous array of the requested type; other arrays are converted.
@@ -43,7 +43,7 @@ py::array viewOf(const std::vector<T>& values, const py::handle& owner)
     return viewOf(values.data(), {static_cast<py::ssize_t>(values.size())}, owner);
 }
 
-/// View of points, one per row.
+/// Returns an array view of points, one point per row.
 template <int Columns>
 py::array viewOf(const std::vector<Eigen::Matrix<double, Columns, 1>>& points, const py::handle& owner)
 {
@@ -79,8 +79,8 @@ std::vector<Eigen::Matrix<double, Columns, 1>> pointsOf(const Array<double>& row
     return points;
 }
 
-/// Converts integers of any type to T. Throws for fractions and for numbers that T cannot hold, because they would
-/// change.
+/// Converts integers of any type to T. Throws for fractions and for numbers out of the range of T, because conversion
+/// would change them.
 template <class T>
 Array<T> wholeNumbers(const py::object& given, const char* name)
 {
@@ -101,7 +101,7 @@ Array<T> wholeNumbers(const py::object& given, const char* name)
     return Array<T>::ensure(any);
 }
 
-/// Checks for one row per point.
+/// Throws unless there is one row per point.
 inline void checkRows(std::size_t rows, std::size_t points, const char* name)
 {
     if (rows != points) {
@@ -110,7 +110,7 @@ inline void checkRows(std::size_t rows, std::size_t points, const char* name)
     }
 }
 
-/// Checks for one row per point, or no rows at all.
+/// Throws unless there is one row per point, or no rows at all.
 inline void checkOptionalRows(std::size_t rows, std::size_t points, const char* name)
 {
     if (rows != 0) {
@@ -118,7 +118,7 @@ inline void checkOptionalRows(std::size_t rows, std::size_t points, const char* 
     }
 }
 
-/// Converts a one-dimensional array.
+/// Converts a one-dimensional array to a vector.
 template <class T>
 std::vector<T> valuesOf(const Array<T>& array, const char* name)
 {
@@ -126,7 +126,7 @@ std::vector<T> valuesOf(const Array<T>& array, const char* name)
     return {array.data(), array.data() + array.size()};
 }
 
-/// Converts a one-dimensional array, or None to an empty vector.
+/// Converts a one-dimensional array to a vector, or None to an empty vector.
 template <class T>
 std::vector<T> valuesOf(const std::optional<Array<T>>& array, const char* name)
 {
@@ -144,7 +144,7 @@ inline Image imageOf(const Array<float>& rows, const char* name)
     return {static_cast<int>(rows.shape(1)), static_cast<int>(rows.shape(0)), {rows.data(), rows.data() + rows.size()}};
 }
 
-/// A T that belongs to another object: like T, but its attributes are read-only. Copies of it are writable.
+/// A T that is part of another object: its attributes are read-only, but copies of it are writable.
 template <class T>
 struct Fixed : T {
     explicit Fixed(T value) : T(std::move(value)) {}
@@ -165,7 +165,7 @@ auto bindFixed(py::module_& module, const char* name)
              [](const Fixed<T>&, const std::string& attribute, const py::object&) { refuseToSet(attribute); });
 }
 
-/// Converts a matrix to a read-only array.
+/// Converts a matrix to a read-only NumPy array.
 template <class Matrix>
 py::array fixedArray(const Matrix& matrix)
 {
@@ -174,7 +174,7 @@ py::array fixedArray(const Matrix& matrix)
     return array;
 }
 
-/// Converts a matrix to a read-only array, or an empty optional to None.
+/// Converts a matrix to a read-only NumPy array, or an empty optional to None.
 template <class Matrix>
 py::object fixedArray(const std::optional<Matrix>& matrix)
 {
@@ -199,21 +199,21 @@ struct MemberOf<Type Class::*> {
     using Value = Type;
 };
 
-/// Getter for def_property: returns a list field as a tuple.
+/// Getter for def_property that returns a list field as a tuple.
 template <auto Field>
 auto asTuple()
 {
     return [](const typename MemberOf<decltype(Field)>::Owner& owner) { return fixedList(owner.*Field); };
 }
 
-/// Getter for def_property: returns a matrix or optional matrix field as a read-only array.
+/// Getter for def_property that returns a matrix or optional matrix field as a read-only array.
 template <auto Field>
 auto asArray()
 {
     return [](const typename MemberOf<decltype(Field)>::Owner& owner) { return fixedArray(owner.*Field); };
 }
 
-/// Setter for def_property, used with the getters above.
+/// Setter for def_property that goes with the getters above.
 template <auto Field>
 auto assign()
 {

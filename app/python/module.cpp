@@ -25,7 +25,7 @@ void bindErrors(py::module_& module)
         .def("__str__", [](const Message& message) { return message.text; })
         .def("__repr__", [](const Message& message) { return "<Message " + message.id + ": " + message.text + ">"; });
 
-    // Never freed, because the interpreter may be gone when statics are destroyed.
+    // Intentionally leaked, because the interpreter may be gone when statics are destroyed.
     static const py::handle errorType = py::exception<Error>(module, "Error", PyExc_RuntimeError).release();
     static const py::handle stoppedType = py::exception<Stopped>(module, "Stopped", errorType).release();
     errorType.attr("__doc__") =
@@ -47,7 +47,7 @@ void bindErrors(py::module_& module)
 PYBIND11_MODULE(_angiopose, module)
 {
     using namespace angiopose::python;
-    module.attr("__name__") = "angiopose";   // module where users find the classes
+    module.attr("__name__") = "angiopose";   // makes the classes appear in the public module
     module.attr("__version__") = angiopose::version();
     bindErrors(module);
     bindGeometry(module);

@@ -6,7 +6,7 @@
 namespace angiopose::python {
 namespace {
 
-/// Sets an option from a Python value: True and False become "on" and "off".
+/// Sets an option from a Python value; True and False become "on" and "off".
 void setOption(RegistrationOptions& options, const std::string& key, const py::handle& value)
 {
     if (py::isinstance<py::bool_>(value)) {
@@ -28,7 +28,7 @@ RegistrationOptions optionsOf(const std::string& method, const std::vector<std::
     return options;
 }
 
-/// Read-only dict; settings are changed with `set`.
+/// Returns a read-only dict; settings are changed with `set`.
 py::object fixedDict(const std::map<std::string, std::string>& values)
 {
     return py::module_::import("types").attr("MappingProxyType")(py::cast(values));

@@ -6,7 +6,7 @@
 namespace angiopose::python {
 namespace {
 
-/// Shape of the voxel array in NumPy order: k, j, i.
+/// Returns the shape of the voxel array in NumPy order (k, j, i).
 std::vector<py::ssize_t> shapeOf(const VolumeGeometry& geometry)
 {
     return {geometry.size[2], geometry.size[1], geometry.size[0]};

@@ -108,7 +108,7 @@ void RegistrationController::apply(const core::RegisteredCase& registered)
 void RegistrationController::giveUp(const core::Message& reason)
 {
     end();
-    if (!stopRequested_) {   // stopped before any pose was found: nothing to report
+    if (!stopRequested_) {   // if stopped before any pose was found, there is nothing to report
         emit failed(ui::messageText(reason));
     }
 }

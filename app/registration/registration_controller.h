@@ -8,14 +8,14 @@
 
 namespace angiopose::app {
 
-/// Registers the open case: traces the vessels first, then runs the solver with a live pose; Stop keeps the best pose.
-/// The result is one undo step.
+/// Registers the open case: traces the vessels if needed, then runs the solver with live display of the pose. Stop
+/// keeps the best pose so far. The result is one undo step.
 class RegistrationController : public QObject {
     Q_OBJECT
 public:
     RegistrationController(CaseDocument& document, TargetProvider& target, QObject* parent = nullptr);
 
-    /// Reason why the case cannot be registered yet; empty if it can.
+    /// Returns the reason why the case cannot be registered yet; empty if it can be registered.
     QString whyNotReady() const;
     bool isRunning() const { return phase_ != Phase::Idle; }
     void start();

@@ -28,7 +28,7 @@ TargetProvider::TargetProvider(QObject* parent) : QObject(parent)
 {
     const auto goOn = [this] {
         const SharedCenterline before = current_;
-        if (wanted_) {   // otherwise curves were given meanwhile or the image is gone
+        if (wanted_) {   // not set if curves were provided in the meantime or the image is gone
             startWanted();
         }
         if (current_ == before) {

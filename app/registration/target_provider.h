@@ -11,8 +11,8 @@
 
 namespace angiopose::app {
 
-/// Traced vessels of the case's frame: the given 2-D centerline, or a trace computed on a worker thread and cached per
-/// frame and options. Only the newest request is answered.
+/// Provides the traced vessels of the case's current frame: the 2-D centerline stored in the case, or a trace computed
+/// on a worker thread and cached by frame and options. Only the newest request is processed.
 class TargetProvider : public QObject {
     Q_OBJECT
 public:
@@ -20,16 +20,16 @@ public:
 
     void want(const core::Case& session);
     const SharedCenterline& current() const { return current_; }   ///< null until ready
-    const SharedTrace& trace() const { return trace_; }   ///< null while the target is given or not ready
+    const SharedTrace& trace() const { return trace_; }   ///< null if the target is stored in the case or not ready
     const std::optional<core::Message>& problem() const { return problem_; }   ///< reason why there is no target
     bool isTracing() const { return job_.isRunning(); }
 
 signals:
-    void changed();   ///< `current` or `problem`
+    void changed();   ///< emitted when `current`, `problem` or `isTracing` may have changed
 
 private:
     struct Remembered {
-        std::weak_ptr<const core::Angiogram> run;   ///< owned by the case and its undo history only
+        std::weak_ptr<const core::Angiogram> run;   ///< weak, because only the case and its undo history own the run
         int frame = 0;
         core::TraceOptions options;
         SharedTrace trace;
@@ -44,8 +44,8 @@ private:
 
     TraceJob job_;
     std::optional<TraceRequest> wanted_;
-    std::optional<TraceRequest> asked_;   ///< request being traced
-    std::deque<Remembered> traced_;   ///< newest last
+    std::optional<TraceRequest> asked_;   ///< request being processed
+    std::deque<Remembered> traced_;   ///< cached traces, newest last
     SharedCenterline current_;
     SharedTrace trace_;
     std::optional<core::Message> problem_;

@@ -20,7 +20,7 @@ namespace angiopose::app {
 namespace {
 
 constexpr int pictureWidthPx = 900;   // width of each of the two images
-constexpr int pageDpi = 96;   // as in browsers, so that both formats have the same size
+constexpr int pageDpi = 96;   // as in browsers, so that the PDF and HTML reports have the same layout
 constexpr int markPx = 96;
 
 core::Result<core::RegistrationResult> judgementOfView(const core::Case& session, const core::Centerline2d& target)
@@ -51,7 +51,7 @@ core::Result<ReportedView> judgedView(const core::Case& session, const core::Res
     return ReportedView{session, look, target.value(), judgement.value(), {}};
 }
 
-/// Overlay image, next to the initial pose if it differs.
+/// Draws the overlay image, side by side with the initial pose if that differs.
 core::Result<QImage> pictureOf(const ReportedView& view)
 {
     OverlayPictureOptions look = view.look;
@@ -67,7 +67,7 @@ core::Result<QImage> pictureOf(const ReportedView& view)
         .copy();
 }
 
-/// Logo of the program, large enough for print.
+/// Returns the logo of the program, large enough for print.
 QImage mark()
 {
     QImageReader reader(QStringLiteral(":/icons/angiopose.svg"));

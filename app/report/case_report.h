@@ -12,36 +12,36 @@
 
 namespace angiopose::app {
 
-/// One view of the case as the report presents it.
+/// One view of the case as it appears in the report.
 struct ReportedView {
-    core::Case session;   ///< with this view shown
+    core::Case session;   ///< case that displays this view
     OverlayPictureOptions look;
     core::Centerline2d target;
-    core::RegistrationResult judgement;   ///< of the view's current pose
+    core::RegistrationResult judgement;   ///< evaluation of the view's current pose
     std::optional<core::Message>
-        problem;   ///< reason why the view cannot be evaluated; the three members above are empty then
+        problem;   ///< reason why the view cannot be evaluated; if set, the three members above are empty
 };
 
-/// Report on one case, with a section for each view: overlay before and after, measurements, confidence, geometry with
-/// the origin of its values, and pose; then inputs with hashes, author and time. In the language and typeface of the
-/// window.
+/// Content of a report on one case, in the language and typeface of the window. A section for each view contains the
+/// overlay before and after registration, measurements, confidence, geometry with the origin of its values, and the
+/// pose. Inputs with hashes, author and time follow.
 struct CaseReport {
     std::vector<ReportedView> views;   ///< the shown view first
     QString author;
-    QStringList typeface;   ///< font families, the preferred one first
+    QStringList typeface;   ///< font families in order of preference
     QString templatePath;   ///< see readReportTemplate
 };
 
-/// Evaluates every view: by the registration that found its pose, else against its target (`shownTarget`, or the trace
-/// of the other views). `look` applies to the shown view; the others have no DRR and choose their own window/level.
-/// Fails if the shown view cannot be evaluated. Slow; call it on a worker thread.
+/// Evaluates every view: from the registration that found its pose, or else against its target (`shownTarget` for the
+/// shown view, the trace for other views). `look` applies to the shown view; the other views have no DRR and an
+/// automatic window/level. Fails if the shown view cannot be evaluated. Slow; call it on a worker thread.
 core::Result<std::vector<ReportedView>> judgedViews(const core::Case& session, const core::Centerline2d& shownTarget,
                                                     const OverlayPictureOptions& look);
 
 enum class ReportKind { Pdf, Html };
 
-/// Report as PDF, or as HTML with embedded images. Fails if the template is invalid or the shown view cannot be
-/// rendered.
+/// Returns the report as PDF, or as HTML with embedded images. Fails if the template is invalid or the shown view
+/// cannot be rendered.
 core::Result<QByteArray> reportBytes(const CaseReport& report, ReportKind kind);
 
 }   // namespace angiopose::app

@@ -11,7 +11,7 @@ namespace {
 
 using report::PageWords;
 
-/// Whether the vessels are colored by residuals, as opposed to another coloring or none.
+/// Returns whether the vessels are colored by residuals rather than by another quantity or not at all.
 bool showsResiduals(const ReportedView& view)
 {
     return view.look.coloring == OverlayColoring::Residuals && view.target.pointCount() > 0 && !view.look.drr &&
@@ -30,7 +30,7 @@ double scaleEndMm(const core::Case& session)
     return residualScaleMaximumPx(camera.value(), depthMm) * core::millimetersPerPixel(camera.value(), depthMm);
 }
 
-/// Color sample, which printers reproduce, followed by its meaning.
+/// Returns a color sample followed by its meaning. The sample is a character, so that it also appears in print.
 QString sample(const ui::Color& color, const QString& meaning)
 {
     return QStringLiteral("&nbsp;&nbsp;<span style=\"color:%1\">&#9632;</span>&nbsp;%2")

@@ -7,10 +7,10 @@ namespace angiopose::app {
 /// Whether the image of a view includes the initial pose next to it: the view has one and its pose differs.
 bool hasStartBeside(const ReportedView& view);
 
-/// HTML above the image of a view that names its two halves; empty for a single image.
+/// Returns the HTML above the image of a view that names its two halves; empty for a single image.
 QString captionsOf(const ReportedView& view, int widthPx);
 
-/// HTML below the image that explains the vessel colors; empty if they do not show distances.
+/// Returns the HTML below the image that explains the vessel colors; empty if the colors do not show distances.
 QString colorLineOf(const ReportedView& view);
 
 }   // namespace angiopose::app

@@ -7,13 +7,13 @@
 
 namespace angiopose::app::report {
 
-/// Section heading; `moreStyle` is appended to its style.
+/// Returns a section heading; `moreStyle` is appended to its style.
 QString heading(const QString& text, const char* moreStyle = "");
 
-/// Two-column table of names and values; `moreStyle` is appended to the style of the values.
+/// Returns a two-column table of names and values; `moreStyle` is appended to the style of the values.
 QString table(const ReportRows& rows, const char* moreStyle = "");
 
-/// Background color, as in the result card of the window, and the text color on it.
+/// Background color, as in the result card of the window, with its text color.
 struct Ground {
     const char* color;
     const char* ink;
@@ -21,10 +21,10 @@ struct Ground {
 inline constexpr Ground certainGround{"#e3f2e6", "#14532d"};
 inline constexpr Ground doubtfulGround{"#fbefd9", "#7a4a00"};
 
-/// Sentences on a colored background after a prominent verdict; empty if there are none.
+/// Returns a prominent verdict followed by sentences, on a colored background; empty if there are none.
 QString card(const QStringList& sentences, const Ground& ground, const QString& verdict = {});
 
-/// Two sections side by side.
+/// Returns two sections side by side.
 QString beside(const QString& left, const QString& right);
 
 }   // namespace angiopose::app::report

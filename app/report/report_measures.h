@@ -9,17 +9,17 @@
 
 namespace angiopose::app {
 
-/// Rows of name and value.
+/// Rows of a name and a value each.
 using ReportRows = std::vector<std::pair<QString, QString>>;
 
-/// Measurements in the image of the shown view, each with value and basis.
+/// Returns the measurements in the image of the shown view, each with its value and basis.
 ReportRows measuredRows(const core::Case& session);
 
-/// Target points, with their errors and the pose's claimed uncertainty, and rings; for the shown view and all views
-/// together.
+/// Returns the target points with their errors and the uncertainty claimed by the pose, and the rings, for the shown
+/// view and for all views together.
 ReportRows checkedRows(const core::Case& session);
 
-/// " · ⌀ 3.1 mm, narrowest 1.2 mm (−60 %)", from the tree's radii; empty without radii.
+/// Returns e.g. " · ⌀ 3.1 mm, narrowest 1.2 mm (−60 %)", from the radii of the tree; empty if there are none.
 QString widthWords(const core::VesselBranch& branch);
 
 }   // namespace angiopose::app

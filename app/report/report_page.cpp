@@ -23,7 +23,7 @@ namespace {
 
 constexpr int shownWidth = 680;   // full width between the margins
 constexpr int shownWidthOfOne =
-    340;   // width of a single image, as wide as one of two; this also lets the rest fit on the page
+    340;   // width of a single image, the same as that of one of two images, so that the rest fits on the page
 constexpr int markWidth = 36;
 
 using namespace report;
@@ -52,7 +52,7 @@ QString programWords()
     return QStringLiteral("AngioPose ") + QStringLiteral(ANGIOPOSE_VERSION);
 }
 
-/// Prominent warning that the images belong to different patients.
+/// Returns a prominent warning if the images belong to different patients.
 QString mismatchLines(const core::Case& session)
 {
     QString lines;
@@ -92,7 +92,7 @@ QString viewPart(const ReportedView& view, const QString& picture, ReportPlace p
                           : place == ReportPlace::First ? heading(title)
                                                         : heading(title, "; page-break-before:always");
     const QString seen = captionsOf(view, widthOf(view)) + picture + colorLineOf(view);
-    const QString verdict = verdictPart(view);   // a negative verdict comes first
+    const QString verdict = verdictPart(view);   // placed first if it is negative
     return above + (view.judgement.trustworthy ? seen + verdict : verdict + seen) +
            beside(resultPart(view) + branchPart(view), geometryPart(session) + posePart(session)) +
            measuredPart(session) + checkedPart(session);

@@ -10,13 +10,13 @@
 
 namespace angiopose::app {
 
-/// URL under which the page finds an image.
+/// Returns the URL by which the page refers to an image.
 using PictureUrl = std::function<QString(std::size_t picture)>;
 
-/// Overlays of the report's views in their order, then the program's logo, then the images of the template.
+/// Images of the report: the overlays of its views in order, then the program's logo, then the images of the template.
 using ReportPictures = std::vector<QImage>;
 
-/// Report page as HTML, filled from its template; `urlOf` returns the URL of each image.
+/// Returns the report page as HTML, filled from its template; `urlOf` returns the URL of each image.
 QString reportPage(const CaseReport& report, const ReportTemplate& page, const ReportPictures& pictures,
                    const PictureUrl& urlOf);
 

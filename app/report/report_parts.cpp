@@ -24,7 +24,7 @@ namespace {
 using Rows = ReportRows;
 
 constexpr std::size_t branchesListed = 12;
-constexpr const char* doubtfulTone = "; color:#9a5b00";   // amber, dark enough for print
+constexpr const char* doubtfulTone = "; color:#9a5b00";   // amber that is dark enough for print
 
 double mmPerPxOf(const core::Case& session)
 {
@@ -38,7 +38,7 @@ QString methodWordsOf(const core::RegistrationResult& judged)
     return ui::methodWords(judged.method) + QStringLiteral(" · ") + ui::termText(core::toText(judged.stopReason));
 }
 
-/// Rows on the origin of the pose.
+/// Returns the rows that describe the origin of the pose.
 Rows originRows(const ReportedView& view)
 {
     const auto& result = view.session.shown().result;
@@ -175,7 +175,7 @@ QString posePart(const core::Case& session)
         for (int column = 0; column < 4; ++column) {
             text += QStringLiteral("<td align=\"right\">%1</td>")
                         .arg(session.shown().cameraFromPatient.matrix()(row, column), 0, 'f',
-                             6);   // full precision, for copying
+                             6);   // full precision, since readers may copy the values
         }
         text += QStringLiteral("</tr>");
     }

@@ -5,16 +5,16 @@
 #include <QDateTime>
 #include <QString>
 
-// Sections of a report on one view, each with its heading; empty if there is nothing to report.
+// Sections of a report on one view, each with its heading. A section is empty if it has nothing to report.
 namespace angiopose::app::report {
 
-/// ISO 8601 with time zone, independent of the locale.
+/// Formats the time in ISO 8601 with the time zone, independent of the locale.
 QString timeWords(const QDateTime& time);
 
-/// Whether the pose is reliable, what that means, and the program's warnings.
+/// Returns whether the pose is reliable, what that means, and the warnings of the registration.
 QString verdictPart(const ReportedView& view);
 
-/// Residuals and origin of the pose.
+/// Returns the residuals and the origin of the pose.
 QString resultPart(const ReportedView& view);
 
 QString branchPart(const ReportedView& view);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr qint64 maxTextBytes = qint64{1} << 20;
 constexpr qint64 maxPictureFileBytes = qint64{16} << 20;
-constexpr int maxPictureSide = 8192;   // px
+constexpr int maxPictureSide = 8192;   // longer side, px
 
 const QStringList& neededMarks()
 {
@@ -37,7 +37,7 @@ const QStringList& knownMarks()
 }
 
 const QString pictureMark =
-    QStringLiteral("picture ");   // followed by a number; placeholders that users write have no blank
+    QStringLiteral("picture ");   // followed by a number; the blank keeps it distinct from placeholders of the user
 
 QString written(const QString& mark)
 {
@@ -71,7 +71,7 @@ QImage pictureWithin(const QString& url)
     return isTaken(reader) ? reader.read() : QImage();
 }
 
-/// Loads an image from the template's folder or below; never from elsewhere or from the network.
+/// Loads an image from the folder of the template or a folder below it; refuses all other locations and the network.
 QImage pictureBeside(const QFileInfo& page, const QString& name)
 {
     const QFileInfo file(page.dir(), name);
@@ -83,7 +83,7 @@ QImage pictureBeside(const QFileInfo& page, const QString& name)
     return isTaken(reader) ? reader.read() : QImage();
 }
 
-/// Replaces the template's image references by placeholders and loads the images.
+/// Loads the template's images and replaces the references to them by placeholders.
 core::Status takePictures(ReportTemplate& page, const QString& path)
 {
     static const QRegularExpression source(QStringLiteral("\\bsrc\\s*=\\s*(?:\"([^\"]*)\"|'([^']*)'|([^\\s\"'>]+))"),
@@ -113,7 +113,7 @@ const QRegularExpression& markPattern()
     return pattern;
 }
 
-/// Checks that the template contains all required placeholders and no unknown ones, which would stay empty.
+/// Checks that the template contains all required placeholders, and none that are unknown and would remain unfilled.
 core::Status checkMarks(const QString& html)
 {
     QStringList found;

@@ -11,17 +11,17 @@
 
 namespace angiopose::app {
 
-/// Report page as customized by the user: HTML with placeholders such as {{views}}.
+/// Template of the report page, which the user may customize: HTML with placeholders such as {{views}}.
 struct ReportTemplate {
-    QString html;   ///< without comments; its own images are placeholders, too
-    std::vector<QImage> pictures;   ///< images of the template
+    QString html;   ///< HTML without comments, in which the template's images are placeholders, too
+    std::vector<QImage> pictures;
 };
 
-QByteArray builtInReportTemplate();   ///< starting point for custom templates
+QByteArray builtInReportTemplate();   ///< returns the starting point for custom templates
 
-/// Reads a template and the images next to it; an empty path selects the built-in one. Fails if it cannot be read,
-/// lacks a required placeholder, contains an unknown one, or names an image that is not next to it. Reads files; call
-/// it on a worker thread.
+/// Reads a template and the images it names; an empty path selects the built-in template. Fails if the template cannot
+/// be read, lacks a required placeholder, contains an unknown one, or names an image that is not in its folder. Reads
+/// files; call it on a worker thread.
 core::Result<ReportTemplate> readReportTemplate(const QString& path);
 
 /// Fills in the template. `parts` maps placeholder names to HTML; placeholders inside the parts are not replaced.

@@ -104,7 +104,7 @@ void BlindTrialController::start(const ui::BlindTrialSetup& setup)
         [] { return tr("Blind trial"); }));
     showRunning(true);
     if (QAction* nudge = ui_.actions[ui::Command::Nudge]; !nudge->isChecked()) {
-        nudge->trigger();   // lets the keys move the vessels
+        nudge->trigger();   // starts nudge mode, in which the keys move the vessels
     }
     clock_.start();
     emit started();
@@ -193,7 +193,7 @@ void BlindTrialController::judge(const io::ObserverTrial& trial)
 void BlindTrialController::keep(const core::RegistrationResult& judged)
 {
     if (document_.state().caseNumber != caseNumber_ || document_.isInTrial()) {
-        return;   // the trial log already contains the result
+        return;   // too late for a snapshot, but the trial log already contains the result
     }
     core::PoseSnapshot snapshot;
     snapshot.name = tr("%1, blind").arg(setup_.observer).toStdString();

@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 
 constexpr qsizetype keptSeries = 200;
 
-/// Hashed key of a series, because settings must not identify patients.
+/// Returns the hashed key of a series; it is hashed because settings must not identify patients.
 QString seriesKey(const core::View& view)
 {
     if (!view.angiogram) {
@@ -28,7 +28,7 @@ QString seriesKey(const core::View& view)
                          : QString::fromLatin1(QCryptographicHash::hash(text, QCryptographicHash::Sha1).toHex());
 }
 
-/// Display range of the peak-opacification frame, independent of the case's current frame.
+/// Returns the display range of the peak-opacification frame, independent of the case's current frame.
 std::optional<core::DisplayRange> automaticRange(const core::View& view)
 {
     if (!view.angiogram || view.angiogram->frames.empty()) {

@@ -16,8 +16,8 @@ class AngiogramView;
 
 namespace angiopose::app {
 
-/// Remembers window and level per series and restores them when it is opened again. Other images start with the
-/// automatic window/level of their peak-opacification frame.
+/// Remembers window and level of each series and restores them when the series is opened again. Images of other series
+/// start with the automatic window/level of their peak-opacification frame.
 class BrightnessMemory : public QObject {
     Q_OBJECT
 public:
@@ -35,8 +35,8 @@ private:
     const CaseDocument& document_;
     ui::AngiogramView& view_;
     std::shared_ptr<const core::Angiogram> shown_;
-    QString series_;   ///< empty: the image has no key
-    QStringList remembered_;   ///< "series window level", most recently used first
+    QString series_;   ///< key of the shown series; empty if it has none
+    QStringList remembered_;   ///< entries "series window level", most recently used first
     QTimer storing_;
 };
 

@@ -12,9 +12,9 @@ namespace {
 
 using ui::Command;
 
-constexpr int longestSidePx = 256;   // sufficient: the detector is a small part of the view
+constexpr int longestSidePx = 256;   // low resolution suffices, because the detector is a small part of the view
 
-/// Computes DRRs of the scan; the first call prepares the data. Used by one worker at a time.
+/// Computes DRRs of the scan; the first call prepares the data. Not thread-safe: one worker at a time.
 class Source {
 public:
     Source(std::shared_ptr<const core::Volume> scan, const core::ProjectionCamera& camera)
@@ -22,7 +22,7 @@ public:
     {
     }
 
-    /// DRR as on the screen of a C-arm: dense structures are dark.
+    /// Returns the DRR as on a C-arm monitor, with dense structures dark.
     core::ImageF from(const core::RigidTransform& cameraFromPatient)
     {
         if (!body_) {

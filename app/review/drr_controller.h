@@ -14,7 +14,7 @@ class BottomStrip;
 
 namespace angiopose::app {
 
-/// Shows a DRR of the vessels over the angiogram; recomputed whenever the pose changes.
+/// Shows a DRR of the vessels over the angiogram; updated whenever the pose changes.
 class DrrController : public QObject {
     Q_OBJECT
 public:
@@ -32,13 +32,13 @@ public:
 private:
     void setWanted(bool wanted);
     void followDocument();
-    void clear();   ///< releases all data of a case that may be closed
+    void clear();   ///< releases all data of the case, which may be closed
     void show(const core::ImageF& picture);
 
     Parts on_;
     DrrJob job_;
     bool isWanted_ = false;
-    bool isReady_ = false;   ///< the job holds the inputs given by `tree_` …
+    bool isReady_ = false;   ///< the job holds the inputs described by the members below
     std::shared_ptr<const core::VesselTree> tree_;
     std::shared_ptr<const core::Volume> volume_;
     std::optional<core::ProjectionCamera> camera_;

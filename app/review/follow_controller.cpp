@@ -15,7 +15,7 @@
 namespace angiopose::app {
 namespace {
 
-/// " · breath every 3.7 s, 8.2 mm to and fro", or empty.
+/// Describes the periodic motion, e.g. " · breath every 3.7 s, 8.2 mm to and fro"; empty if there is none.
 QString periodWords(const core::RunPeriods& periods)
 {
     const auto words = [](const QString& sentence, const core::PeriodicMotion& motion) {
@@ -49,7 +49,7 @@ FollowController::FollowController(const Parts& parts, QObject* parent) : QObjec
     });
     connect(&job_, &FollowJob::finished, this, &FollowController::take);
     connect(&job_, &FollowJob::failed, this, [this](const core::Message& reason) {
-        startedFrom_ = {};   // frees the cine run, which is large
+        startedFrom_ = {};   // releases the cine run, which is large
         on_.strip.showIdle(tr("Ready"));
         on_.notifications.showProblem(tr("Could not track the vessels"), ui::messageText(reason));
     });
@@ -85,7 +85,7 @@ void FollowController::start()
 void FollowController::take(const std::vector<core::FollowedFrame>& frames)
 {
     on_.strip.showIdle(tr("Ready"));
-    const core::Case startedFrom = std::exchange(startedFrom_, {});   // frees the cine run, which is large
+    const core::Case startedFrom = std::exchange(startedFrom_, {});   // releases the cine run, which is large
     const core::FollowedRun run = core::followedFrom(startedFrom.shown().frame, frames);
     if (!isAsStarted(startedFrom, run)) {
         on_.notifications.showNote(tr("The vessels were moved in the meantime. Track them again."));
@@ -104,7 +104,7 @@ void FollowController::take(const std::vector<core::FollowedFrame>& frames)
     on_.notifications.showNote(followed + periodWords(core::periodsOf(startedFrom, frames)));
 }
 
-/// Whether the poses belong to these vessels and this cine run and start from the current pose.
+/// Returns whether the tracked poses belong to the current vessels and cine run and start from the current pose.
 bool FollowController::isAsStarted(const core::Case& started, const core::FollowedRun& run) const
 {
     const core::Case& current = on_.document.current();

@@ -19,8 +19,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Tracks the vessels through the cine run from the shown frame and pose, as one undo step, and shows each frame with
-/// its own pose while the case keeps the tracking result.
+/// Tracks the vessels through the cine run, starting from the shown frame and pose, in one undo step. Shows each frame
+/// with its tracked pose as long as the case keeps the tracking result.
 class FollowController : public QObject {
     Q_OBJECT
 public:

@@ -4,8 +4,8 @@
 
 namespace angiopose::app {
 
-/// Tracking result of the shown frame, if the current pose is the tracked one, and not that of a registration or a
-/// manual edit; else null.
+/// Returns the tracking result of the shown frame if the current pose comes from it, and not from a registration or a
+/// manual edit; otherwise null.
 const core::FollowedFrame* followedPoseShown(const core::View& view);
 
 }   // namespace angiopose::app

@@ -31,10 +31,10 @@ std::vector<double> residualsMm(const std::vector<int>& excludedBranchIds,
 }
 
 constexpr auto restBetween =
-    std::chrono::milliseconds(60);   ///< keeps dragging responsive: drawing comes before evaluation
+    std::chrono::milliseconds(60);   ///< pause between evaluations, so that drawing keeps up with dragging
 
-/// Target of the evaluation: after a wire registration it includes the wire, because the branches along the wire match
-/// it rather than the traced vessels.
+/// Returns the target of the evaluation. After a wire registration it includes the wire, because the branches along the
+/// wire match the wire and not the traced vessels.
 core::Centerline2d judgedTarget(const core::View& view, const core::Centerline2d& vessels)
 {
     const auto devices = core::devicesOf(view);
@@ -62,7 +62,7 @@ JudgementController::JudgementController(const Parts& parts, QObject* parent)
 void JudgementController::judge(const core::RigidTransform& cameraFromPatient)
 {
     const SharedCenterline target = on_.target.current();
-    const bool isHidden = on_.document.isInTrial();   // hidden from the observer
+    const bool isHidden = on_.document.isInTrial();   // the observer of a blind trial must not see the verdict
     if (!target || !on_.pose.currentOffset() || isHidden) {
         job_.cancel();
         judgement_.reset();

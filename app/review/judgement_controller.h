@@ -20,11 +20,11 @@ class ResultPanel;
 
 namespace angiopose::app {
 
-/// Evaluates the shown pose off the GUI thread and shows the verdict: numbers, sentences, residual colors.
+/// Evaluates the shown pose off the GUI thread and shows the verdict as numbers, sentences and residual colors.
 class JudgementController : public QObject {
     Q_OBJECT
 public:
-    /// Inputs of the verdict and the objects that show it.
+    /// Inputs of the verdict, and the objects that show it.
     struct Parts {
         const CaseDocument& document;
         const TargetProvider& target;

@@ -19,8 +19,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Appearance of the overlay on the angiogram: style, opacity, depth cueing, swipe and lens, window/level; also
-/// navigates to the worst branch. Does not change the case.
+/// Controls the appearance of the overlay on the angiogram (style, opacity, depth cueing, swipe and lens, window/level)
+/// and navigates to the worst branch. Does not change the case.
 class LookController : public QObject {
     Q_OBJECT
 public:
@@ -33,23 +33,23 @@ public:
     };
     LookController(const CaseDocument& document, ViewSync& sync, const Ui& ui, QObject* parent = nullptr);
 
-    void holdHidden(bool held);   ///< hides the vessels while the key is held
-    /// Sets the residuals by which W steps through the branches, the worst first.
+    void holdHidden(bool held);   ///< hides the vessels as long as the key is held
+    /// Sets the residuals in whose order W steps through the branches, worst first.
     void knowResiduals(std::vector<core::BranchResidual> branches, double millimetersPerPixel);
 
-    /// Drawing style of the vessels for callers that do not compute DRRs.
+    /// Returns the drawing style of the vessels, for callers that do not show DRRs.
     ui::OverlayMode lines() const { return heldHidden_ ? ui::OverlayMode::Hidden : style_; }
     BrightnessMemory& brightness() { return brightness_; }
 
 signals:
-    void changed();   ///< appearance of the overlay or inversion of the image
-    void branchWanted(int branchId);   ///< requests selection of the branch
-    void drrWanted(bool wanted);   ///< DRR of the vessels instead of their lines
+    void changed();   ///< emitted when the appearance of the overlay or the inversion of the image changes
+    void branchWanted(int branchId);   ///< emitted to select the branch
+    void drrWanted(bool wanted);   ///< emitted to switch between a DRR of the vessels and their lines
 
 private:
     void connectOverlay();
     void connectBrightness();
-    ui::AngiogramView& image() const;   ///< view with the keyboard focus, else the shown one
+    ui::AngiogramView& image() const;   ///< returns the view with the keyboard focus, or else the shown view
     void redraw();
     void showStyle();
     void nextStyle();
@@ -68,7 +68,7 @@ private:
     Ui ui_;
     BrightnessMemory brightness_;
     ui::OverlayMode style_ = ui::OverlayMode::Centerline;
-    bool isDrr_ = false;   ///< DRR instead of `style_`
+    bool isDrr_ = false;   ///< show a DRR instead of `style_`
     bool heldHidden_ = false;
     std::vector<core::BranchResidual> worstFirst_;
     double millimetersPerPixel_ = 0.0;

@@ -82,14 +82,14 @@ void MovieController::askFile(const ui::MovieChoice& choice)
 void MovieController::start(const ui::MovieChoice& choice, const QString& path)
 {
     if (!on_.document.current().vessels.tree || !on_.document.current().shown().angiogram) {
-        return;   // removed while the dialog was open
+        return;   // the case was closed or changed while the dialog was open
     }
     ui::ExportChoice look;
     look.widthPx = choice.widthPx;
     look.residualColors = choice.residualColors;
     look.identity = choice.identity;
     look.english = choice.english;
-    look.cutout = ui::Choice::On;   // same as in the window
+    look.cutout = ui::Choice::On;   // swipe and lens are drawn as in the window
     OverlayPictureOptions options = on_.exporting.lookOf(look);
     const auto target = on_.target.current();
     on_.strip.showBusy(tr("Writing the movie…"));

@@ -12,7 +12,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Matrix as four rows of four numbers, for spreadsheets and scripts.
+/// Formats the matrix as four rows of four numbers, for spreadsheets and scripts.
 QString matrixText(const core::RigidTransform& transform)
 {
     const Eigen::Matrix4d matrix = transform.matrix();

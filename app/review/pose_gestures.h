@@ -18,7 +18,7 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Manual pose adjustment: pose panel, nudge mode with keys and drags, and live preview in all views.
+/// Manages manual pose adjustment: the pose panel, nudge mode with keys and drags, and the live preview in all views.
 class PoseGestures : public QObject {
     Q_OBJECT
 public:
@@ -37,7 +37,7 @@ public:
     };
     explicit PoseGestures(const Parts& parts, QObject* parent = nullptr);
 
-    void show();   ///< updates offsets and locks from the case
+    void show();   ///< updates the displayed offsets and locks from the case
 
 private:
     void connectPanel();

@@ -73,7 +73,7 @@ void PoseTableController::connectTable()
     connect(table, &ui::PoseTable::restoreRequested, &snapshots_, &SnapshotController::restore);
     connect(table, &ui::PoseTable::removeRequested, &snapshots_, &SnapshotController::remove);
     connect(table, &ui::PoseTable::textEdited, &snapshots_, &SnapshotController::change,
-            Qt::QueuedConnection);   // queued: the editor of the cell is still active
+            Qt::QueuedConnection);   // queued, because the editor of the cell is still active
     connect(table, &ui::PoseTable::runRequested, this, &PoseTableController::run);
     connect(table, &ui::PoseTable::stopRequested, this, &PoseTableController::stop);
     connect(table, &ui::PoseTable::exportRequested, this, &PoseTableController::exportTable);

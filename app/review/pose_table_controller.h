@@ -38,7 +38,7 @@ public:
 
     void open();
     void close();
-    ui::PoseTable* table() const { return table_; }   ///< null while closed
+    ui::PoseTable* table() const { return table_; }   ///< null while the table is closed
     bool isRunning() const { return job_.isRunning(); }
     void run(const std::vector<std::string>& methodIds);
     void stop() { job_.requestStop(); }
@@ -54,7 +54,7 @@ private:
     void connectTable();
     void connectJob();
     void refresh();
-    std::vector<core::PoseSnapshot> listed() const;   ///< the current pose first
+    std::vector<core::PoseSnapshot> listed() const;   ///< returns the current pose followed by the snapshots
     void take(const core::RegistrationResult& result);
     void flush();
     void finish(bool wasStopped);
@@ -69,7 +69,7 @@ private:
     MethodSeriesJob job_;
     Origin origin_;
     std::vector<std::string> chosen_;
-    std::vector<core::PoseSnapshot> waiting_;   ///< results received while the case was locked
+    std::vector<core::PoseSnapshot> waiting_;   ///< results that arrived while the case was locked
     QStringList failures_;
     int solvedCount_ = 0;
     int burst_ = 0;

@@ -23,7 +23,7 @@ PoseTools::PoseTools(const Parts& on, QObject* parent)
     connect(&auxiliary_, &AuxiliaryController::refused, &on.notifications, &Notifications::showNote);
 }
 
-/// Ensures that only one alternative pose is shown at a time.
+/// Ensures that at most one alternative pose is shown at a time.
 void PoseTools::connectLooks(const Parts& on)
 {
     ReplayController* replay = &on.replay;

@@ -28,8 +28,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Pose tools other than manual adjustment: solutions, snapshots, comparison, blind trials, branch suggestions. Owns
-/// and connects them.
+/// Owns and connects the pose tools other than manual adjustment: solutions, snapshots, comparison, blind trials and
+/// branch suggestions.
 class PoseTools : public QObject {
     Q_OBJECT
 public:

@@ -17,8 +17,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Measurements along the selected branch. A position on its profile is marked in the image and in 3-D; a click moves
-/// the slices there.
+/// Shows the measurements along the selected branch. The position under the mouse in the profile is marked in the image
+/// and in 3-D; a click moves the slices to that position.
 class ProfileController : public QObject {
     Q_OBJECT
 public:
@@ -48,7 +48,7 @@ private:
     const BranchController& branches_;
     ExportController& exporting_;
     Ui ui_;
-    std::shared_ptr<const core::VesselTree> tree_;   ///< tree of the branch shown in the panel
+    std::shared_ptr<const core::VesselTree> tree_;   ///< tree that contains the branch shown in the panel
     std::optional<int> shown_;
 };
 

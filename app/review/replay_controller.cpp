@@ -119,7 +119,7 @@ std::optional<ReplayController::Swing> ReplayController::swing() const
     if (!uncertainty_ || !current.vessels.tree || uncertainty_->weakestDirection.norm() < 0.5) {
         return std::nullopt;
     }
-    core::Vector6d perMm = core::Vector6d::Ones();   // factors from (rad, mm) to mm at the tree
+    core::Vector6d perMm = core::Vector6d::Ones();   // factors that convert (rad, mm) to mm at the tree
     perMm.head<3>().setConstant(spreadMm(*current.vessels.tree, core::centroidInPatient(*current.vessels.tree)));
     const core::Vector6d& direction = uncertainty_->weakestDirection;
     const core::Vector6d scaled = perMm.cwiseProduct(direction);

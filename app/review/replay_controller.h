@@ -15,8 +15,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Animated poses, shown but never written: convergence of the last registration, the swing along the least constrained
-/// direction, and the other solutions of the last registration. Any change of the case ends the animation.
+/// Shows poses temporarily without changing the case: the convergence of the last registration, the swing along the
+/// least constrained direction, and the alternative solutions. Any change of the case ends the animation.
 class ReplayController : public QObject {
     Q_OBJECT
 public:
@@ -25,17 +25,17 @@ public:
 
     void knowUncertainty(const std::optional<core::PoseUncertainty>& uncertainty) { uncertainty_ = uncertainty; }
 
-    void showItself();   ///< shows the pose of the case instead of another solution
-    void showSolution(std::size_t index);   ///< 0: the pose of the case
+    void showItself();   ///< shows the pose of the case instead of an alternative solution
+    void showSolution(std::size_t index);   ///< shows a solution; index 0 is the pose of the case
     void takeSolution();   ///< makes the shown solution the pose of the case
 
 signals:
-    void solutionShown();   ///< other animations should end
+    void solutionShown();   ///< emitted when a solution is shown; other animations should end
     void solutionChanged(std::size_t index);
 
 private:
     struct Swing {
-        core::Vector6d perSigma = core::Vector6d::Zero();   ///< change of the pose per standard deviation: rad, mm
+        core::Vector6d perSigma = core::Vector6d::Zero();   ///< pose change per standard deviation, rad and mm
         double sigmaMm = 0.0;
         QString words;
     };
@@ -55,7 +55,7 @@ private:
     QTimer swingTimer_;
     std::size_t step_ = 0;
     int phase_ = 0;
-    std::size_t solution_ = 0;   ///< 0: the pose of the case, k: the k-th other solution
+    std::size_t solution_ = 0;   ///< 0 for the pose of the case, k for the k-th alternative solution
 };
 
 }   // namespace angiopose::app

@@ -22,7 +22,7 @@ using ui::Command;
 
 constexpr double aroundVesselsMm = 12.0;
 constexpr int roughPx = 40'000;
-constexpr int finePx = 1'500'000;   // more pixels than the view has next to an image at 200 % scaling
+constexpr int finePx = 1'500'000;   // more pixels than the view has beside the image at 200 % display scaling
 
 core::Rgb shareOf(const ui::Color& color)
 {
@@ -51,7 +51,7 @@ ScanController::ScanController(const CaseDocument& document, const Ui& ui, QObje
     connect(&ui_.corner.scanBar(), &ui::ScanBar::strengthChanged, this, &ScanController::setStrength);
     connect(&ui_.slices, &ui::SliceModel::scanChanged, this, &ScanController::follow);
     connect(&ui_.slices, &ui::SliceModel::maskChanged, this, &ScanController::follow);
-    connect(&ui_.slices, &ui::SliceModel::lookChanged, this, [this] {   // colors of labels
+    connect(&ui_.slices, &ui::SliceModel::lookChanged, this, [this] {   // the colors of labels may have changed
         if (look() != asked_) {
             askRough();
         }
@@ -86,7 +86,7 @@ void ScanController::connectCommands()
     connect(actions[Command::ScanIn3d], &QAction::toggled, this, [this](bool on) {
         settings::scanIn3d.write(on);
         if (on) {
-            ui_.corner.showPlane(std::nullopt);   // the 3-D view, where the scan appears
+            ui_.corner.showPlane(std::nullopt);   // switches to the 3-D view, in which the scan appears
         }
         follow();
     });
@@ -143,7 +143,7 @@ void ScanController::follow()
     showState();
 }
 
-/// Releases all data of a scan that is not shown.
+/// Releases all data if the scan is not shown.
 void ScanController::release()
 {
     job_.clear();
@@ -187,7 +187,7 @@ bool ScanController::request(const core::ScanRequest& wanted, int maxPx, ScanDet
         return false;
     }
     const core::ParallelSight sight = ui_.treeView.scene().sight(maxPx);
-    if (sight.isPlaced()) {   // false while the view cannot be drawn
+    if (sight.isPlaced()) {   // a view that cannot be drawn has no viewpoint
         job_.request({wanted, sight, detail});
     }
     return sight.isPlaced();

@@ -16,8 +16,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Volume rendering of the scan behind the vessels in the 3-D view: selects the scan and its appearance and requests
-/// renderings for the current viewpoint, rough while the view turns and fine at rest.
+/// Controls the volume rendering of the scan behind the vessels in the 3-D view: selects the scan and its appearance
+/// and requests renderings from the current viewpoint, rough ones during rotation and a fine one at rest.
 class ScanController : public QObject {
     Q_OBJECT
 public:
@@ -31,7 +31,7 @@ public:
     };
     ScanController(const CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
-    bool isShown() const { return isShown_; }   ///< the view shows a rendering of the scan
+    bool isShown() const { return isShown_; }   ///< returns whether the 3-D view shows a rendering of the scan
 
 private:
     void connectCommands();
@@ -42,7 +42,7 @@ private:
     core::ScanRequest look() const;
     void askRough();
     void askFine();
-    /// Requests a rendering; false if nothing can be shown now.
+    /// Requests a rendering; returns false if nothing can be shown at the moment.
     bool request(const core::ScanRequest& wanted, int maxPx, ScanDetail detail);
     void show(const CastPicture& picture);
     void showState();
@@ -51,8 +51,8 @@ private:
     const CaseDocument& document_;
     Ui ui_;
     ScanJob job_;
-    QTimer rest_;   ///< waits until the view is at rest
-    core::VolumeToPrepare seen_;   ///< volume that the job holds or is being given
+    QTimer rest_;   ///< times out when the view is at rest
+    core::VolumeToPrepare seen_;   ///< volume that the job holds or is preparing
     core::ScanRequest asked_;   ///< appearance of the last request
     core::ScanPreset preset_;
     double strength_;

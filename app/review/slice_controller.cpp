@@ -90,11 +90,11 @@ void SliceController::followDocument()
         if (current.vessels.tree && !current.vessels.tree->branches.empty()) {
             goToBranch(current.vessels.tree->branches.front().id);
         }
-        if (!current.shown().angiogram) {   // the slices are the only content so far
+        if (!current.shown().angiogram) {   // without an angiogram, the slices are the main content
             ui_.actions[ui::Command::SlicesLarge]->setChecked(true);
         }
     }
-    if (isNewImage) {   // a newly opened image takes the large place
+    if (isNewImage) {   // a newly opened image takes the place of the large slices
         ui_.actions[ui::Command::SlicesLarge]->setChecked(false);
     }
 }
@@ -108,7 +108,7 @@ void SliceController::followBranches()
     selected_ = selected;
 }
 
-/// Moves to the middle of a branch, unless the crosshair is already on it.
+/// Moves the crosshair to the middle of a branch unless it is already on the branch.
 void SliceController::goToBranch(int branchId)
 {
     const auto& tree = document_.current().vessels.tree;

@@ -16,7 +16,7 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Slice views of the scan: which scan, tree and position they show, and where in the window.
+/// Manages the slice views of the scan: which scan, tree and position they show, and where in the window they appear.
 class SliceController : public QObject {
     Q_OBJECT
 public:
@@ -43,10 +43,10 @@ private:
     CaseDocument& document_;
     BranchController& branches_;
     Ui ui_;
-    std::set<int> selected_;   ///< last known selection, to detect changes
+    std::set<int> selected_;   ///< selection at the last update, to detect changes
     std::shared_ptr<const core::Volume> shownVolume_;
     std::shared_ptr<const core::Angiogram> shownAngiogram_;
-    core::InputFile shownLabels_;   ///< label image that the vessels were traced from
+    core::InputFile shownLabels_;   ///< label image in which the vessels were traced
 };
 
 }   // namespace angiopose::app

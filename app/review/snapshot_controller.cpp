@@ -20,8 +20,8 @@ bool isSnapshotPose(const core::RigidTransform& a, const core::RigidTransform& b
     return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() < 1e-9;
 }
 
-/// Newest snapshot that the user saved, else the newest one of a registration; snapshots equal to the current pose are
-/// skipped because the comparison would show no difference.
+/// Returns the newest snapshot saved by the user, or else the newest one from a registration. Skips snapshots equal to
+/// the current pose, with which a comparison would show no difference.
 std::optional<int> snapshotToCompare(const core::View& view)
 {
     std::optional<int> ofRun;
@@ -37,7 +37,7 @@ std::optional<int> snapshotToCompare(const core::View& view)
     return ofRun;
 }
 
-/// "Pose 4": the first unused number.
+/// Returns the first unused name of the form "Pose 4".
 QString freeName(const std::vector<core::PoseSnapshot>& snapshots)
 {
     for (int number = 1;; ++number) {
@@ -70,7 +70,7 @@ void SnapshotController::connectWindow()
     connect(&panel, &ui::SnapshotPanel::keepRequested, this, &SnapshotController::keep);
     connect(&panel, &ui::SnapshotPanel::wasPicked, this, &SnapshotController::show);
     connect(&panel, &ui::SnapshotPanel::restoreRequested, this, &SnapshotController::restore);
-    // Queued: the list is refilled while its editor is still active.
+    // Queued, because the slot refills the list while its editor is still active.
     connect(&panel, &ui::SnapshotPanel::renamed, this, &SnapshotController::rename, Qt::QueuedConnection);
     connect(&panel, &ui::SnapshotPanel::removeRequested, this, &SnapshotController::remove);
     connect(&panel, &ui::SnapshotPanel::markRequested, this, &SnapshotController::mark);
@@ -124,7 +124,7 @@ void SnapshotController::keep()
     const QString name = QString::fromStdString(kept.name);
     kept.kind = core::SnapshotKind::Kept;
     push(core::withSnapshot(current.shown().snapshots, kept), [name] { return tr("Save snapshot %1").arg(name); });
-    marks_.b.reset();   // the next comparison uses the new snapshot
+    marks_.b.reset();   // makes the next comparison use the new snapshot
     isOnB_ = false;
     showMarks();
     strip_.showStatus(tr("Saved as “%1” · Y compares").arg(name));
@@ -228,7 +228,7 @@ void SnapshotController::change(const core::PoseSnapshot& edited)
     found->name = hasName ? edited.name : found->name;
     found->author = edited.author;
     found->note = edited.note;
-    found->kind = core::SnapshotKind::Kept;   // a named snapshot is not removed with old registrations
+    found->kind = core::SnapshotKind::Kept;   // an edited snapshot is kept when old registrations are removed
     push(std::move(snapshots), [] { return tr("Edit snapshot"); });
 }
 

@@ -18,31 +18,31 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Snapshots of poses: save, show, restore, rename, delete, and toggle between two with one key. Showing changes
-/// nothing; the other actions are undo steps.
+/// Manages pose snapshots: saves, shows, restores, renames and deletes them, and toggles between two of them with one
+/// key. Showing a snapshot does not change the case; the other actions are undo steps.
 class SnapshotController : public QObject {
     Q_OBJECT
 public:
     SnapshotController(CaseDocument& document, PosePreview& preview, ui::WindowActions& actions,
                        ui::SnapshotPanel& panel, ui::BottomStrip& strip, QObject* parent = nullptr);
 
-    /// Sets the metrics that a new snapshot gets; null while they are unknown.
+    /// Sets the evaluation that provides the metrics of a new snapshot; null while not known.
     void knowJudgement(const SharedJudgement& judgement);
-    std::optional<core::SnapshotMetrics> metricsOfPose() const;   ///< empty while unknown
+    std::optional<core::SnapshotMetrics> metricsOfPose() const;   ///< empty while not known
 
     void keep();
-    void show(int snapshotId);   ///< 0: the current pose
+    void show(int snapshotId);   ///< shows a snapshot; 0 is the current pose
     void showItself();
     void restore(int snapshotId);
     void rename(int snapshotId, const QString& name);
     void change(const core::PoseSnapshot& edited);   ///< changes name, author and note of the snapshot with the same id
     void remove(const std::set<int>& snapshotIds);
     void mark(int snapshotId, bool isA);
-    void switchSides();   ///< A, B, A, …
+    void switchSides();   ///< toggles between the two marked poses: A, B, A, …
     const ui::SnapshotMarks& marks() const { return marks_; }
 
 signals:
-    void wasShown();   ///< other animations should end
+    void wasShown();   ///< emitted when a snapshot is shown; other animations should end
     void poseWasJudged();
 
 private:
@@ -60,7 +60,7 @@ private:
     SharedJudgement judgement_;
     ui::SnapshotMarks marks_;
     bool isOnB_ = false;
-    std::vector<std::string> listed_;   ///< contents of the panel, which is refilled only when they change
+    std::vector<std::string> listed_;   ///< contents of the panel, which is refilled only if they change
 };
 
 }   // namespace angiopose::app

@@ -21,7 +21,7 @@ bool isSame(const std::vector<core::RigidTransform>& a, const std::vector<core::
     });
 }
 
-/// The pose itself followed by the alternatives; empty if there are none.
+/// Returns the pose itself followed by the alternatives; empty if there are no alternatives.
 std::vector<core::RigidTransform> posesOf(const core::Case& current)
 {
     std::vector<core::RigidTransform> poses;
@@ -38,7 +38,7 @@ std::vector<core::RigidTransform> posesOf(const core::Case& current)
     return poses;
 }
 
-/// "3 › 7 › 9"; of longer paths only the first and the last branch.
+/// Formats the branches of a path, e.g. "3 › 7 › 9"; for longer paths only the first and the last branch.
 QString courseWords(const core::WirePath& way)
 {
     constexpr std::size_t maxNamed = 3;
@@ -52,7 +52,7 @@ QString courseWords(const core::WirePath& way)
     return names.join(QStringLiteral(" › "));
 }
 
-/// Possible paths of a wire through the tree, one line each.
+/// Lists the possible paths of a wire through the tree, one line per path.
 std::vector<ui::SolutionLine> wayLines(const std::vector<core::WirePath>& ways, std::size_t count)
 {
     std::vector<ui::SolutionLine> lines;
@@ -146,7 +146,7 @@ void SolutionController::followDocument()
 
 void SolutionController::draw(const std::vector<core::RigidTransform>& poses)
 {
-    pictures_.drop();   // thumbnails of previous poses are no longer needed
+    pictures_.drop();   // abandons thumbnails of earlier poses
     if (poses.empty()) {
         return;
     }

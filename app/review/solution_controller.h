@@ -16,8 +16,8 @@ class SolutionStrip;
 
 namespace angiopose::app {
 
-/// Solutions of the last registration as a strip of thumbnails: the pose itself first, then the alternatives by score,
-/// each with its distance from the pose. Thumbnails are rendered on a worker thread.
+/// Shows the solutions of the last registration as a strip of thumbnails: first the pose itself, then the alternatives
+/// by score, each with its distance from the pose. A worker thread renders the thumbnails.
 class SolutionController : public QObject {
     Q_OBJECT
 public:
@@ -26,7 +26,7 @@ public:
     void showCurrent(std::size_t index);   ///< highlights the solution currently shown
 
 signals:
-    void solutionWanted(std::size_t index);   ///< 0: the pose itself
+    void solutionWanted(std::size_t index);   ///< emitted when the user selects a solution; index 0 is the pose itself
     void takeWanted(std::size_t index);
 
 private:
@@ -37,7 +37,7 @@ private:
 
     const CaseDocument& document_;
     ui::SolutionStrip& strip_;
-    std::vector<core::RigidTransform> shown_;   ///< poses in the strip
+    std::vector<core::RigidTransform> shown_;   ///< poses shown in the strip
     Job<Pictures> pictures_;
 };
 

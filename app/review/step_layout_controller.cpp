@@ -64,7 +64,7 @@ std::optional<Work> StepLayoutController::workOf(ui::Step step) const
         case ui::Step::Review:
             return Work::Reviewing;
         case ui::Step::Export:
-            return std::nullopt;   // export is a dialog and needs no layout
+            return std::nullopt;   // exporting opens a dialog and needs no layout
         default:
             return Work::Registering;
     }
@@ -79,7 +79,7 @@ void StepLayoutController::goTo(ui::Step step)
     }
 }
 
-/// The layout must not change during a drag or a registration.
+/// Returns whether the layout may change: not during a drag or a registration.
 bool StepLayoutController::isQuiet() const
 {
     return !registration_.isRunning() && QGuiApplication::mouseButtons() == Qt::NoButton;
@@ -91,7 +91,7 @@ void StepLayoutController::follow()
         return;
     }
     if (!isQuiet()) {
-        if (!registration_.isRunning()) {   // the end of a registration triggers this call again
+        if (!registration_.isRunning()) {   // at the end of a registration, this function is called again
             later_.start();
         }
         return;
@@ -137,13 +137,13 @@ ui::WorkLayout StepLayoutController::asItCame(Work work) const
     return {ui::columnsFor(work, window_.width()), traces, traces ? 0 : settings::cornerView.read()};
 }
 
-/// Applies a layout; the keyboard focus stays on its widget while that is visible.
+/// Applies a layout; the keyboard focus stays on its widget if that remains visible.
 void StepLayoutController::show(const ui::WorkLayout& layout)
 {
     const QPointer<QWidget> focus = QApplication::focusWidget();
     const ui::WindowActions& actions = window_.actions();
     for (const Command alone :
-         {Command::ImageOnly, Command::CornerOnly}) {   // the layout of a step shows more than one view
+         {Command::ImageOnly, Command::CornerOnly}) {   // a single view would hide the layout of the step
         if (window_.isOneAlone()) {
             actions[alone]->setChecked(false);
         }

@@ -10,15 +10,15 @@
 
 namespace angiopose::app {
 
-/// Adapts the window layout to the step: slices and 3-D view while a scan is traced, image and result during review.
-/// Layout changes by the user are restored in the next step of the same kind, also in later sessions.
+/// Adapts the window layout to the current step: slices and 3-D view for tracing a scan, image and result for the
+/// review. Changes made by the user are restored at the next step of the same kind, including in later sessions.
 class StepLayoutController : public QObject {
     Q_OBJECT
 public:
     StepLayoutController(const RegistrationController& registration, ui::MainWindow& window, QObject* parent = nullptr);
 
-    void goTo(ui::Step step);   ///< after the user selected the step
-    void begin();   ///< continues with the last session's step layout; call it after the window layout is restored
+    void goTo(ui::Step step);   ///< call after the user has selected the step
+    void begin();   ///< restores the step layout of the last session; call it after the window layout is restored
     void remember() const;   ///< stores the current layout
 
 private:
@@ -34,7 +34,7 @@ private:
     const RegistrationController& registration_;
     ui::MainWindow& window_;
     ui::Work work_ = ui::Work::Registering;
-    std::optional<ui::Work> wanted_;   ///< applied once no drag and no registration is in progress
+    std::optional<ui::Work> wanted_;   ///< layout to apply as soon as no drag and no registration is in progress
     QTimer later_;
 };
 

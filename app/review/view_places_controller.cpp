@@ -47,7 +47,7 @@ void ViewPlacesController::connectWindow(Command command, MovableView view)
     connect(&frame, &ui::ViewFrame::outChanged, out, &QAction::setChecked);
 }
 
-/// Slices are visible while they are large: in place of the image, or in a window of their own.
+/// Connects the slice commands: slices in a separate window also count as large.
 void ViewPlacesController::connectSlices()
 {
     QAction* large = window_.actions()[Command::SlicesLarge];
@@ -66,7 +66,7 @@ void ViewPlacesController::connectFolding(Command command, ui::ColumnSide side)
     connect(&column, &ui::FoldingColumn::foldedChanged, fold, &QAction::setChecked);
 }
 
-/// Shows one view alone; a view in a window of its own goes full screen instead.
+/// Shows one view alone; if the view is in a separate window, makes that window full screen instead.
 void ViewPlacesController::setAlone(MovableView view, bool on)
 {
     ui::ViewFrame& frame = window_.frameOf(view);

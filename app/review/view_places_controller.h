@@ -6,8 +6,8 @@
 
 namespace angiopose::app {
 
-/// Views that fill the main window or move to a window of their own, on another screen if there is one; collapsible
-/// side panels.
+/// Manages where views appear: alone in the main window, or in a separate window (on another screen if there is one);
+/// also collapses the side panels.
 class ViewPlacesController : public QObject {
     Q_OBJECT
 public:

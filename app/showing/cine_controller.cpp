@@ -10,7 +10,7 @@
 namespace angiopose::app {
 namespace {
 
-constexpr double usualFrameMs = 1000.0 / 15.0;   ///< if the file has no frame rate
+constexpr double usualFrameMs = 1000.0 / 15.0;   ///< used if the file states no frame rate
 constexpr double nsPerMs = 1e6;
 
 double frameMsOf(const core::Angiogram& run)
@@ -110,7 +110,7 @@ void CineController::setPlaying(bool on)
     strip_.play().showPlaying(clock_.has_value());
 }
 
-/// After the user stops playback, the frame on screen becomes that of the case.
+/// Makes the frame on screen the frame of the case after the user has stopped playback.
 void CineController::keepFrame()
 {
     if (const auto frame = std::exchange(stoppedAt_, std::nullopt); frame && !document_.isLocked()) {
@@ -118,7 +118,7 @@ void CineController::keepFrame()
     }
 }
 
-/// Restarts playback from the frame on screen with the current settings.
+/// Restarts playback at the frame on screen with the current settings.
 void CineController::restart()
 {
     const double nowMs = static_cast<double>(time_.nsecsElapsed()) / nsPerMs;

@@ -14,8 +14,8 @@
 
 namespace angiopose::app {
 
-/// Plays the shown cine run: speed, frame range, loop or back and forth. Playback does not change the case until the
-/// user stops it: then the frame on screen becomes the case's frame, as one undo step. Esc, or anything else that ends
+/// Plays the shown cine run: speed, frame range, loop or back and forth. Playback does not change the case. When the
+/// user stops it, the frame on screen becomes the case's frame in one undo step; Esc, or anything else that ends
 /// playback, returns to the case's frame.
 class CineController : public QObject {
     Q_OBJECT
@@ -24,7 +24,7 @@ public:
                    ui::BottomStrip& strip, QObject* parent = nullptr);
 
     const core::FrameRange& loop() const { return loop_; }   ///< frame range of the playback
-    double speed() const { return speed_; }   ///< relative to the acquisition
+    double speed() const { return speed_; }   ///< relative to the acquisition rate
     core::CineOrder order() const { return order_; }
 
 private:

@@ -8,8 +8,8 @@
 
 namespace angiopose::app {
 
-/// Shows the patient identity of the case's inputs above the case: several if they differ, and only that fact while the
-/// identity is hidden.
+/// Shows the patient identity found in the case's inputs above the case. If the inputs name several patients, shows all
+/// of them, or, if the identity is hidden, only that they differ.
 class PatientController : public QObject {
     Q_OBJECT
 public:

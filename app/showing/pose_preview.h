@@ -10,35 +10,34 @@
 
 namespace angiopose::app {
 
-/// Source of a pose that is shown instead of the document's.
+/// Source of a pose that is shown temporarily instead of the document's pose.
 enum class PreviewOf { Drag, Run, Start, Replay, Swing, Solution, Snapshot, Frame };
 
-/// Whether residual colors are valid for a temporarily shown pose: a dragged pose is evaluated as it moves, other poses
-/// are not, and residual colors of a different pose would mislead.
+/// Whether residual colors apply to a temporarily shown pose. A dragged pose is evaluated as it moves; for other poses,
+/// the colors would belong to a different pose.
 enum class ResidualColors { Kept, Hidden };
 
-/// Currently shown pose, either the document's or a temporary preview, and the shape of the vessels. There is one
-/// preview at a time: a new one replaces the previous one, whose owner is notified, and each owner can end only its
-/// own.
+/// Currently shown pose (that of the document or a temporary preview) and shape of the vessels. Only one preview exists
+/// at a time: a new one replaces the previous one, whose owner is notified. An owner can end only its own preview.
 class PosePreview : public QObject {
     Q_OBJECT
 public:
     explicit PosePreview(const CaseDocument& document, QObject* parent = nullptr);
 
     void show(PreviewOf whose, const core::RigidTransform& cameraFromPatient, ResidualColors colors);
-    void end(PreviewOf whose);   ///< shows the document's pose again, unless another preview has taken over
+    void end(PreviewOf whose);   ///< returns to the document's pose unless another preview has taken over
 
-    std::optional<PreviewOf> shown() const { return shown_; }   ///< empty: the document's pose
-    const core::RigidTransform& pose() const;   ///< camera from patient, as shown
-    /// Camera from patient in any view of the case, as shown: if the views are linked, a preview moves them all;
-    /// initial poses are per view, and tracking moves only the shown view.
+    std::optional<PreviewOf> shown() const { return shown_; }   ///< empty if the document's pose is shown
+    const core::RigidTransform& pose() const;   ///< shown pose, camera from patient
+    /// Shown pose of any view of the case, camera from patient. If the views are linked, a preview moves all of them;
+    /// initial poses exist for each view, and tracking moves only the shown view.
     core::RigidTransform poseIn(std::size_t view) const;
-    void setMovesAllViews(bool all);   ///< for cases with several views
+    void setMovesAllViews(bool all);   ///< sets whether a preview moves all views of the case
     bool movesAllViews() const { return movesAllViews_; }
     ResidualColors colors() const { return colors_; }
 
-    /// Selects the vessel shape on the images, if a deformation is known for the shown pose; `setMotionColored` colors
-    /// the vessels by displacement.
+    /// Selects the vessel shape on the images; has an effect only if a deformation is known for the shown pose.
+    /// `setMotionColored` colors the vessels by displacement.
     void setShape(VesselShape shape);
     VesselShape shape() const { return shape_; }
     void setMotionColored(bool colored);
@@ -46,12 +45,12 @@ public:
 
 signals:
     void changed();
-    void gaveWay(app::PreviewOf whose);   ///< preview replaced by another one
+    void gaveWay(app::PreviewOf whose);   ///< emitted when another preview has replaced this one
 
 private:
     const CaseDocument& document_;
     std::optional<PreviewOf> shown_;
-    core::RigidTransform pose_;   ///< of the preview
+    core::RigidTransform pose_;   ///< pose of the preview
     ResidualColors colors_ = ResidualColors::Kept;
     bool movesAllViews_ = true;
     VesselShape shape_ = VesselShape::Deformed;

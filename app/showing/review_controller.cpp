@@ -67,7 +67,7 @@ void ReviewController::connectMotion()
         connect(actions[motion], &QAction::triggered, this, [&actions, motion, motions](bool on) {
             for (const ui::Command other : motions) {
                 if (on && other != motion) {
-                    actions[other]->setChecked(false);   // only one animation at a time
+                    actions[other]->setChecked(false);   // at most one animation at a time
                 }
             }
         });
@@ -135,7 +135,7 @@ void ReviewController::setFlickering(bool on)
     }
     flick();
     if (!settings::reduceMotion.read()) {
-        flickerTimer_.start();   // with reduced motion, each press of F switches once
+        flickerTimer_.start();   // with reduced motion, each press of F toggles once instead
     }
 }
 

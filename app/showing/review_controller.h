@@ -15,7 +15,7 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Display controls for review: flicker, frames, theme. Only the frame changes the case.
+/// Controls the display during review: flicker, frames, theme. Only a change of frame changes the case.
 class ReviewController : public QObject {
     Q_OBJECT
 public:
@@ -32,7 +32,7 @@ public:
 
     void stepFrame(int step);   ///< see AngiogramView::frameStepRequested
     void showFrame(int frame);
-    void stopMotion();   ///< ends all animations
+    void stopMotion();   ///< stops all animations
 
 private:
     void connectMotion();

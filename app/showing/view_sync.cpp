@@ -24,7 +24,7 @@ namespace {
 
 double sourceToDetectorMm(const core::Case& current)
 {
-    // Only the drawing of the detector uses this; falls back to a typical C-arm.
+    // The value is used only to draw the detector, so a typical C-arm serves as fallback.
     return current.shown().geometry.cArm.sourceToDetectorMm.value.value_or(1000.0);
 }
 
@@ -50,7 +50,7 @@ QString previewWords(PreviewOf whose)
     return ViewSync::tr("another pose");
 }
 
-/// Bar heights relative to the peak-opacification frame.
+/// Returns the bar heights relative to the peak-opacification frame.
 std::vector<double> relativeToPeak(std::vector<double> shares)
 {
     const double peak = shares.empty() ? 0.0 : *std::ranges::max_element(shares);
@@ -111,7 +111,7 @@ void ViewSync::showTree()
     ui_.branches.showTree(tree);
 }
 
-/// Shows or hides the deformed vessels, which belong to the pose they were found from.
+/// Shows or hides the deformed vessels, which are valid only for the pose from which they were computed.
 void ViewSync::showShape()
 {
     const core::Case& current = document_.current();
@@ -143,9 +143,9 @@ void ViewSync::showAngiogram()
         clearFrame();
     }
     if (measuredRun_ == core::storedRunOf(document_.current().shown())) {
-        isGrayNew_ = shownAngiogram_ != nullptr;   // same cine run, toggled between subtracted and native
+        isGrayNew_ = shownAngiogram_ != nullptr;   // the same cine run was toggled between subtracted and native
     } else {
-        measureOpacification();   // uses the stored frames, which subtraction does not change
+        measureOpacification();   // measured on the stored frames, which subtraction does not change
     }
 }
 
@@ -163,7 +163,7 @@ void ViewSync::showCamera()
     ui_.treeView.requestRender();
 }
 
-/// Clears the frame of an image that the case no longer has.
+/// Clears the displayed frame if the case no longer has an image.
 void ViewSync::clearFrame()
 {
     ui_.view.setFrame({});
@@ -213,7 +213,7 @@ void ViewSync::followPreview()
     showChip();
 }
 
-/// Whether a preview is shown to which the evaluation of the document's pose does not apply.
+/// Returns whether a preview is shown to which the evaluation of the document's pose does not apply.
 bool ViewSync::isOtherPose() const
 {
     return preview_.shown() && preview_.colors() == ResidualColors::Hidden;
@@ -305,8 +305,8 @@ void ViewSync::colorByMotion(double mmPerPx)
     ui_.view.setResidualScale(endMm / mmPerPx, endMm);
 }
 
-/// Colors the vessels as drawn at the shown pose; the stored evaluation covers only the rigid vessels at the document's
-/// pose.
+/// Colors the vessels by residuals, as drawn at the shown pose; the stored evaluation covers only the rigid vessels at
+/// the document's pose.
 void ViewSync::colorByResiduals(double scalePx, double mmPerPx)
 {
     const bool isOther = isOtherPose();

@@ -25,7 +25,7 @@ class TreeView;
 
 namespace angiopose::app {
 
-/// Keeps the views of the window in sync with the document and the preview pose; redraws only what changed.
+/// Keeps the views of the window in sync with the document and the previewed pose; redraws only what has changed.
 class ViewSync : public QObject {
     Q_OBJECT
 public:
@@ -43,22 +43,22 @@ public:
     void refresh();
     void showMarks(const ui::BranchMarks& marks);
     void showTarget(const SharedCenterline& target);
-    void showJudgement(const SharedJudgement& judgement);   ///< null: no residual colors
-    /// Sets the verdict on the document's pose; while another pose is shown, the chip describes that one. Empty text
-    /// hides the chip.
+    void showJudgement(const SharedJudgement& judgement);   ///< null for no residual colors
+    /// Sets the verdict on the document's pose. While another pose is shown, the chip describes that pose instead. An
+    /// empty text hides the chip.
     void showVerdict(ui::VerdictTone tone, const QString& words);
-    void showFrame(int frame);   ///< shows any frame of the open cine run, for example during playback, whatever the
+    void showFrame(int frame);   ///< shows any frame of the open cine run, e.g. during playback, without changing the
                                  ///< document's frame
     int shownFrame() const { return shownFrame_; }
     const std::vector<int>& suggestedMasks() const
     {
         return suggestedMasks_;
-    }   ///< of the cine run; valid once it is measured
+    }   ///< suggested mask frames of the cine run; valid after `runMeasured`
     const ui::FrameCurve& frameCurve() const { return frameCurve_; }
     void setIdentityHidden(bool hidden);
 
 signals:
-    void runMeasured();   ///< `frameCurve` and `suggestedMasks` are available
+    void runMeasured();   ///< emitted when `frameCurve` and `suggestedMasks` are available
     void frameShown(int frame);
     void poseShown(const core::RigidTransform& cameraFromPatient);   ///< pose of the document or of a preview
 
@@ -95,10 +95,10 @@ private:
     std::shared_ptr<const core::Angiogram> shownAngiogram_;
     std::optional<core::ProjectionCamera> shownCamera_;
     int shownFrame_ = -1;
-    bool isGrayNew_ = false;   ///< the gray-value range of the next frame differs
+    bool isGrayNew_ = false;   ///< the next frame has a different range of gray values
     SharedJudgement judgement_;
     bool wasOtherPose_ = false;
-    double otherMedianMm_ = 0.0;   ///< median of the previewed pose; 0: unknown
+    double otherMedianMm_ = 0.0;   ///< median residual at the previewed pose, mm; 0 if unknown
     ui::VerdictChip* chip_;
     ui::VerdictTone tone_ = ui::VerdictTone::Doubtful;
     QString verdict_;

@@ -29,7 +29,7 @@ struct ToolkitOption {
     int values = 0;
 };
 
-/// Options that QGuiApplication and QApplication remove from the command line, with one or two dashes.
+/// Options that QGuiApplication and QApplication remove from the command line; one or two leading dashes.
 constexpr std::array toolkitOptions{
     ToolkitOption{"platform", 1},    ToolkitOption{"platformpluginpath", 1},
     ToolkitOption{"plugin", 1},      ToolkitOption{"platformtheme", 1},
@@ -42,7 +42,7 @@ constexpr std::array toolkitOptions{
     ToolkitOption{"sync", 0},
 };
 
-/// Number of arguments, from this one on, that belong to Qt.
+/// Returns the number of arguments, starting with this one, that belong to a Qt option; 0 if it is none.
 int toolkitWords(std::string_view word)
 {
     const std::string_view name = word.substr(std::min(word.find_first_not_of('-'), word.size()));
@@ -58,7 +58,7 @@ int toolkitWords(std::string_view word)
     return 0;
 }
 
-/// Whether no display is available, in which case Qt would abort the program.
+/// Returns whether no display is available; Qt would then abort the program.
 bool lacksDisplay()
 {
 #ifdef Q_OS_LINUX
@@ -101,7 +101,7 @@ int say(std::FILE* stream, const QString& text, int exitCode)
     return exitCode;
 }
 
-/// Answers on the terminal in the chosen language; translation requires a QCoreApplication.
+/// Prints the answer on the terminal in the chosen language; creates a QCoreApplication, which translation requires.
 int answer(int argc, char** argv, const QStringList& words)
 {
     const QCoreApplication application(argc, argv);
@@ -199,7 +199,7 @@ std::optional<ReportWords> reportIn(const QCommandLineParser& parser)
 
 StartWords readStartWords(int argc, char** argv)
 {
-    QCoreApplication::setOrganizationName(QStringLiteral("AngioPose"));   // needed to find the stored language
+    QCoreApplication::setOrganizationName(QStringLiteral("AngioPose"));   // needed to read the stored language
     QCoreApplication::setApplicationName(QStringLiteral("AngioPose"));
     QCoreApplication::setApplicationVersion(QStringLiteral(ANGIOPOSE_VERSION));
     const QStringList words = ownWords(argc, argv);

@@ -9,37 +9,37 @@
 
 namespace angiopose::app {
 
-/// Options of the command line for a report.
+/// Command-line options of a report.
 struct ReportWords {
     QString casePath;
-    QString outputPath;   ///< ends in .pdf, .html or .htm
-    bool isRegistered = false;   ///< the views of the case are registered first
-    QString templatePath;   ///< empty: the built-in template
-    std::optional<QString> author;   ///< not set: the login name
+    QString outputPath;   ///< has the extension .pdf, .html or .htm
+    bool isRegistered = false;   ///< register the views of the case first
+    QString templatePath;   ///< if empty, the built-in template is used
+    std::optional<QString> author;   ///< if not set, the login name
     Identity identity = Identity::Hidden;
-    QString language;   ///< a code of `ui::languages`; empty: the language of the window
+    QString language;   ///< code from `ui::languages`; if empty, the language of the window
 };
 
-/// Adds `--report FILE` and its related options.
+/// Adds `--report FILE` and the options that go with it.
 void describeReport(QCommandLineParser& parser);
 
-/// Describes what is wrong with the report options, in the language of the program; empty if they are valid or no
+/// Describes the error in the report options, in the language of the program; empty if the options are valid or no
 /// report is requested.
 std::optional<QString> faultOfReport(const QCommandLineParser& parser);
 
-/// Report options; empty if no report is requested.
+/// Returns the report options; empty if no report is requested.
 std::optional<ReportWords> reportIn(const QCommandLineParser& parser);
 
 /// Startup options from the command line.
 struct StartWords {
     QStringList files;
     std::optional<int> exitCode =
-        std::nullopt;   ///< set: the command line is already handled and the program exits with this code
-    std::optional<ReportWords> report = std::nullopt;   ///< set: write this report instead of opening a window
+        std::nullopt;   ///< if set, the command line has been handled and the program exits with this code
+    std::optional<ReportWords> report = std::nullopt;   ///< if set, write this report instead of opening a window
 };
 
-/// Parses the command line before a window, a display or an application exists: `--help`, `--version` and errors are
-/// answered on the terminal. Options of Qt itself (`-platform`, `-style`, …) are left to Qt.
+/// Parses the command line before a window, a display connection or an application exists, and handles `--help`,
+/// `--version` and errors on the terminal. Options of Qt itself (`-platform`, `-style`, …) are left to Qt.
 StartWords readStartWords(int argc, char** argv);
 
 }   // namespace angiopose::app

@@ -54,7 +54,7 @@ bool isStopRequested()
     return stopRequested;
 }
 
-/// Prints the progress in one line on stderr if that is a terminal; returns Stop after a stop request.
+/// Shows the progress in one line on stderr if that is a terminal; returns Stop after a stop request.
 core::Verdict watchWork(std::string_view stage, double fraction)
 {
     static const bool isWatched = io::isTerminal(stderr);
@@ -123,7 +123,7 @@ std::string authorOf(const ReportWords& words)
     return words.author.value_or(observerName()).toStdString();
 }
 
-/// Case with the pose to report, and the vessels of its image.
+/// Case with the pose to report, and the vessels traced in its image.
 struct Reportable {
     core::Case session;
     core::Centerline2d target;
@@ -232,15 +232,15 @@ int writeReport(int argc, char** argv, const ReportWords& words)
 {
     catchStops();
     keepQtQuiet();
-    qputenv("QT_QPA_PLATFORM", "offscreen");   // even with a display, because no window is shown
+    qputenv("QT_QPA_PLATFORM", "offscreen");   // used even if there is a display, because no window is shown
     QApplication application(argc, argv);
-    std::setlocale(LC_NUMERIC, "C");   // Qt sets the system's numeric locale, with which libraries may parse 0.8 as 0
+    std::setlocale(LC_NUMERIC, "C");   // Qt sets the system's numeric locale, in which libraries may parse 0.8 as 0
     if (words.language.isEmpty()) {
         applyChosenLanguage();
     } else {
         ui::applyLanguage(words.language);
     }
-    applyChosenTheme(application);   // sets the typeface of the window
+    applyChosenTheme(application);   // needed for the typeface, which the theme sets
     applyChosenColors();
     return writeReportOf(words);
 }

@@ -4,8 +4,8 @@
 
 namespace angiopose::app {
 
-/// Writes the report given by `words` as the window would, without a window or a display; messages go to stderr, in
-/// English. Returns the exit code of the program (FORMATS §5).
+/// Writes the report described by `words` as the window would, but without a window or a display; messages go to
+/// stderr, in English. Returns the exit code of the program (FORMATS §5).
 int writeReport(int argc, char** argv, const ReportWords& words);
 
 }   // namespace angiopose::app

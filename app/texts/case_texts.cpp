@@ -88,7 +88,7 @@ void addDistances(core::Messages& lines, const core::CArm& cArm)
     }
 }
 
-/// "0.391 mm/px detector (header)", and the scale at the vessel if the depth is known.
+/// Adds the pixel scale, e.g. "0.391 mm/px detector (header)", and the scale at the vessel if the depth is known.
 void addPixelScale(core::Messages& lines, const core::Case& session)
 {
     std::optional<core::Message> atDetector, atVessels;

@@ -12,11 +12,11 @@ namespace angiopose::app {
 
 enum class Identity { Shown, Hidden };
 
-/// Origin of a value: "header", "derived", "user", "assumed" or "missing".
+/// Returns the word for an origin: "header", "derived", "user", "assumed" or "missing".
 core::Message originWord(core::Origin origin);
 std::string originText(core::Origin origin);
 
-/// Texts in the corners of an image, one entry per line.
+/// Texts in the corners of an image, one line per entry.
 struct CornerLines {
     core::Messages topLeft, topRight, bottomLeft, bottomRight;
     std::optional<core::Message> scaleHeading = {};   ///< heading with the unit; not set: residuals
@@ -25,11 +25,11 @@ struct CornerLines {
 /// Converts each line to text with `toText`.
 ui::CornerTexts textsOf(const CornerLines& lines, const std::function<std::string(const core::Message&)>& toText);
 
-/// Corner texts in English, for files.
+/// Converts the corner texts to English, for files.
 ui::CornerTexts englishTexts(const CornerLines& lines);
 
-/// Corner texts at the customary positions of DICOM viewers: patient and study at the top, geometry with its origin at
-/// the bottom right. The caller fills the bottom left, because frame, window and zoom belong to the view.
+/// Returns the corner texts at the positions customary in DICOM viewers: patient and study at the top, geometry with
+/// its origin at the bottom right. The caller fills the bottom left, because frame, window and zoom belong to the view.
 CornerLines cornerLines(const core::Case& session, Identity identity);
 
 }   // namespace angiopose::app

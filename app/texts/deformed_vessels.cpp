@@ -11,7 +11,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Smallest scale end, a round number, that covers the largest displacement.
+/// Returns the smallest round scale maximum that covers the largest displacement.
 double motionScaleMm(double largestMm)
 {
     constexpr std::array ends{1.0, 2.0, 5.0, 10.0, 20.0, 50.0};
@@ -34,7 +34,7 @@ MotionMap motionMap(const core::VesselTree& rigid, const core::VesselTree& defor
     return map;
 }
 
-/// Frame in which the deformation was found, if it is not the shown one.
+/// Returns the frame in which the deformation was determined if that is not the shown frame.
 std::optional<int> otherFrameOf(const core::View& view, const core::RigidTransform& pose,
                                 const core::DeformableResult& deformed)
 {

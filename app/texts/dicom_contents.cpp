@@ -28,7 +28,7 @@ bool passesImage(const Line& line, const core::ProjectionCamera& camera)
     });
 }
 
-/// Visible vessels, with auxiliary branches in a layer of their own.
+/// Returns the visible vessels, with the auxiliary branches in a separate layer.
 std::vector<io::StateLayer> vesselLayers(const DicomGround& ground, const core::ProjectionCamera& camera)
 {
     const core::Case& session = ground.session;
@@ -52,7 +52,7 @@ std::vector<io::StateLayer> vesselLayers(const DicomGround& ground, const core::
     return {plain, auxiliary};
 }
 
-/// Measurements of the frame, each labeled with its value.
+/// Returns the measurements of the frame, each labeled with its value.
 io::StateLayer measuredLayer(const core::Case& session)
 {
     io::StateLayer layer{"MEASURED", "Measurements in the image", {255, 200, 87}, {}, {}};
@@ -73,7 +73,7 @@ io::StateLayer measuredLayer(const core::Case& session)
     return layer;
 }
 
-/// Display range in gray values of the file; mirrored if reading inverted the image.
+/// Converts a display range to the gray values of the file; reverses it if the image was inverted on reading.
 core::DisplayRange storedRange(core::DisplayRange range, const core::Angiogram& run, const io::SourceImage& source)
 {
     if (!source.isShownInverted) {

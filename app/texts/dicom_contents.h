@@ -4,15 +4,15 @@
 
 namespace angiopose::app {
 
-/// Presentation state with the overlay as vectors on the stored image: vessels, measurements of the frame, and the
-/// notice.
+/// Creates a presentation state with the overlay as vector graphics on the stored image: vessels, measurements of the
+/// frame, and the notice.
 core::Result<std::string> stateObject(const DicomGround& ground, core::Messages& notes);
 
-/// Secondary capture of the overlay on the shown frame.
+/// Creates a secondary capture of the overlay on the shown frame.
 core::Result<std::string> pictureObject(const DicomGround& ground);
 
-/// Secondary capture of the overlay on all frames of the cine run, each at its tracked pose, with a constant display
-/// range.
+/// Creates a multi-frame secondary capture of the overlay on all frames of the cine run, each at its tracked pose, with
+/// a constant display range.
 core::Result<std::string> runObject(const DicomGround& ground);
 
 }   // namespace angiopose::app

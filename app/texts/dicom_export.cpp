@@ -35,7 +35,7 @@ const KindInfo& infoOf(DicomKind kind)
     return kindTable[static_cast<std::size_t>(kind)];
 }
 
-/// File content that is ready to be written.
+/// File content ready to be written.
 struct MadeFile {
     fs::path path;
     std::string content;
@@ -111,7 +111,7 @@ core::Result<std::vector<MadeFile>> madeObjects(DicomGround& ground, const fs::p
     return made;
 }
 
-/// Adds the camera as a file next to the registration object, because no DICOM object can hold it.
+/// Adds the camera as a file next to the registration object, because no DICOM object can store it.
 void addCameraFile(std::vector<MadeFile>& made, const core::View& view, const fs::path& folder)
 {
     const auto isRegistration = [](const MadeFile& file) {

@@ -12,31 +12,31 @@
 
 namespace angiopose::app {
 
-/// Kinds of DICOM objects that a case can be exported to (FORMATS §3.6).
+/// Kinds of DICOM objects to which a case can be exported (FORMATS §3.6).
 enum class DicomKind { Picture, Run, Report, State, Registration, Segmentation, Measurements };
 
-std::string_view idOf(DicomKind kind);   ///< "sc", "run", "pdf", "ps", "reg", "seg", "sr"
-std::string dicomKindIds();   ///< all ids, separated by commas
+std::string_view idOf(DicomKind kind);   ///< returns "sc", "run", "pdf", "ps", "reg", "seg" or "sr"
+std::string dicomKindIds();   ///< returns all ids, separated by commas
 std::optional<DicomKind> dicomKindFrom(std::string_view id);
 
 struct DicomExport {
-    std::vector<DicomKind> kinds;   ///< empty: all kinds that the case allows
+    std::vector<DicomKind> kinds;   ///< if empty, all kinds that the case allows
     OverlayPictureOptions look;
-    std::function<core::Result<std::string>()> report = nullptr;   ///< creates the PDF; not set: no report
+    std::function<core::Result<std::string>()> report = nullptr;   ///< creates the PDF; if not set, there is no report
     std::string author;
 };
 
 struct DicomFiles {
-    std::vector<std::string> paths;   ///< of all files written
-    core::Messages notes;   ///< what was omitted and why, and what an object cannot hold
+    std::vector<std::string> paths;   ///< paths of all written files
+    core::Messages notes;   ///< remarks on what was omitted and why, and on what an object cannot represent
 };
 
 /// Receives the completed fraction; returning Stop ends the export.
 using DicomObserver = std::function<core::Verdict(double fraction)>;
 
-/// Writes the objects of the shown view to a folder, which is created if missing: new instances in new series, in the
-/// study of their source image. All objects are created before the first is written, so no export is left incomplete.
-/// Fails if a requested object cannot be created.
+/// Writes the objects of the shown view to a folder, which is created if missing. The objects are new instances in new
+/// series of the study of their source image. All objects are created before the first is written, so that a failure
+/// leaves no incomplete export. Fails if a requested object cannot be created.
 core::Result<DicomFiles> writeDicomObjects(const core::Case& session, const core::Centerline2d& target,
                                            const DicomExport& wanted, const std::string& folder,
                                            const DicomObserver& observe = {});

@@ -13,7 +13,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Frame of reference of the scan. Vessels and scan may be the same file or two.
+/// Returns the frame of reference of the scan. The vessels may be traced in the same file or come from another one.
 std::string scanFrame(const DicomGround& ground)
 {
     return io::scanFrameOfReference(ground.scan.source, ground.session.vessels.file.sha256);
@@ -25,7 +25,7 @@ core::Result<std::string> reportObject(const DicomGround& ground)
         return core::Error(messages::dicomNoReport());
     }
     const auto pdf = ground.wanted.report();
-    // Titles and file names in the report may identify the patient even if the identity is hidden.
+    // The report contains titles and file names, which may identify the patient even if the identity is hidden.
     return pdf ? io::encapsulatedPdf(pdf.value(), ground.session.title, io::BurnedInIdentity::MayBeThere,
                                      ground.angiogram, ground.origin)
                : core::Result<std::string>(pdf.error());
@@ -45,7 +45,7 @@ core::Result<std::string> registrationObject(const DicomGround& ground, core::Me
     return io::spatialRegistration(registration, ground.angiogram, ground.origin);
 }
 
-/// Mask of the tree in the voxel grid of the scan, drawn as tubes with the tree's radii.
+/// Draws the tree as tubes with its radii into a mask on the voxel grid of the scan.
 core::VoxelMask drawnTree(const core::VesselTree& tree, const core::VolumeGeometry& grid)
 {
     core::VoxelMask mask(grid);

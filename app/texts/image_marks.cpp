@@ -22,7 +22,7 @@ std::optional<std::vector<Eigen::Vector2d>> outlineOf(const core::VesselMark& ri
     return outline;
 }
 
-/// Adds the sighting of a mark in the frame, with a line to its drawn position.
+/// Adds the observed position of a mark in the frame, with a line to the position where the mark is drawn.
 void addSightings(std::vector<ui::ImageMark>& marks, const PlacedView& placed, int markId,
                   const std::optional<Eigen::Vector2d>& drawnAt)
 {

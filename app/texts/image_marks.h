@@ -14,27 +14,27 @@
 
 namespace angiopose::app {
 
-/// A view of a case as shown, for placing marks on it.
+/// View of a case as shown, on which marks are placed.
 struct PlacedView {
     const core::Case& session;
     std::size_t view = 0;
     int frame = 0;
-    VesselShape shape = VesselShape::Deformed;   ///< marks follow the deformed vessels
-    core::PoseOfView poseOf = {};   ///< as shown; not set: the case's own pose
+    VesselShape shape = VesselShape::Deformed;   ///< if `Deformed`, marks follow the deformed vessels
+    core::PoseOfView poseOf = {};   ///< poses as shown; if not set, those of the case
     std::set<int> chosenMarks = {};   ///< ids of the selected vessel marks
     std::set<int> chosenAnnotations = {};
 };
 
-/// Target points and rings, projected with the pose and shape of the vessels, with their errors and sightings, then the
-/// arrows and texts of the frame. `toText` converts a message to text.
+/// Returns the target points and rings, projected with the pose and shape of the vessels, with their errors and
+/// observed positions, followed by the arrows and texts of the frame. `toText` converts a message to text.
 std::vector<ui::ImageMark> placedMarks(const PlacedView& placed,
                                        const std::function<std::string(const core::Message&)>& toText);
 
-/// Vessel marks at the positions of the vessels as drawn at a pose.
+/// Returns the vessel marks at their positions on the vessels as drawn at a pose.
 std::vector<core::VesselMark> drawnMarks(const core::View& view, const core::Vessels& vessels,
                                          const core::RigidTransform& pose, VesselShape shape);
 
-/// Measurements of a frame of a view with their values. `toText` converts a message to text.
+/// Returns the measurements of a frame of a view with their values. `toText` converts a message to text.
 std::vector<ui::ImageMark> marksOf(const core::MeasuredView& seen, int frame,
                                    const std::function<std::string(const core::Message&)>& toText);
 

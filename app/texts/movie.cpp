@@ -11,8 +11,8 @@ namespace {
 
 constexpr core::DisplayRange darkGround{0.0, 1.0};
 
-/// Options that are constant over the movie: a display range per frame would flicker, and residuals and curves belong
-/// to a single frame.
+/// Returns options that are constant over the movie, because a display range per frame would flicker, and residuals and
+/// traced curves are valid for a single frame only.
 OverlayPictureOptions steadyLook(const core::Case& session, OverlayPictureOptions options, const MoviePlan& plan)
 {
     options.isStartBeside = false;
@@ -27,9 +27,9 @@ OverlayPictureOptions steadyLook(const core::Case& session, OverlayPictureOption
         options.range = core::displayRange(run.frames[static_cast<std::size_t>(session.shown().frame)]);
     }
     if (plan.content != MovieContent::Convergence) {
-        options.coloring = OverlayColoring::Branches;   // other frames have different traces or none
+        options.coloring = OverlayColoring::Branches;   // other frames have different traces, or none
     } else if (options.coloring == OverlayColoring::Motion) {
-        options.coloring = OverlayColoring::Residuals;   // one color scale for all frames of the movie
+        options.coloring = OverlayColoring::Residuals;   // keeps the color scale the same for all frames
     }
     return options;
 }
@@ -46,7 +46,7 @@ core::Status stopped(const std::string& path)
     return core::Error(core::Stopped{messages::movieStopped().about(path)});
 }
 
-/// Renders and writes one frame at a time, so only one is in memory.
+/// Renders and writes one frame at a time, so that only one frame is in memory.
 core::Status writePictures(io::MovieWriter& movie, const MovieSteps& steps, const core::Centerline2d& target,
                            const OverlayPictureOptions& options, core::ColorImage first, const std::string& path,
                            const MovieObserver& observe)

@@ -11,8 +11,8 @@
 
 namespace angiopose::app {
 
-/// Content of a movie: the overlay through the frames of a cine run, the poses of a registration as it converges, or
-/// the vessels alone in one rotation about the patient's long axis.
+/// Content of a movie: the overlay on the frames of a cine run, the poses of a registration as it converges, or the
+/// vessels alone during one rotation about the patient's long axis.
 enum class MovieContent { Run, Convergence, Turn };
 
 /// Content and speed of a movie.
@@ -20,13 +20,13 @@ struct MoviePlan {
     MovieContent content = MovieContent::Run;
     core::FrameRange frames;   ///< frames of the cine run
     core::CineOrder order = core::CineOrder::Loop;
-    std::vector<core::FollowedFrame> followed;   ///< poses per frame; frames without one use the case's pose
+    std::vector<core::FollowedFrame> followed;   ///< tracked poses by frame; frames without one use the case's pose
     double framesPerSecond = 15.0;
 };
 
-/// Acquisition rate of the cine run, frames per second; 15 if the file does not state it.
+/// Returns the acquisition rate of the cine run, frames per second; 15 if the file does not state one.
 double framesPerSecondOf(const core::Angiogram& run);
-inline constexpr double convergencePerSecond = 12.0;   ///< same as the replay in the window
+inline constexpr double convergencePerSecond = 12.0;   ///< poses per second, the same as in the replay of the window
 inline constexpr double turnPerSecond = 20.0;
 
 /// Number of frames and duration of a movie.
@@ -36,14 +36,14 @@ struct MovieLength {
 };
 MovieLength lengthOf(const core::Case& session, const MoviePlan& plan);
 
-/// Ratio of height to width of the movie's frames.
+/// Returns the ratio of height to width of the movie's frames.
 double aspectOf(const core::Case& session, const MoviePlan& plan);
 
 /// Receives the completed fraction; returning Stop ends the writing.
 using MovieObserver = std::function<core::Verdict(double fraction)>;
 
-/// Writes MP4 or GIF, by the extension. drawOverlay renders each frame from its frame number and pose with a constant
-/// display range; the caption names the source of the pose and whether it is reliable. After a Stop no file is left.
+/// Writes an MP4 or GIF movie, depending on the extension. drawOverlay renders each frame at its pose with a constant
+/// display range; a caption states the source of the pose and whether it is reliable. A Stop leaves no file.
 core::Status writeMovie(const core::Case& session, const core::Centerline2d& target,
                         const OverlayPictureOptions& options, const MoviePlan& plan, const std::string& path,
                         const MovieObserver& observe);

@@ -14,7 +14,7 @@ namespace angiopose::app {
 namespace {
 
 constexpr int sidePx = 512;
-constexpr double filledPart = 0.86;   // share of the frame that the bounding sphere of the vessels fills
+constexpr double filledPart = 0.86;   // fraction of the frame filled by the bounding sphere of the vessels
 constexpr double distanceInRadii = 6.0;   // viewing distance in radii of that sphere; perspective as in an angiogram
 
 /// Camera orientation in front of the patient: patient's left on the right, head up, depth to the back (LPS).
@@ -23,7 +23,7 @@ Eigen::Matrix3d fromFront()
     return (Eigen::Matrix3d() << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0).finished();
 }
 
-/// Center of the bounding box of the vessels, which makes them fill the frame.
+/// Returns the center of the bounding box of the vessels.
 Eigen::Vector3d middleOf(const core::VesselTree& tree)
 {
     Eigen::AlignedBox3d box;
@@ -54,7 +54,7 @@ core::ProjectionCamera cameraAround(double radius)
     return {pxPerSlope, pxPerSlope, middle, middle, sidePx, sidePx};
 }
 
-/// Vessels alone, rotated about the patient's long axis through their center.
+/// Returns the vessels alone, rotated about the patient's long axis through their center.
 core::Case turnedBy(core::Case alone, double degrees)
 {
     const core::VesselTree& tree = *alone.vessels.tree;
@@ -66,8 +66,8 @@ core::Case turnedBy(core::Case alone, double degrees)
     return alone;
 }
 
-/// Vessels alone on a dark background, seen from in front of the patient: a separate view replaces the shown one and
-/// carries nothing about its image and pose. `shape` applies if a deformation is known.
+/// Returns a case with the vessels alone on a dark background, viewed from in front of the patient. A new view replaces
+/// the shown one and contains none of its image content or pose. `shape` applies if a deformation is known.
 core::Case vesselsAlone(const core::Case& session, VesselShape shape)
 {
     core::Case alone = session;
@@ -87,9 +87,9 @@ core::Case vesselsAlone(const core::Case& session, VesselShape shape)
     return turnedBy(std::move(alone), 0.0);
 }
 
-constexpr double usualPerSecond = 15.0;   // if the file does not state the frame rate
+constexpr double usualPerSecond = 15.0;   // used if the file states no frame rate
 constexpr double turnSeconds = 6.0;
-constexpr double restMs = 1500.0;   // hold time of the final pose of a convergence
+constexpr double restMs = 1500.0;   // display time of the final pose of a convergence
 constexpr double msPerSecond = 1000.0;
 
 bool isDistrusted(const core::View& view)

@@ -4,17 +4,16 @@
 
 namespace angiopose::app {
 
-/// One frame of a movie.
 struct MovieStep {
-    core::Case session;   ///< with its frame and pose; images are shared
+    core::Case session;   ///< case with the frame and pose of this step; images are shared
     std::optional<core::Message> words;   ///< caption of the frame
     double ms = 0.0;
 };
 
-/// Reason why the case has no such movie; empty if it has.
+/// Returns the reason why this movie of the case is not possible; empty if it is.
 std::optional<core::Message> findProblem(const core::Case& session, const MoviePlan& plan);
 
-/// Sequence of a movie's frames: constructed once, then queried frame by frame. The plan must be valid.
+/// Sequence of a movie's frames; constructed once, then queried frame by frame. The plan must be valid.
 class MovieSteps {
 public:
     MovieSteps(const core::Case& session, const MoviePlan& plan, VesselShape shape);
@@ -28,7 +27,7 @@ private:
 
     core::Case case_;
     MoviePlan plan_;
-    std::optional<core::Message> turned_;   ///< of a rotation: note on the non-rigid part
+    std::optional<core::Message> turned_;   ///< for a rotation, note on the shape of the vessels
 };
 
 }   // namespace angiopose::app

@@ -4,10 +4,10 @@
 
 namespace angiopose::app {
 
-/// "12.34": fixed number of decimals, '.' in every locale. "n/a" if not finite.
+/// Formats a number with a fixed number of decimals and '.' in every locale, e.g. "12.34"; "n/a" if it is not finite.
 std::string fixedText(double value, int decimals);
 
-/// "LAO 30.0" or "RAO 12.5"; "CRA …" or "CAU …".
+/// Formats gantry angles: "LAO 30.0" or "RAO 12.5", "CRA …" or "CAU …".
 std::string primaryAngleText(double primaryAngleDeg);
 std::string secondaryAngleText(double secondaryAngleDeg);
 

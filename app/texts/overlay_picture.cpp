@@ -34,7 +34,7 @@ ui::ViewRect wholeImage(const core::ImageF& frame)
     return {-0.5, frame.width - 0.5, -0.5, frame.height - 0.5};
 }
 
-/// Corner texts of an exported image; `heading` distinguishes two images side by side.
+/// Returns the corner texts of an exported image; `heading` distinguishes two images side by side.
 ui::CornerTexts exportTexts(const core::Case& session, const core::Centerline2d& target,
                             const OverlayPictureOptions& options, const DrawnVessels& drawn,
                             const std::optional<core::Message>& heading)
@@ -56,7 +56,7 @@ ui::CornerTexts exportTexts(const core::Case& session, const core::Centerline2d&
             const core::Messages words = fitWords(*basis, session.vessels);
             lines.bottomLeft.insert(lines.bottomLeft.end(), words.begin(), words.end());
         }
-    } else if (const auto& elsewhere = session.shown().result) {   // the metrics belong to another frame
+    } else if (const auto& elsewhere = session.shown().result) {   // the result belongs to another frame
         const core::Message pose = messages::moviePoseOfFrame(elsewhere->provenance.frame.value_or(0) + 1);
         if (heading != pose) {
             lines.bottomLeft.push_back(pose);
@@ -74,7 +74,7 @@ ui::CornerTexts exportTexts(const core::Case& session, const core::Centerline2d&
             options.coloring == OverlayColoring::Motion ? std::optional(motionHeading()) : std::nullopt;
     }
     ui::CornerTexts texts = options.texts(lines);
-    texts.topLeft.insert(texts.topLeft.begin(), session.title);   // text typed by the user, not translated
+    texts.topLeft.insert(texts.topLeft.begin(), session.title);   // added untranslated, since the user typed the title
     return texts;
 }
 
@@ -118,7 +118,7 @@ double residualScaleMaximumPx(const core::ProjectionCamera& camera, double depth
 
 namespace {
 
-/// End of a color scale; 0: no scale.
+/// Maximum of the color scale; 0 if there is no scale.
 struct ScaleEnd {
     double px = 0.0;
     double mm = 0.0;
@@ -144,7 +144,7 @@ ScaleEnd colorVessels(ui::OverlayScene& scene, const core::Case& session, const 
     return {endPx, residualScaleMaximumMm};
 }
 
-/// Applies the options to the scene.
+/// Applies the options to the scene; returns the maximum of the color scale.
 ScaleEnd styleScene(ui::OverlayScene& scene, const core::Case& session, const core::Centerline2d& target,
                     const OverlayPictureOptions& options, const DrawnVessels& drawn)
 {
@@ -157,7 +157,7 @@ ScaleEnd styleScene(ui::OverlayScene& scene, const core::Case& session, const co
     return scene.mode() == ui::OverlayMode::Hidden ? ScaleEnd{} : colorVessels(scene, session, target, options, drawn);
 }
 
-/// Measurements of the frame and vessel marks, labeled in the language of the image.
+/// Returns the measurements of the frame and the vessel marks, labeled in the language of the image.
 std::vector<ui::ImageMark> marksIn(const core::Case& session, const OverlayPictureOptions& options)
 {
     const auto toText = [&options](const core::Message& message) {
@@ -173,7 +173,7 @@ std::vector<ui::ImageMark> marksIn(const core::Case& session, const OverlayPictu
     return marks;
 }
 
-/// Points of the projected vessels, which labels avoid.
+/// Returns the points of the projected vessels, which labels avoid.
 std::vector<Eigen::Vector2d> drawnPoints(const ui::OverlayScene& scene)
 {
     std::vector<Eigen::Vector2d> points;
@@ -185,7 +185,7 @@ std::vector<Eigen::Vector2d> drawnPoints(const ui::OverlayScene& scene)
     return points;
 }
 
-/// Renders to pixels or vectors, depending on the type.
+/// Renders to pixels or vector graphics, depending on `Picture`.
 template <class Picture>
 core::Result<Picture> drawScene(ui::OverlayScene& scene, const auto&... how)
 {
@@ -279,7 +279,7 @@ core::Result<Picture> drawAs(const core::Case& session, const core::Centerline2d
     core::Case before = session;
     before.shown().cameraFromPatient = start.value();
     before.shown().result.reset();
-    before.shown().measurements.clear();   // their values would differ at this pose
+    before.shown().measurements.clear();   // measured values would differ at this pose
     before.shown().sightings.clear();
     const auto left = drawOne<Picture>(before, target, options, messages::beforeAtStart());
     const auto right = drawOne<Picture>(session, target, options, messages::afterAtPose());
@@ -325,7 +325,7 @@ core::Result<core::ColorImage> drawThumbnail(const core::Case& session, int widt
     const core::ImageF& frame = angiogram->frames[static_cast<std::size_t>(session.shown().frame)];
     const int height = std::max(1, widthPx * frame.height / frame.width);
     scene.setLineWidthPx(
-        std::max(1.0, widthPx / (target ? 200.0 : 80.0)));   // thinner lines suffice when colors show the residuals
+        std::max(1.0, widthPx / (target ? 200.0 : 80.0)));   // thinner lines suffice if colors show the residuals
     return ui::renderOffscreen(scene, widthPx, height, wholeImage(frame));
 }
 

@@ -16,35 +16,34 @@
 
 namespace angiopose::app {
 
-/// Vessel coloring. Residuals: of the vessels as drawn. Motion: distance of the deformed vessels from the rigid ones,
-/// if a deformation is known.
+/// Coloring of the vessels. Residuals: distances of the vessels as drawn from the target. Motion: distances of the
+/// deformed from the rigid vessels, if a deformation is known. Branches: a color per branch.
 enum class OverlayColoring { Residuals, Motion, Branches };
 
-/// Options of an exported overlay.
 struct OverlayPictureOptions {
-    int widthPx = 0;   ///< 0: twice the image width; the height follows from the aspect ratio of the image
+    int widthPx = 0;   ///< if 0, twice the image width; the height follows from the aspect ratio of the image
     OverlayColoring coloring = OverlayColoring::Residuals;
     Identity identity = Identity::Hidden;
     ui::CornerTexts (*texts)(const CornerLines&) =
-        englishTexts;   ///< language of the burned-in texts; the window uses windowTexts
+        englishTexts;   ///< converts the corner texts to the language of the image; the window uses windowTexts
     ui::OverlayMode vessels = ui::OverlayMode::Centerline;
-    std::optional<core::DisplayRange> range = std::nullopt;   ///< not set: automatic for the frame
+    std::optional<core::DisplayRange> range = std::nullopt;   ///< if not set, determined automatically from the frame
     ui::DepthCue depthCue = ui::DepthCue::None;
     VesselShape shape = VesselShape::Deformed;   ///< if the pose has a deformation; a caption names the shape
-    ui::Cutout cutout = {};   ///< swipe or lens region without vessels, image px
-    /// Adds a second image on the left with the vessels at the initial pose (before and after).
+    ui::Cutout cutout = {};   ///< region of the swipe or lens without vessels, image px
+    /// Adds a second image on the left with the vessels at the initial pose.
     bool isStartBeside = false;
     std::optional<core::Message> words = std::nullopt;   ///< caption at the bottom left, for one of several images
-    /// Computes a DRR from a pose, shown instead of the vessel lines; not set: lines.
+    /// Computes the DRR for a pose, which replaces the vessel lines; if not set, lines are drawn.
     std::function<core::Result<core::ImageF>(const core::RigidTransform& cameraFromPatient)> drr = nullptr;
 };
 
-/// Overlay image as used in reports: angiogram, projected tree at the case's pose, colors (of residuals against
-/// `target`) with their scale, corner texts and the notice. Needs no display.
+/// Draws the overlay image as used in reports: angiogram, projected tree at the case's pose, residual colors relative
+/// to `target` with their scale, corner texts and the notice. Needs no display.
 core::Result<core::ColorImage> drawOverlay(const core::Case& session, const core::Centerline2d& target,
                                            const OverlayPictureOptions& options = {});
 
-/// The same image as vectors.
+/// Draws the same image as vector graphics.
 core::Result<ui::VectorPicture> drawOverlayVectors(const core::Case& session, const core::Centerline2d& target,
                                                    const OverlayPictureOptions& options = {});
 
@@ -55,7 +54,7 @@ core::Result<core::ColorImage> drawThumbnail(const core::Case& session, int widt
 /// Provenance of the image (inputs with hashes, version, method, pose, notice), for the PNG's text chunks.
 std::map<std::string, std::string> provenanceTexts(const core::Case& session);
 
-/// Residual, in px, at which the color ramp ends: 2 mm at the vessels.
+/// Returns the residual, px, at which the color scale ends: 2 mm at the vessels.
 double residualScaleMaximumPx(const core::ProjectionCamera& camera, double depthMm);
 
 }   // namespace angiopose::app

@@ -20,7 +20,7 @@ std::string endOf(const std::string& path)
     return end;
 }
 
-/// Case without vessels, results and measurements, for exporting the image alone.
+/// Returns the case without vessels, results and measurements, for exporting the image alone.
 core::Case frameAlone(core::Case session)
 {
     session.shown().result.reset();

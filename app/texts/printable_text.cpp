@@ -8,8 +8,8 @@ bool isCommand(unsigned char byte)
     return (byte < ' ' && byte != '\n' && byte != '\t') || byte == 0x7f;
 }
 
-/// Whether the bytes are a C1 control character (U+0080 … U+009F) in UTF-8; some terminals interpret U+009B as the
-/// start of a control sequence.
+/// Returns whether the bytes are a C1 control character (U+0080 … U+009F) in UTF-8. Some terminals interpret U+009B as
+/// the start of a control sequence.
 bool isLongCommand(unsigned char byte, unsigned char next)
 {
     return byte == 0xc2 && next >= 0x80 && next < 0xa0;

@@ -12,8 +12,8 @@ namespace {
 using ui::StrokeLine;
 using ui::StrokeShape;
 
-constexpr int sameTone = 6;   // maximum difference of the 8-bit channels within a segment of one color
-constexpr double fillOverlap = 0.5;   // px by which opaque fills overlap the next one, to avoid seams
+constexpr int sameTone = 6;   // maximum difference of the 8-bit channels within a segment drawn in one color
+constexpr double fillOverlap = 0.5;   // overlap of adjacent opaque fills, px, to avoid seams
 
 std::string escapedForSvg(const std::string& text)
 {

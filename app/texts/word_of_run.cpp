@@ -17,7 +17,7 @@ void takeOver(core::RegistrationResult& judged, const core::RegistrationResult& 
     judged.stopReason = run.stopReason;
     judged.time = run.time;
     if (!run.unopacified.empty() ||
-        !run.wirePaths.empty()) {   // its metrics refer to the part of the tree that the image shows
+        !run.wirePaths.empty()) {   // such metrics refer only to the part of the tree that the image shows
         judged.unopacified = run.unopacified;
         judged.wirePaths = run.wirePaths;
         judged.metrics = run.metrics;
@@ -25,7 +25,7 @@ void takeOver(core::RegistrationResult& judged, const core::RegistrationResult& 
     }
 }
 
-/// Snapshot of the newest registration that ended at exactly this pose, or null.
+/// Returns the snapshot of the newest registration that ended at exactly this pose, or null.
 const core::PoseSnapshot* runThatLeft(const core::View& view)
 {
     const auto isOfRun = [&view](const core::PoseSnapshot& snapshot) {

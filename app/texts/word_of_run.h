@@ -4,13 +4,13 @@
 
 namespace angiopose::app {
 
-/// Source of a pose: the registration whose result belongs to the shown frame, an earlier registration or one in
-/// another frame, or no registration.
+/// Source of a pose: the registration whose result belongs to the shown frame, a registration that was earlier or in
+/// another frame, or none.
 enum class FoundBy { ItsRun, AnEarlierRun, NoRun };
 
-/// Adds the knowledge of the registration that found the pose of `view` to `judged`, an evaluation of that pose in the
-/// shown frame: alternatives, stop reason, duration, unopacified branches. Of an earlier registration only low
-/// confidence carries over, so an unreliable pose never becomes reliable.
+/// Completes `judged`, an evaluation of the pose of `view` in the shown frame, with results of the registration that
+/// found the pose: alternatives, stop reason, duration, unopacified branches. From an earlier registration, only low
+/// confidence carries over, so that an unreliable pose never becomes reliable.
 FoundBy takeWordOfRun(core::RegistrationResult& judged, const core::View& view);
 
 }   // namespace angiopose::app

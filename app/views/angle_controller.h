@@ -19,8 +19,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Determines the C-arm angles that show the selected branch, for the pose of the shown view; recomputed whenever
-/// branch, pose or geometry changes.
+/// Determines the C-arm angles from which the selected branch is visible, for the pose of the shown view; updated
+/// whenever the branch, pose or geometry changes.
 class AngleController : public QObject {
     Q_OBJECT
 public:
@@ -29,10 +29,10 @@ public:
 
     bool isRunning() const { return job_.isRunning(); }
     void open();
-    ui::AngleDialog* dialog() const { return dialog_; }   ///< null while closed
+    ui::AngleDialog* dialog() const { return dialog_; }   ///< null while the dialog is closed
 
 private:
-    /// Request for an angle map: branch, visible part, and position of the vessels.
+    /// Request for an angle map: the branch, the part of it to view, and the position of the vessels.
     struct Question {
         int branchId = 0;
         core::PartSight sight;

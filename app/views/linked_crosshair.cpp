@@ -13,7 +13,7 @@
 namespace angiopose::app {
 namespace {
 
-constexpr double crosshairReachPx = 8.0;   // widget px; maximum distance of a vessel from the pointer
+constexpr double crosshairReachPx = 8.0;   // maximum distance of a vessel from the pointer, widget px
 
 core::Sight sightIn(const ui::AngiogramView& image)
 {

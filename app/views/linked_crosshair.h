@@ -20,9 +20,9 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Linked crosshair of side-by-side views. The position under the pointer in one view becomes a line in the others
-/// (ALGORITHMS §5.7); the vessel point under it becomes a point in all views and in 3-D. A click moves the slices
-/// there.
+/// Shows a linked crosshair in side-by-side views. The position under the pointer in one view becomes a line in the
+/// others (ALGORITHMS §5.7); a vessel point under the pointer is marked in all views and in 3-D. A click moves the
+/// slices to that point.
 class LinkedCrosshair : public QObject {
     Q_OBJECT
 public:
@@ -51,8 +51,8 @@ private:
     Ui ui_;
     QPointer<ui::AngiogramView> pointedIn_;
     std::optional<Eigen::Vector2d>
-        pointerPx_;   ///< position in the image `pointedIn_`; empty while the pointer is elsewhere
-    QTimer again_;   ///< delays the update after poses change under the pointer
+        pointerPx_;   ///< pointer position in the image of `pointedIn_`; empty if the pointer is outside
+    QTimer again_;   ///< delays the update after a change of pose
 };
 
 }   // namespace angiopose::app

@@ -9,7 +9,7 @@
 
 namespace angiopose::app {
 
-/// All properties of a view that determine its thumbnail, target and metrics.
+/// The properties of a view that determine its thumbnail, target and metrics.
 struct ViewSight {
     std::shared_ptr<const core::Angiogram> angiogram;
     int frame = 0;
@@ -27,15 +27,15 @@ struct ViewLook {
     ViewSight of;
     std::optional<core::ColorImage> picture;
     std::optional<core::DistanceMetrics> metrics;
-    std::optional<core::Message> problem;   ///< reason why thumbnail or metrics are missing
+    std::optional<core::Message> problem;   ///< reason why the thumbnail or the metrics are missing
     std::shared_ptr<const core::Centerline2d> target;   ///< trace used for the metrics
 };
 
-/// Earlier trace of the frame of a view, whatever its pose and camera were then; null: none.
+/// Returns an earlier trace of the view's frame, whatever pose and camera the view had then; null if there is none.
 std::shared_ptr<const core::Centerline2d> knownTarget(const std::vector<ViewLook>& known, const ViewSight& sight);
 
-/// Summarizes the views of the case, in order; `shownTarget` is the target of the shown view (null: none yet). Reuses
-/// the traces in `known`. Takes 0.1 s per view or more; call it on a worker thread.
+/// Summarizes the views of the case in order; `shownTarget` is the target of the shown view (null if not known yet).
+/// Reuses the traces in `known`. Takes at least 0.1 s per view; call it on a worker thread.
 std::vector<ViewLook> lookAtViews(const core::Case& session,
                                   const std::shared_ptr<const core::Centerline2d>& shownTarget,
                                   const std::vector<ViewLook>& known, int widthPx);

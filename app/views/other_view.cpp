@@ -55,13 +55,13 @@ void OtherView::showTree()
     }
     tree_ = vessels.tree;
     hidden_ = vessels.hiddenBranchIds;
-    hideResiduals();   // colors of the previous tree would mislead
+    hideResiduals();   // the colors of the previous tree would be misleading
     ui::AngiogramView& image = on_.pane.image();
     drawTree();
     image.setPivot(tree_ ? core::centroidInPatient(*tree_) : Eigen::Vector3d(Eigen::Vector3d::Zero()));
 }
 
-/// Shows or hides the deformed vessels, which belong to the pose they were found from.
+/// Shows or hides the deformed vessels, which are valid only for the pose from which they were computed.
 void OtherView::showShape()
 {
     const auto known = drawableDeformation(view(), current().vessels, pose_);

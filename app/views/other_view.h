@@ -22,25 +22,25 @@ class ViewPane;
 
 namespace angiopose::app {
 
-/// Keeps a pane in sync with a view of the case next to the shown one: its frame, and the vessels at its pose or linked
-/// to a preview, colored by their agreement with this view's own image. Redraws only what changed.
+/// Keeps a pane in sync with one of the case's views other than the shown one: its frame, and the vessels at its own
+/// pose or moved by a linked preview, with residual colors relative to its own image. Redraws only what has changed.
 class OtherView : public QObject {
     Q_OBJECT
 public:
-    /// Objects that the pane shows and uses.
+    /// Objects that the pane shows or uses.
     struct Parts {
         const CaseDocument& document;
         const PosePreview& preview;
         const ViewController& views;
         LookController& look;
-        ui::AngiogramView& shown;   ///< view whose display settings the pane adopts
+        ui::AngiogramView& shown;   ///< view whose display settings the pane takes over
         ui::ViewPane& pane;
     };
     explicit OtherView(const Parts& parts, QObject* parent = nullptr);
 
-    void show(std::size_t place);   ///< index of the view in the case
-    void showPose();   ///< pose of the document, or linked to a preview
-    void showColors();   ///< evaluates the pose if that is still to be done
+    void show(std::size_t place);   ///< shows the view with index `place` in the case
+    void showPose();   ///< shows the pose of the document, or that of a linked preview
+    void showColors();   ///< evaluates the pose unless that has already been done
     void takeLook();
     void clear();   ///< releases all data of the case
     std::size_t place() const { return place_; }
@@ -48,7 +48,7 @@ public:
 private:
     /// Everything that determines the residual colors.
     struct Judged {
-        ViewSight sight;   ///< at the shown pose
+        ViewSight sight;   ///< view at the shown pose
         std::shared_ptr<const core::VesselTree> tree;
         std::vector<int> excluded;
         std::shared_ptr<const core::Centerline2d> target;
@@ -73,7 +73,7 @@ private:
     std::shared_ptr<const core::Angiogram> angiogram_;
     int frame_ = -1;
     core::RigidTransform pose_;
-    bool isBrightnessOwn_ = false;   ///< set by the user, not automatic for a new image
+    bool isBrightnessOwn_ = false;   ///< window/level were set by the user, not automatically for a new image
     std::optional<Judged> judged_;
     JudgeJob job_;
 };

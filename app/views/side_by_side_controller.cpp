@@ -77,7 +77,7 @@ void SideBySideController::connectCase()
     });
 }
 
-/// Applies changes of the shown view's display settings to the other views.
+/// Connects the display settings of the shown view, so that changes also apply to the other views.
 void SideBySideController::connectLook()
 {
     using enum ui::Command;
@@ -114,7 +114,7 @@ void SideBySideController::connectPane(ui::ViewPane* pane)
     connect(&image, &ui::AngiogramView::backgroundClicked, this, [this] { on_.branches.select({}); });
 }
 
-/// Swaps the chosen view with the shown one; each keeps its zoom.
+/// Swaps the selected view with the shown one; each keeps its zoom.
 void SideBySideController::choose(std::size_t place, ui::AngiogramView& image)
 {
     ui::AngiogramView& shown = ui_.images.shown();
@@ -143,7 +143,7 @@ std::vector<std::size_t> SideBySideController::others() const
     const core::Case& current = on_.document.current();
     std::vector<std::size_t> places;
     if (!on_.document.isInTrial() &&
-        current.shown().angiogram) {   // hidden in a trial, because they would reveal the answer
+        current.shown().angiogram) {   // hidden during a blind trial, because they would reveal the answer
         for (std::size_t place = 0; place < current.views.size(); ++place) {
             if (place != current.shownView) {
                 places.push_back(place);
@@ -163,8 +163,8 @@ QString SideBySideController::whyEmpty() const
                      .arg(ui::keyOf(ui::Command::AddView));
 }
 
-/// Index of the view in each pane. A view keeps its pane as long as it exists, so a chosen view swaps places with the
-/// shown one.
+/// Returns the index of the view in each pane. A view keeps its pane as long as it exists, so that a selected view
+/// swaps places with the shown one.
 std::vector<std::size_t> SideBySideController::placesOfPanes() const
 {
     std::vector<std::size_t> wanted = others();
@@ -235,7 +235,7 @@ std::vector<OtherView*> SideBySideController::shown() const
 {
     std::vector<OtherView*> shown;
     for (std::size_t i = 0; i < ui_.images.paneCount(); ++i) {
-        if (others_[i]->place() < on_.document.current().views.size()) {   // otherwise its view was just removed
+        if (others_[i]->place() < on_.document.current().views.size()) {   // otherwise the view has just been removed
             shown.push_back(others_[i].get());
         }
     }
@@ -249,8 +249,8 @@ void SideBySideController::takeLooks()
     }
 }
 
-/// Sets the frame of a view. It belongs to the case even if the view is not the shown one, because poses, target and
-/// result depend on it.
+/// Sets the frame of a view in the case, even if the view is not the shown one, because its pose, target and result
+/// depend on the frame.
 void SideBySideController::changeFrame(const OtherView& other, int frame)
 {
     const core::Case& current = on_.document.current();
@@ -266,7 +266,7 @@ void SideBySideController::changeFrame(const OtherView& other, int frame)
     burstPlace_ = place;
     std::vector<core::View> views = current.views;
     views[place] = core::withFrame(std::move(views[place]), frame);
-    views[place].caseFile = {};   // its case file no longer matches
+    views[place].caseFile = {};   // its case file no longer contains the view unchanged
     on_.document.push(std::make_unique<ChangeViews>(
         on_.document, ChangeViews::Values{std::move(views)}, [] { return tr("Choose another frame"); },
         framesOfOthers + frameBurst_));

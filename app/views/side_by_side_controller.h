@@ -23,8 +23,8 @@ namespace angiopose::app {
 
 class BranchController;
 
-/// Side-by-side display of the case's views: the shown one with all tools, each of the others in a pane that follows
-/// it. The arrangement is a preference and not part of the case; the frames of the other views are.
+/// Shows the case's views side by side: the shown view with all tools, and each other view in its own pane. The
+/// arrangement is a user preference and not part of the case; the frames of the other views are part of the case.
 class SideBySideController : public QObject {
     Q_OBJECT
 public:
@@ -64,8 +64,8 @@ private:
 
     Parts on_;
     Ui ui_;
-    std::vector<std::unique_ptr<OtherView>> others_;   ///< one for each pane ever created
-    bool goAlong_ = true;   ///< linked poses, as shown in the titles
+    std::vector<std::unique_ptr<OtherView>> others_;   ///< one for each pane created so far
+    bool goAlong_ = true;   ///< whether the titles show the poses as linked
     int frameBurst_ = 0;
     std::size_t burstPlace_ = 0;
     qint64 lastFrameMs_ = 0;

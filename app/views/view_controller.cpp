@@ -84,7 +84,7 @@ void ViewController::followDocument()
         if (areSeveral) {
             pause_.start();
         } else {
-            looks_.clear();   // they hold views of the previous case
+            looks_.clear();   // the summaries belong to the previous case
         }
     }
 }
@@ -142,7 +142,7 @@ void ViewController::look()
 void ViewController::showPictures(std::vector<ViewLook> looks)
 {
     if (seen_.views.empty()) {
-        return;   // the case was closed meanwhile
+        return;   // the case has been closed in the meantime
     }
     looks_ = std::move(looks);
     showLines();
@@ -174,7 +174,7 @@ void ViewController::show(int line)
         document_.push(showView(document_, core::showingView(current, place),
                                 [name = numberedTitle(current.views, place)] { return tr("Show view %1").arg(name); }));
     }
-    showLines();   // resets the mark if the view was refused
+    showLines();   // resets the selection in the strip if the view was refused
 }
 
 void ViewController::showNext()

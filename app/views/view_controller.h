@@ -22,8 +22,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Several angiograms of the same vessels: strip of views with the agreement of each, selection of the shown one, and
-/// removal. Showing another view is an undo step.
+/// Manages several angiograms of the same vessels: the strip of views with the agreement of each, selection of the
+/// shown view, and removal. Showing another view is an undo step.
 class ViewController : public QObject {
     Q_OBJECT
 public:
@@ -37,20 +37,20 @@ public:
     ViewController(CaseDocument& document, const TargetProvider& target, const Ui& ui, QObject* parent = nullptr);
 
     bool isLooking() const { return looking_.isRunning(); }   ///< computing thumbnails and metrics of the views
-    /// Traced vessels of view `place`; null until they are computed, see `looked`.
+    /// Returns the traced vessels of view `place`; null until they have been computed (see `looked`).
     std::shared_ptr<const core::Centerline2d> targetOf(std::size_t place) const;
     void show(int line);
     void showNext();
-    void openMenu(int line, const QPoint& at);   ///< commands for that view
+    void openMenu(int line, const QPoint& at);   ///< opens the menu with the commands for this view
     void askName(int line);
-    void remove(int line);   ///< removes a view; the next one replaces the shown view
+    void remove(int line);   ///< removes a view; if it was the shown view, the next one takes its place
 
 signals:
     void refused(const QString& reason);
-    void looked();   ///< thumbnails and metrics are ready; see `targetOf`
+    void looked();   ///< emitted when thumbnails and metrics are ready; see `targetOf`
 
 private:
-    /// Parts of a case that determine the thumbnails and metrics.
+    /// Parts of a case on which the thumbnails and metrics depend.
     struct Seen {
         std::shared_ptr<const core::VesselTree> tree;
         std::vector<int> excluded;
@@ -70,10 +70,10 @@ private:
     CaseDocument& document_;
     const TargetProvider& target_;
     Ui ui_;
-    std::size_t lineCount_ = 0;   ///< one line per view of the case, in their order; 0 if there is only one view
+    std::size_t lineCount_ = 0;   ///< one line per view of the case, in order; 0 if there is only one view
     Seen seen_;
     std::vector<ViewLook> looks_;
-    QTimer pause_;   ///< delays the thumbnails until changes have stopped
+    QTimer pause_;   ///< delays the thumbnails until no further changes occur
     Job<std::vector<ViewLook>> looking_;
 };
 

@@ -10,7 +10,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Missing geometry values, one per line; values that a given camera or initial pose replaces are not listed.
+/// Lists the missing geometry values, one per line, except those replaced by a given camera or initial pose.
 QString missingIn(const core::Case& current)
 {
     const auto camera = core::cameraOf(current.shown());

@@ -5,7 +5,7 @@
 
 namespace angiopose::app {
 
-/// State of the geometry panel for a case.
+/// Returns the state of the geometry panel for a case.
 ui::GeometryState geometryState(const core::Case& current);
 
 }   // namespace angiopose::app

@@ -7,15 +7,15 @@
 
 namespace angiopose::app {
 
-/// Row of a target point or ring for the list next to the shown view.
+/// Returns the list row of a target point or ring for the shown view.
 ui::MarkRow markRow(const core::VesselMark& mark, const std::vector<core::CheckedPoint>& checked,
                     std::size_t shownView);
 ui::MarkRow annotationRow(const core::ImageAnnotation& annotation);
 
-/// Everything known about a target point, one sentence per fact.
+/// Describes everything known about a target point, one sentence per fact.
 QString checkedSentences(const core::CheckedPoint& checked, std::size_t viewCount);
 
-/// "Target point 3", "Ostium 1": the first name that no mark has.
+/// Returns the first unused name of the form "Target point 3" or "Ostium 1".
 QString freeMarkName(core::VesselMarkKind kind, const std::vector<core::VesselMark>& marks);
 
 }   // namespace angiopose::app

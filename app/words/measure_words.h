@@ -8,20 +8,20 @@
 
 namespace angiopose::app {
 
-/// Row of an image measurement for the list in the window.
+/// Returns the list row of an image measurement.
 ui::MeasureRow measureRow(const core::ImageMeasurement& measurement, const core::MeasuredView& seen);
 
-/// Row of a slice measurement, and its value alone; `scan` may be null.
+/// Return the list row of a slice measurement, and its value alone; `scan` may be null.
 ui::MeasureRow sliceRow(const core::SliceMeasurement& measurement, const core::VolumeGeometry* scan);
 QString sliceLabel(const core::SliceMeasurement& measurement);
 
-/// Basis of the scale in a plane of a view, or the reason why nothing can be measured in it.
+/// Returns the basis of the scale in a plane of a view, or the reason why nothing can be measured in that plane.
 QString planeBasis(core::MeasurementPlane plane, const core::MeasuredView& seen);
 
-/// Value of a measurement, as drawn next to it.
+/// Returns the value of a measurement as drawn next to it.
 QString measureLabel(const core::ImageMeasurement& measurement, const core::MeasuredView& seen);
 
-/// Marks of a frame in the language of the window.
+/// Return the marks of a frame in the language of the window.
 std::vector<ui::ImageMark> windowMarks(const core::MeasuredView& seen, int frame);
 std::vector<ui::ImageMark> windowPlacedMarks(const PlacedView& placed);
 

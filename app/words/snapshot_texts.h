@@ -6,10 +6,10 @@
 
 namespace angiopose::app {
 
-/// Login name of the user.
+/// Returns the login name of the user.
 QString observerName();
 
-/// Snapshot of a completed registration, named after its method and the time.
+/// Creates the snapshot of a completed registration, named after its method and the time.
 core::PoseSnapshot snapshotOfRun(const core::RegistrationResult& result, int frame);
 
 }   // namespace angiopose::app

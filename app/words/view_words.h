@@ -9,16 +9,16 @@
 
 namespace angiopose::app {
 
-/// File name, without folder, of the image of a view or of the case file that contains it.
+/// Returns the file name (without folder) of a view's image, or of the case file that contains the image.
 QString fileNameOf(const core::View& view);
 
-/// "LAO 30° · CRA 10°"; the file name if the angles are unknown.
+/// Formats the gantry angles, e.g. "LAO 30° · CRA 10°"; returns the file name if the angles are unknown.
 QString anglesOf(const core::View& view);
 
 /// "2 · LAO 30° · CRA 10°", or the user's name for the view after its number, which warnings refer to.
 QString numberedTitle(const std::vector<core::View>& views, std::size_t place);
 
-/// Corner lines in the language of the window, see englishTexts.
+/// Converts the corner texts to the language of the window; see englishTexts.
 ui::CornerTexts windowTexts(const CornerLines& lines);
 
 }   // namespace angiopose::app

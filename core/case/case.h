@@ -11,15 +11,15 @@
 
 namespace angiopose::core {
 
-/// Everything one session edits. It is saved and loaded as a whole, and small enough to copy for undo and for worker
-/// threads.
+/// The document of a session: everything the user edits. Saved and loaded as a whole, and small enough to copy for undo
+/// and for worker threads.
 struct Case {
     std::string title;
     Vessels vessels;
     std::vector<View> views = std::vector<View>(1);   ///< angiograms of the vessels; at least one, empty until loaded
     std::size_t shownView = 0;   ///< index into `views`: the view that the window shows and single-view commands act on
     RegistrationOptions options;
-    std::string extraKeys;   ///< JSON object with the keys of the case file that this version does not recognize
+    std::string extraKeys;   ///< JSON object with the case-file keys that this version does not recognize
 
     const View& shown() const { return views[shownView]; }
     View& shown() { return views[shownView]; }

@@ -8,19 +8,19 @@
 
 namespace angiopose::core {
 
-/// Reports contradictions between the images of a case about patient or body side: the scan against every angiogram,
-/// and the angiograms of the views against each other. Messages are unique and name no patient.
+/// Reports contradictory patient data or laterality, comparing the scan with every angiogram and the angiograms with
+/// each other. Messages contain no duplicates and no patient identity.
 Messages findMismatch(const Case& session);
 
-/// One patient and the inputs of the case that belong to them.
+/// One patient and the inputs of the case that show this patient.
 struct CasePatient {
     StudyIdentity identity;   ///< name, number, birth date and sex, combined from all these inputs
     bool isOfScan = false;
     std::vector<std::size_t> views;   ///< indices into Case::views
 };
 
-/// Returns the patients of the case's inputs, the scan's first; a single one unless the inputs contradict each other.
-/// Skips inputs without patient data.
+/// Returns the patients of the case's inputs, the scan's patient first. There is more than one only if the inputs
+/// contradict each other. Skips inputs without patient data.
 std::vector<CasePatient> patientsOf(const Case& session);
 
 }   // namespace angiopose::core

@@ -64,7 +64,7 @@ std::vector<View> viewsAt(const Case& session, const std::vector<std::size_t>& p
 RigidTransform poseMovedAlong(const Case& session, std::size_t place, const RigidTransform& cameraFromPatient)
 {
     if (place == session.shownView) {
-        return cameraFromPatient;   // identical to the last bit
+        return cameraFromPatient;   // avoids rounding errors for the shown view
     }
     const RigidTransform patientMotion = session.shown().cameraFromPatient.inverse() * cameraFromPatient;
     return session.views[place].cameraFromPatient * patientMotion;

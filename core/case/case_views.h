@@ -10,8 +10,8 @@ namespace angiopose::core {
 /// Returns the case with view `index` shown. The shown view can be edited, so the case stores it itself from now on.
 Case showingView(Case session, std::size_t index);
 
-/// Returns the case without view `index`. If that view is shown, the next view with an image becomes the shown one;
-/// without such a view the case is returned unchanged.
+/// Returns the case without view `index`. If that view is shown, the next view with an image is shown instead; if there
+/// is none, the case is returned unchanged.
 Case withoutView(Case session, std::size_t index);
 
 /// Returns the indices of the views that are registered together: the shown view (with or without an image) first, then
@@ -29,7 +29,7 @@ RigidTransform poseMovedAlong(const Case& session, std::size_t place, const Rigi
 /// positions are kept, registration results are discarded, and views without an image stay unchanged.
 std::vector<View> movedAlong(const Case& session, const RigidTransform& cameraFromPatient);
 
-/// Returns the views, each at its own initial pose if it has one.
+/// Returns the views with every registered view at its own initial pose, if it has one.
 std::vector<View> atStart(const Case& session);
 
 }   // namespace angiopose::core

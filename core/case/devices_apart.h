@@ -9,7 +9,7 @@ namespace angiopose::core {
 /// The curves of one frame, separated by the user into vessels and devices.
 struct CurvesApart {
     Centerline2d vessels;
-    Centerline2d devices;   ///< catheters and guidewires, not vessels; the target of the method `wire`
+    Centerline2d devices;   ///< catheters and guidewires; the target of the method `wire`
 };
 
 /// Splits `curves` into vessels and devices (the curves with `deviceIds`), each in the original order. Ignores ids
@@ -19,7 +19,7 @@ CurvesApart takenApart(const Centerline2d& curves, const std::vector<int>& devic
 /// Joins both lists: the vessels, then the devices.
 Centerline2d together(const CurvesApart& apart);
 
-/// Returns the device ids after an edit: devices that remain, and the pieces cut off a device.
+/// Returns the device ids after an edit: the remaining devices and the segments split off from a device.
 std::vector<int> devicesAfterEdit(const CurvesApart& before, const Centerline2d& edited);
 
 std::vector<int> idsOf(const Centerline2d& curves);

@@ -14,9 +14,9 @@ namespace angiopose::core {
 /// Pose of the vessels in one frame of a cine run.
 struct FollowedFrame {
     int frame = 0;
-    TrackedFrame tracked;   ///< without a traced vessel: the pose of the previous frame, marked as unreliable
-    std::optional<Message> problem;   ///< reason why nothing was traced
-    /// Deformation of the vessels in this frame, relative to that pose; null where none was found.
+    TrackedFrame tracked;   ///< if no vessel was traced, the pose of the previous frame, marked as unreliable
+    std::optional<Message> problem;   ///< why no vessel was traced; empty if the frame was traced
+    /// Deformation of the vessels in this frame, relative to the pose in `tracked`; null if none was found.
     std::shared_ptr<const DeformableResult> deformed{};
     std::optional<int> deformedAsInFrame{};   ///< nearest frame with a deformation, where this frame has none
 };
@@ -24,7 +24,7 @@ struct FollowedFrame {
 /// Result of tracking the vessels through the cine run of a view (workflow/follow_frames).
 struct FollowedRun {
     std::shared_ptr<const std::vector<FollowedFrame>> frames;   ///< in frame order; null if the run was not tracked
-    int fromFrame = 0;   ///< frame whose pose was given
+    int fromFrame = 0;   ///< frame with the given pose, from which tracking started
     InputFile deformationsFile;   ///< file that the case names for the deformations; no path: they come from no file
 };
 
@@ -35,7 +35,7 @@ const std::vector<FollowedFrame>& framesOf(const FollowedRun& run);
 
 const FollowedFrame* findFrame(const FollowedRun& run, int frame);   ///< null if there is none
 
-/// Returns the deformation found at this pose; null if there is none.
+/// Returns the tracked frame at exactly this pose if it has a deformation; null otherwise.
 const FollowedFrame* deformationAt(const FollowedRun& run, const RigidTransform& cameraFromPatient);
 
 /// Whether the deformation was found in the frame itself and not taken from another frame.

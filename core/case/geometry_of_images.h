@@ -9,7 +9,7 @@ namespace angiopose::core {
 bool isGeometryContradicted(const View& view, std::size_t viewCount);
 
 /// Applies the camera estimated in the view's result and returns the error of the previous camera. Returns nothing if
-/// both agree within half a σ of the estimate's uncertainty.
+/// every parameter differs by less than half the standard deviation of its estimate.
 std::optional<CameraError> takeGeometryOfImages(View& view);
 
 }   // namespace angiopose::core

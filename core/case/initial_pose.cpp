@@ -37,7 +37,7 @@ bool isAtStart(const View& view, const Vessels& vessels)
 
 View withFrame(View view, int frame)
 {
-    const Eigen::Vector3d anyIsocenter = Eigen::Vector3d::Zero();   // same for both, so it cancels
+    const Eigen::Vector3d anyIsocenter = Eigen::Vector3d::Zero();   // same for both poses, so it cancels
     const auto before = cameraFromPatient(cArmOfFrame(view), anyIsocenter);
     view.frame = frame;
     if (const FollowedFrame* followed = findFrame(view.followed, frame)) {

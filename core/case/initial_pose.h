@@ -5,9 +5,9 @@
 
 namespace angiopose::core {
 
-/// Returns the initial pose of the vessels in a view: the given one, or else from the angles of the frame, about the
-/// isocenter where the view has one. Otherwise the tree's centroid lies on the beam axis, in the object plane of the
-/// header or at the isocenter.
+/// Returns the initial pose of the vessels in a view: the given pose, or else one computed from the angles of the
+/// frame. It is computed about the isocenter if the view has one; otherwise it puts the tree's centroid on the beam
+/// axis, in the object plane of the header or at the isocenter distance.
 Result<RigidTransform> initialPoseOf(const View& view, const Vessels& vessels);
 
 /// Whether the vessels of a view are at their initial pose, neither registered nor moved.

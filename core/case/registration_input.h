@@ -9,25 +9,25 @@
 namespace angiopose::core {
 
 /// Adapts the options to a registration that starts from this view. If the vessels start in the object plane assumed by
-/// the device and the depth prior is at its default, the depth prior is set to the uncertainty of such planes.
+/// the imaging system and the depth prior is at its default, the depth prior is set to the uncertainty of such planes.
 RegistrationOptions optionsFor(const View& view, const Vessels& vessels, RegistrationOptions options);
 
-/// Collects everything a worker needs to register a view from its current pose; fails naming the missing input.
+/// Collects everything a worker needs to register a view from its current pose. The error names the missing input.
 Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& vessels, Centerline2d target);
 
-/// Same for the shown view.
+/// Does the same for the shown view.
 Result<RegistrationInput> registrationInputOf(const Case& session, Centerline2d target);
 
 /// Input of registerViews for several views.
 struct JointInputs {
     std::vector<RegistrationInput> views;   ///< each with its camera, target and initial pose
-    MultiViewOptions multiView;   ///< as given, with the uncertainty of the steps between the views
-    Messages notes{};   ///< unknown parts of these steps, naming the view
+    MultiViewOptions multiView;   ///< options as given, plus the uncertainty of the transforms between the views
+    Messages notes{};   ///< unknown parts of the geometry between the views; each note names its view
 };
 
-/// Collects the input of several views. The first view starts at its current pose, the others where the geometry
-/// between the views puts them (see stepToView). Fails naming the view, by its number in `multiView`, and the missing
-/// input.
+/// Collects the input of several views. The first view starts at its current pose, the others at the pose that follows
+/// from the geometry between the views (see stepToView). The error names the view, by its number in `multiView`, and
+/// the missing input.
 Result<JointInputs> jointInputsOf(std::span<const View> views, const Vessels& vessels,
                                   std::span<const Centerline2d> targets, MultiViewOptions multiView = {});
 

@@ -22,18 +22,18 @@
 
 namespace angiopose::core {
 
-/// A 2-D centerline that replaces tracing: from a file, or curves edited manually for one frame.
+/// A 2-D centerline used instead of tracing: read from a file, or edited manually for one frame.
 struct GivenTarget {
-    InputFile file;   ///< no path: nothing is given, or the edits are not saved yet
+    InputFile file;   ///< its path is empty if no target is given or the edits are not saved yet
     std::shared_ptr<const Centerline2d> centerline;   ///< content of `file`, or the edited curves, or null
     std::optional<int> editedFrame;   ///< frame in which the curves were edited; they are valid for this frame only
-    std::vector<int> acceptedCurveIds;   ///< edited curves that the user marked as not suspect
+    std::vector<int> acceptedCurveIds;   ///< suspect curves among the edited ones that the user accepted
     /// Catheters and guidewires among the edited curves, stored separately and not part of `centerline`; null if there
     /// are none.
     std::shared_ptr<const Centerline2d> devices{};
 };
 
-/// Geometry of source and detector relative to each other and to the patient.
+/// Geometry of the X-ray source, the detector and the patient relative to each other.
 struct ViewGeometry {
     CArm cArm;   ///< header values, overridden by the values of the case
     std::optional<ProjectionCamera> cameraOverride;   ///< complete camera that replaces the C-arm values
@@ -44,12 +44,12 @@ struct ViewGeometry {
 struct View {
     InputFile caseFile;   ///< case file that contains the view unchanged; no path: this case stores the view itself
 
-    std::string name;   ///< name given by the user; empty: the view is labeled by its angles
-    bool isSamePatient = false;   ///< confirmed by the user, whatever the headers contain
+    std::string name;   ///< name given by the user; if empty, the view is labeled by its angles
+    bool isSamePatient = false;   ///< whether the user confirmed the patient identity despite contradictory headers
     InputFile imageFile;
-    std::shared_ptr<const Angiogram> angiogram;   ///< as displayed and traced; null while not loaded
+    std::shared_ptr<const Angiogram> angiogram;   ///< the run as displayed and traced; null until loaded
     std::shared_ptr<const Angiogram> storedRun;   ///< as stored, while `treatment` changes it; otherwise null
-    SubtractionPlan headerPlan;   ///< subtraction described in the file
+    SubtractionPlan headerPlan;   ///< mask subtraction described in the header
     RunTreatment treatment;   ///< how `angiogram` is derived from the stored run
     int frame = 0;
     GivenTarget target;
@@ -60,40 +60,40 @@ struct View {
     std::optional<RigidTransform> initialCameraFromPatient;   ///< none: the initial pose follows from the angles
     RigidTransform cameraFromPatient;   ///< current pose of the tree
     std::vector<Landmark> landmarks;   ///< landmark pairs from which the initial pose can be computed
-    std::vector<ImageMeasurement> measurements;   ///< drawn on its frames
-    std::optional<double> typedMmPerPx;   ///< size of a pixel in the patient, entered by the user
+    std::vector<ImageMeasurement> measurements;   ///< measurements drawn on the frames of the view
+    std::optional<double> typedMmPerPx;   ///< pixel spacing at the patient, entered by the user
     std::vector<Sighting> sightings;   ///< image positions of target points, one per target point and frame
-    std::vector<ImageAnnotation> annotations;   ///< arrows and text on its frames
-    std::optional<RegistrationResult> result;   ///< result of the last registration, while the pose is unchanged
-    FollowedRun followed;   ///< tracking result of its cine run, from the frame and pose of that time
+    std::vector<ImageAnnotation> annotations;   ///< arrows and text drawn on the frames of the view
+    std::optional<RegistrationResult> result;   ///< result of the last registration; discarded when the pose changes
+    FollowedRun followed;   ///< result of tracking this view's cine run
     std::vector<PoseSnapshot> snapshots;   ///< poses saved by the user and by registrations, oldest first
 
     std::string extraKeys;   ///< JSON object with this view's keys in the file that this version does not recognize
 };
 
-/// Returns the result if it was found in the shown frame, because its quality measures are valid for that frame only;
-/// otherwise null.
+/// Returns the registration result if it was found in the shown frame; otherwise null, because its quality measures are
+/// valid for that frame only.
 const RegistrationResult* resultOfShownFrame(const View& view);
 
-/// Discards the registration result and the tracking result after an input of theirs changed.
+/// Discards the registration result and the tracking result after one of their inputs changed.
 void forgetFindings(View& view);
 
 /// Returns the camera of a view: the override, which must match the image size, or the camera derived from the C-arm
 /// and the image size.
 Result<ProjectionCamera> cameraOf(const View& view);
 
-/// Returns the uncertainty of that camera, by the origin of its values; zero if there is no camera.
+/// Returns the uncertainty of that camera, derived from the origin of its values; zero if there is no camera.
 CameraSpread cameraSpreadOf(const View& view);
 
 /// Returns the C-arm at the time of the selected frame: the gantry may rotate during a run (ALGORITHMS §5.5).
 CArm cArmOfFrame(const View& view);
 
-/// Returns the alternative reading of the angles, by a device that measures them relative to the table, where the
-/// header gives a patient position other than head first supine. Returns nothing for angles entered by the user, or
+/// Returns the alternative interpretation of the angles, as measured relative to the table instead of the patient, if
+/// the header gives a patient position other than head first supine. Returns nothing for angles entered by the user, or
 /// while a camera or an initial pose overrides them.
 std::optional<TableReading> tableReadingOf(const View& view);
 
-/// Returns implausible values in the geometry of a view, see findContradictions; nothing while a camera overrides it.
+/// Returns the implausible values in the geometry of a view (see findContradictions); none while a camera overrides it.
 Messages contradictionsOf(const View& view);
 
 /// Returns the frames as stored in the file; null until loaded.
@@ -102,20 +102,20 @@ const std::shared_ptr<const Angiogram>& storedRunOf(const View& view);
 /// Returns the given or edited centerline for the view's frame; null if there is none and the frame must be traced.
 std::shared_ptr<const Centerline2d> givenTargetOf(const View& view);
 
-/// Returns the catheters and guidewires that the user separated in the view's frame; null if there are none.
+/// Returns the catheters and guidewires that the user marked in the view's frame; null if there are none.
 std::shared_ptr<const Centerline2d> devicesOf(const View& view);
 
 /// Separates the vessels and the devices of a given target.
 CurvesApart curvesOf(const GivenTarget& target);
 
-/// Returns the tracing options of its frames; if they leave the widest vessel open, it follows from the view's
-/// geometry.
+/// Returns the tracing options for the view's frames. If the width of the widest vessel is not set, it is derived from
+/// the view's geometry.
 TraceOptions traceOptionsOf(const View& view);
 
 /// Returns the target of a view: the given centerline, or the traced frame.
 Result<Centerline2d> targetOf(const View& view);
 
-/// Returns the target of a method: the separated devices for `wire`, if there are any; otherwise the view's target.
+/// Returns the target for a method: the marked devices for `wire`, if there are any; otherwise the view's target.
 Result<Centerline2d> targetOf(const View& view, const std::string& method);
 
 }   // namespace angiopose::core

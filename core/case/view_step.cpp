@@ -9,10 +9,10 @@
 namespace angiopose::core {
 namespace {
 
-// 1-σ values; DECISIONS gives their sources.
+// Standard deviations (1 σ); DECISIONS gives their sources.
 constexpr double tableRotationDeg = 0.75, tableShiftMm = 8.0;   // table known: breathing, heartbeat, tag rounding
-constexpr double unknownAcrossMm = 60.0, unknownAlongMm = 30.0;   // table position unknown
-constexpr double movingTableMm = 50.0;   // table moved while a view was acquired
+constexpr double unknownAcrossMm = 60.0, unknownAlongMm = 30.0;   // table position or isocenter unknown
+constexpr double movingTableMm = 50.0;   // table moved during the acquisition of a view
 constexpr double sameDistanceMm = 1.0;
 constexpr double sameMomentS = 1.0;
 
@@ -46,7 +46,7 @@ bool areOfOneStudy(const View& a, const View& b)
     return first.empty() || second.empty() || first == second;
 }
 
-/// Displacement of the isocenter in the patient between the views; nothing if it is unknown.
+/// Returns the displacement of the isocenter in the patient between the views; nothing if it is unknown.
 std::optional<Eigen::Vector3d> isocenterStepMm(const View& first, const View& view)
 {
     if (areOfOneRun(first, view) || areOfOneMoment(first, view)) {
@@ -60,8 +60,8 @@ std::optional<Eigen::Vector3d> isocenterStepMm(const View& first, const View& vi
                    : std::nullopt;
 }
 
-/// Whether the source distances determine the isocenter: an object plane used in its place does so only if it is the
-/// same in both views.
+/// Whether the source distances determine the isocenter. An object plane used in place of the isocenter does so only if
+/// it is the same in both views.
 bool isIsocenterKnown(const CArm& first, const CArm& view)
 {
     const auto &a = first.sourceToIsocenterMm, &b = view.sourceToIsocenterMm;

@@ -10,7 +10,7 @@ namespace angiopose::core {
 struct ViewStep {
     RigidTransform viewFromFirst;
     StepSpread spread;
-    Messages notes{};   ///< unknown parts of the geometry
+    Messages notes{};   ///< unknown parts of the geometry, for the user
 };
 
 /// Computes the step from distances and angles of both gantries about the isocenter. The table moves the isocenter

@@ -28,7 +28,7 @@ std::vector<Task> tasksOf(const ExperimentPlan& plan)
     return tasks;
 }
 
-/// Distributes tasks to threads and collects their results.
+/// Distributes the tasks over threads and collects their results.
 class Pool {
 public:
     Pool(const ExperimentPlan& plan, const ExperimentObserver& observe)
@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    /// Returns the records of all methods; empty if the experiment was stopped in the meantime.
+    /// Returns the records of all methods; empty if the experiment was stopped before the last method finished.
     std::vector<RunRecord> runTask(const Task& task)
     {
         const Trial trial = makers_[task.condition](task.trial);
@@ -89,7 +89,7 @@ private:
     const ExperimentPlan& plan_;
     const ExperimentObserver& observe_;
     std::vector<Task> tasks_;
-    std::vector<std::vector<RunRecord>> found_;   ///< by task, so the results do not depend on thread order
+    std::vector<std::vector<RunRecord>> found_;   ///< one per task, so the results do not depend on thread order
     std::vector<TrialMaker> makers_;
     std::atomic<std::size_t> next_{0};
     std::atomic<bool> isStopped_{false};

@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// A part of the work for one machine: the trials whose number modulo `count` is `index`.
+/// The part of an experiment that one machine runs: the trials whose number modulo `count` is `index`.
 struct Shard {
     std::uint64_t index = 0;
     std::uint64_t count = 1;
@@ -19,18 +19,18 @@ struct ExperimentPlan {
     std::uint64_t trials = 0;   ///< per condition, over all shards
     std::uint64_t seed = 1;
     Shard shard;
-    int threads = 1;   ///< affects the time only, never the results
+    int threads = 1;   ///< affects only the computation time, never the results
 };
 
 /// Called by the worker threads, one at a time, after each trial; returning Stop ends the experiment soon.
 using ExperimentObserver = std::function<Verdict(std::uint64_t doneTrials, std::uint64_t allTrials)>;
 
 struct Experiment {
-    RunSet runs;   ///< runs of the trials that every method has finished
+    RunSet runs;   ///< runs of the trials that all methods finished
     bool wasStopped = false;
 };
 
-/// Runs every method on every trial of the shard. Results depend on protocol, seed, condition, trial and method only.
+/// Runs every method on every trial of the shard. Results depend only on protocol, seed, condition, trial and method.
 Experiment runExperiment(const ExperimentPlan& plan, const ExperimentObserver& observe = {});
 
 /// Merges the runs of shards (same protocol and seed) as if one process had made them all; also adds methods or

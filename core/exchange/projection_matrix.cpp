@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Fraction of the focal length: 0.03 px at the edge of an image whose extent is 0.3 of it.
+/// Maximum skew as a fraction of the focal length: 0.03 px at the edge of an image that extends over 0.3 focal lengths.
 constexpr double skewTolerance = 1e-4;
 constexpr double exactRotation = 1e-12;
 constexpr double roundedRotation = 1e-3;
@@ -20,7 +20,7 @@ Error skewError(double skew)
     return Error(messages::projectionSkewed(Quantity{skew, Quantity::asNeeded, "px"}));
 }
 
-/// Returns the same projection with fy > 0. The camera rotates by 180° about its axis, which is exact.
+/// Returns the same projection with fy > 0. The camera is rotated by 180° about its axis, which involves no rounding.
 Sight upright(Sight sight)
 {
     if (sight.camera.fy < 0.0) {
@@ -43,13 +43,13 @@ Sight unmirrored(Sight sight)
     return sight;
 }
 
-/// Rotation by 180° about the y axis: moves a detector at negative z to positive z, as in our frame.
+/// Returns the rotation by 180° about the y axis, which moves a detector at negative z to positive z, as in our frame.
 Eigen::Matrix3d halfAboutY()
 {
     return Eigen::Vector3d(-1.0, 1.0, -1.0).asDiagonal();
 }
 
-/// Mean of both focal lengths, each multiplied by its pixel spacing.
+/// Returns the mean of both focal lengths, each multiplied by its pixel spacing.
 double focalLengthMm(const XregCamera& camera)
 {
     return 0.5 * (std::abs(camera.intrinsic(0, 0)) * camera.columnSpacingMm +
@@ -71,7 +71,7 @@ FrameChange frameChange(const XregCamera& camera)
     change.oursFromXreg.rotation = halfAboutY();
     if (camera.frame == XregFrame::DetectorAtNegativeZ) {   // x / z = X / Z, y / z = -Y / Z
         change.intrinsic.col(1) *= -1.0;
-    } else {   // Z = f - z, x = -X, y = Y
+    } else {   // in our frame (upper case), Z = f - z, X = -x and Y = y
         change.oursFromXreg.translation.z() = focalLengthMm(camera);
         change.intrinsic.col(0) *= -1.0;
     }
@@ -130,7 +130,7 @@ Result<Sight> sightFromProjection(const ProjectionMatrix& projection)
     camera.cx = m1.dot(r3);
     camera.fx = m1.dot(r1);
     const double skew = m1.dot(r2);
-    const double least = 1e-9 * (1.0 + m1.norm() + m2.norm());   // minimum of a valid focal length
+    const double least = 1e-9 * (1.0 + m1.norm() + m2.norm());   // smallest valid focal length, px
     if (!(camera.fy > least) || !(std::abs(camera.fx) > least)) {
         return Error(messages::projectionDegenerate());
     }

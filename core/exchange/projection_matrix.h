@@ -7,7 +7,7 @@ namespace angiopose::core {
 
 using ProjectionMatrix = Eigen::Matrix<double, 3, 4>;
 
-/// Returns K of the camera: fx 0 cx, 0 fy cy, 0 0 1.
+/// Returns the intrinsic matrix K of the camera: rows (fx 0 cx), (0 fy cy), (0 0 1).
 Eigen::Matrix3d intrinsicMatrix(const ProjectionCamera& camera);
 
 /// Returns P = K [R t]: `P * (pointInPatient, 1)` is the pixel times the depth in mm, then that depth.
@@ -15,7 +15,7 @@ ProjectionMatrix projectionMatrix(const Sight& sight);
 
 /// Decomposes P, known up to a positive factor, into camera and pose; visible points have a positive third coordinate.
 /// With det R = +1 and fy > 0 the solution is unique; the sign of fx shows whether the image is mirrored (FORMATS §1).
-/// The image size is unknown: 0. Fails on skew and on degenerate matrices.
+/// The image size is unknown and set to 0. Fails for skewed and for degenerate matrices.
 Result<Sight> sightFromProjection(const ProjectionMatrix& projection);
 
 /// Same for K, R and t; exact values are preserved to the last bit. A reflection in R moves into fx, a negative fy
@@ -23,8 +23,8 @@ Result<Sight> sightFromProjection(const ProjectionMatrix& projection);
 Result<Sight> sightFromIntrinsics(const Eigen::Matrix3d& intrinsic, const Eigen::Matrix3d& rotation,
                                   const Eigen::Vector3d& translation);
 
-/// Camera frames of xReg: origin at the source with the detector at negative z (C-arm X-ray runs) or at positive z, or
-/// origin on the detector with z toward the source.
+/// Camera frames of xReg: the origin is at the source with the detector at negative z (X-ray runs of C-arms) or at
+/// positive z, or the origin is on the detector with z toward the source.
 enum class XregFrame { DetectorAtNegativeZ, DetectorAtPositiveZ, OriginOnDetector };
 
 /// A camera in xReg's convention: `pixel ~ intrinsic * (cameraFromWorld * pointInWorld)`; for a frame on the detector z
@@ -43,11 +43,11 @@ struct XregCamera {
 /// points of the world of `cameraFromWorld` to physical points of the volume, which are LPS mm as read by ITK.
 Result<Sight> sightFromXreg(const XregCamera& camera, const RigidTransform& volumeFromWorld);
 
-/// Converts our pose to the pose that xReg stores, for one of its own cameras.
+/// Converts our pose to the pose that xReg stores for the given xReg camera.
 Result<RigidTransform> xregPose(const RigidTransform& cameraFromPatient, const XregCamera& camera);
 
-/// Converts our camera to an xReg camera whose world is its own frame: the detector is at negative z if the image is as
-/// seen from the detector (fx < 0), at positive z if it is mirrored.
+/// Converts our camera to an xReg camera whose world frame is the camera frame. The detector is at negative z if the
+/// image is as seen from the detector (fx < 0) and at positive z if it is mirrored.
 XregCamera xregCamera(const ProjectionCamera& camera, double sourceToDetectorMm);
 
 }   // namespace angiopose::core

@@ -24,7 +24,7 @@ Error missing(const Message& what)
     return messages::valueMissing(what);
 }
 
-/// In-plane rotation of the image; positive rotates it clockwise on screen.
+/// Returns the in-plane rotation of the image; a positive angle rotates the image clockwise on screen.
 Eigen::Matrix3d rollRotation(double rollDeg, bool mirrored)
 {
     // Screen right is −X (unmirrored) and screen down is +Y, so clockwise on screen is a negative rotation about +Z.

@@ -9,10 +9,10 @@
 
 namespace angiopose::core {
 
-/// Origin of a geometry value; displayed wherever the value is.
+/// Origin of a geometry value, displayed next to the value.
 enum class Origin { Missing, Header, Derived, User, Assumed };
 
-/// A value with its origin. `basis` describes the origin in words ("(0018,1110)", "intensifier 204.8 mm / 512 px").
+/// A value with its origin. `basis` describes the origin as text ("(0018,1110)", "intensifier 204.8 mm / 512 px").
 template <class T>
 struct Sourced {
     std::optional<T> value;
@@ -20,28 +20,28 @@ struct Sourced {
     std::string basis;
 };
 
-/// C-arm geometry as DICOM describes it (PS3.3 C.8.7.5; ALGORITHMS §5). Lengths mm, angles degrees.
+/// C-arm geometry as described by DICOM (PS3.3 C.8.7.5; ALGORITHMS §5). Lengths are in mm, angles in degrees.
 struct CArm {
-    Sourced<double> sourceToDetectorMm;   ///< SID
+    Sourced<double> sourceToDetectorMm;   ///< source-to-detector distance (SID)
     Sourced<double> sourceToIsocenterMm;   ///< SOD: distance to the rotation center of the gantry
     Sourced<double> sourceToObjectMm;   ///< object plane assumed by the device, see vesselDepthOf
     Sourced<double> columnSpacingMm;   ///< detector pixel pitch along u
     Sourced<double> rowSpacingMm;   ///< detector pixel pitch along v
     Sourced<double> primaryAngleDeg;   ///< LAO +, RAO −
     Sourced<double> secondaryAngleDeg;   ///< CRA +, CAU −
-    Sourced<double> rollDeg;   ///< clockwise rotation of the image on screen; missing: 0
-    Sourced<Eigen::Vector2d> principalPointPx;   ///< (cx, cy); missing: image center
-    Sourced<bool> mirrored;   ///< true: shown as seen from the source, fx > 0
-    Sourced<Eigen::Vector3d> isocenterInPatientMm;   ///< in the vessels' coordinates; missing: their centroid
+    Sourced<double> rollDeg;   ///< clockwise rotation of the image on screen; 0 if missing
+    Sourced<Eigen::Vector2d> principalPointPx;   ///< (cx, cy); the image center if missing
+    Sourced<bool> mirrored;   ///< whether the image is shown as seen from the source (fx > 0)
+    Sourced<Eigen::Vector3d> isocenterInPatientMm;   ///< in the vessels' coordinates; the vessels' centroid if missing
 };
 
-/// Uses the object plane as the isocenter distance, with origin Assumed, if the latter is unknown.
+/// If the isocenter distance is unknown, sets it to the distance of the object plane, with origin Assumed.
 void assumeIsocenter(CArm& cArm);
 
 /// Returns the depth of the vessels along the beam before registration: the object plane, or else the isocenter.
 const Sourced<double>& vesselDepthOf(const CArm& cArm);
 
-/// Directions of an image in patient LPS, unit vectors.
+/// Directions of the image axes in patient LPS; unit vectors.
 struct ImageAxes {
     Eigen::Vector3d right;
     Eigen::Vector3d down;
@@ -53,12 +53,12 @@ ImageAxes imageAxesOf(CArm cArm);
 /// Returns the C-arm rotated by (primary, secondary) degrees from its stored angles.
 CArm turnedBy(CArm cArm, const Eigen::Vector2d& incrementsDeg);
 
-/// Returns the pinhole camera of the C-arm: fx = −SID/Δu (positive when mirrored), fy = SID/Δv, ALGORITHMS §5.2. Fails
-/// naming the missing or impossible value and how to supply it.
+/// Returns the pinhole camera of the C-arm: fx = −SID/Δu (positive if mirrored), fy = SID/Δv (ALGORITHMS §5.2). The
+/// error names the missing or impossible value and how to supply it.
 Result<ProjectionCamera> cameraFromCArm(const CArm& cArm, int width, int height);
 
-/// Returns the pose of the C-arm about an isocenter given in patient LPS mm (ALGORITHMS §5.3). det R = +1 always. Fails
-/// if SOD or an angle is missing.
+/// Returns the pose of the C-arm about an isocenter given in patient LPS, mm (ALGORITHMS §5.3). det R is always +1.
+/// Fails if the SOD or an angle is missing.
 Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d& isocenterInPatient);
 
 /// Returns the unit vector from the isocenter to the detector in patient LPS for the given angles: LAO 90° points to

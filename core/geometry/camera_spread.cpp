@@ -5,7 +5,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Relative 1-σ by origin; DECISIONS gives the reasons for the values.
+/// Relative standard deviations (1 σ) by origin; DECISIONS gives the reasons for the values.
 struct OriginShares {
     double header, derived, typed, assumed;
 
@@ -26,7 +26,7 @@ struct OriginShares {
     }
 };
 
-constexpr OriginShares ofDistance{0.025, 0.03, 0.025, 0.05};   // source-to-detector distance
+constexpr OriginShares ofDistance{0.025, 0.03, 0.025, 0.05};   // standard deviations of the source-to-detector distance
 constexpr OriginShares ofSpacing{0.015, 0.025, 0.015, 0.05};
 // Principal point over focal length: the angle by which the central ray misses its pixel.
 constexpr OriginShares ofCentralRay{0.004, 0.004, 0.003, 0.004};

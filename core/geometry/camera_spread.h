@@ -7,12 +7,12 @@ namespace angiopose::core {
 /// Error of a camera: logarithm of the focal length (true over assumed), then cx and cy in px (true minus assumed).
 using CameraError = Eigen::Vector3d;
 
-/// Uncertainty of a camera, 1-σ (ALGORITHMS §5.8). All zero: the camera is assumed to be exact.
+/// Uncertainty of a camera, 1 σ (ALGORITHMS §5.8). If all values are zero, the camera is assumed to be exact.
 struct CameraSpread {
-    double focalShare = 0.0;   ///< relative, of fx and fy together: distance and pixel size
-    double principalPx = 0.0;   ///< of cx and of cy
+    double focalShare = 0.0;   ///< relative, common to fx and fy; due to source-to-detector distance and pixel spacing
+    double principalPx = 0.0;   ///< standard deviation of cx and cy, px
     CameraError taken =
-        CameraError::Zero();   ///< correction already applied to the camera; the spread is centered there
+        CameraError::Zero();   ///< correction already applied to the camera; the distribution is centered on it
 
     bool operator==(const CameraSpread&) const = default;
 
@@ -25,10 +25,10 @@ struct CameraSpread {
 /// Returns the uncertainty by the origins of the C-arm's values; `camera` is the camera derived from them.
 CameraSpread spreadByOrigin(const CArm& cArm, const ProjectionCamera& camera);
 
-/// Returns the uncertainty of a camera entered as a whole.
+/// Returns the uncertainty of a camera whose parameters the user entered directly.
 CameraSpread spreadOfTyped(const ProjectionCamera& camera);
 
-/// Returns the true camera if `error` is the error of `camera`.
+/// Returns the camera corrected by `error`.
 ProjectionCamera corrected(const ProjectionCamera& camera, const CameraError& error);
 
 /// Returns the C-arm of the corrected camera: the less certain of distance and spacing takes the focal-length error.

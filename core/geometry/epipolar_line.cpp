@@ -7,18 +7,18 @@
 namespace angiopose::core {
 namespace {
 
-/// A ray in a camera frame, mm; its direction is a unit vector.
+/// A ray in a camera frame: origin in mm, direction as unit vector.
 struct CameraRay {
     Eigen::Vector3d origin;
     Eigen::Vector3d direction;
 };
 
-/// An interval on a ray, mm from its origin.
+/// An interval on a ray, in mm from the origin of the ray.
 struct RayStretch {
     double from = 0.0;
     double to = std::numeric_limits<double>::infinity();
 
-    /// Restricts the interval to `value + slope s >= 0`.
+    /// Restricts the interval to the distances s with `value + slope s >= 0`.
     void keepWhere(double value, double slope)
     {
         if (slope > 0.0) {
@@ -49,7 +49,7 @@ RayStretch seenBy(const ProjectionCamera& camera, const CameraRay& ray)
     return seen;
 }
 
-/// Pixel of a point on the ray; the vanishing point at infinity.
+/// Returns the pixel of the point at distance `mm` on the ray; the vanishing point for an infinite distance.
 Eigen::Vector2d pixelAt(const ProjectionCamera& camera, const CameraRay& ray, double mm)
 {
     const Eigen::Vector3d at = std::isfinite(mm) ? Eigen::Vector3d(ray.origin + mm * ray.direction) : ray.direction;

@@ -14,8 +14,8 @@ struct ImageSegment {
 
 /// Returns the epipolar line of a pixel of `first` in the image of `other` (ALGORITHMS §5.7): the ray from the first
 /// source through that pixel, clipped to the part in front of both sources and inside the other image. It begins on the
-/// side of the first source. Nothing if no part is visible or a camera is unusable; a point if the ray runs into the
-/// other source.
+/// side of the first source. Returns nothing if no part is visible or a camera is unusable; a single point if the ray
+/// passes through the other source.
 std::optional<ImageSegment> epipolarLine(const Sight& first, const Eigen::Vector2d& pixel, const Sight& other);
 
 }   // namespace angiopose::core

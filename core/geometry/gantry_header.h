@@ -9,17 +9,17 @@
 
 namespace angiopose::core {
 
-/// A header element as written in the file, for display.
+/// A header element as stored in the file, for display.
 struct HeaderTag {
-    std::string tag;   ///< "(0018,1110)"
+    std::string tag;   ///< tag in DICOM notation, such as "(0018,1110)"
     std::string name;   ///< name from PS3.6: "Distance Source to Detector"
     std::string value;
 };
 
-/// Position of the isocenter in the patient, who moves with the table. The origin is device-specific: only differences
-/// between images without repositioning the patient are meaningful.
+/// Position of the isocenter in the patient, who moves with the table. Its origin is device-specific: only differences
+/// between images acquired without repositioning the patient are meaningful.
 struct TablePosition {
-    enum class Tags { Standard, Siemens };   ///< each has its own origin
+    enum class Tags { Standard, Siemens };   ///< source of the position; each has a different coordinate origin
 
     Eigen::Vector3d isocenterInPatientMm;   ///< LPS
     Tags tags = Tags::Standard;
@@ -32,21 +32,21 @@ struct BiplaneMoment {
     double timeS;   ///< seconds since midnight
 };
 
-/// Gantry facts in the header of an X-ray run beyond the values in CArm, used to check those and for display. Lengths
-/// mm, angles degrees.
+/// Gantry data in the header of an X-ray run in addition to those in CArm, for display and to check the values in CArm.
+/// Lengths are in mm, angles in degrees.
 struct GantryHeader {
     std::optional<double> magnification;   ///< (0018,1114) estimated radiographic magnification, SID/SOD
     std::optional<Eigen::Vector2d> fieldOfViewMm;   ///< (0018,1149) on the detector: width, height; diameter if round
     std::optional<double> intensifierMm;   ///< (0018,1162) diameter of the image intensifier
-    std::optional<Eigen::Vector2d> detectorMm;   ///< (0018,7026) active area: width, height
-    std::optional<Eigen::Vector2d> pixelSpacingMm;   ///< (0028,0030) along u, v: at the patient if calibrated
+    std::optional<Eigen::Vector2d> detectorMm;   ///< (0018,7026) active area of the detector: width, height
+    std::optional<Eigen::Vector2d> pixelSpacingMm;   ///< (0028,0030) along u, v; refers to the patient if calibrated
     bool isPixelSpacingCalibrated = false;   ///< (0028,0A02) gives the method; otherwise equal to the imager spacing
-    double pixelAspect = 1.0;   ///< (0028,0034) pixel height over width
-    /// (0018,1520), (0018,1521): primary and secondary angle of each frame relative to the first; empty if the gantry
-    /// did not move.
+    double pixelAspect = 1.0;   ///< (0028,0034) pixel height divided by pixel width
+    /// (0018,1520), (0018,1521): primary and secondary angle of each frame relative to the first frame; empty if the
+    /// gantry did not move.
     std::vector<Eigen::Vector2d> angleIncrementsDeg;
     std::optional<PatientPosition> patientPosition;   ///< (0018,5100); angles refer to the patient in every position
-    std::optional<TablePosition> table;   ///< (0018,9466–9468), or private tags of a vendor
+    std::optional<TablePosition> table;   ///< (0018,9466–9468) or private vendor tags
     bool tableMoves = false;   ///< during the run, so `table` is not a single position
     std::optional<BiplaneMoment> biplane;   ///< (0008,0008) BIPLANE A or B
     std::vector<HeaderTag> tags;   ///< all geometry elements in the header, sorted by tag

@@ -13,7 +13,7 @@ constexpr double maxMagnification = 2.5;
 constexpr double minDetectorSpacingMm = 0.05, maxSpacingMm = 2.0;
 constexpr double minDetectorMm = 60.0, maxDetectorMm = 700.0;
 
-// Tolerances between two sources of the same length, because headers round.
+// Tolerances between two sources of the same length; header values are rounded.
 constexpr double sameLength = 0.05;
 constexpr double sameMagnification = 0.02;
 constexpr double sameAspect = 0.01;
@@ -60,7 +60,7 @@ private:
     {
         return isKnownPositive(cArm_.sourceToDetectorMm) && isKnownPositive(vesselDepthOf(cArm_));
     }
-    /// Magnification at the vessels.
+    /// Returns the magnification at the vessels.
     double magnification() const { return *cArm_.sourceToDetectorMm.value / *vesselDepthOf(cArm_).value; }
 
     void checkDistances()

@@ -11,10 +11,10 @@ enum class AnnotationKind { Arrow, Text };
 /// An arrow or text drawn on one frame of an image.
 struct ImageAnnotation {
     AnnotationKind kind = AnnotationKind::Text;
-    std::vector<Eigen::Vector2d> pixels;   ///< tail and tip of an arrow, or start of a text
+    std::vector<Eigen::Vector2d> pixels;   ///< tail and tip of an arrow, or start of the text
     std::string text;   ///< UTF-8, one line; may be empty for an arrow
     int frame = 0;
-    std::string extraKeys{};   ///< JSON object with the keys of the case file that this version does not recognize
+    std::string extraKeys{};   ///< JSON object with the case-file keys that this version does not recognize
 
     bool operator==(const ImageAnnotation&) const = default;
 };

@@ -8,19 +8,19 @@ namespace angiopose::core {
 
 enum class MeasurementKind { Length, Angle, Area };
 
-/// Plane in which a measurement in an image is assumed to lie. Pixels: no plane, lengths stay in pixels; Typed: the
-/// pixel size was entered by the user.
+/// Plane in which a measurement in an image is assumed to lie. `Pixels`: none, lengths stay in pixels; `Typed`: the one
+/// for which the user entered the pixel size.
 enum class MeasurementPlane { Vessels, Detector, Pixels, Typed };
 
-/// A measurement in one frame of an image: the length of a line through its points, the angle at the second of three,
-/// or the area inside a closed outline. Its value follows from camera and pose, see measureImage.
+/// A measurement in one frame of an image: the length of a line through its points, the angle at the second of three
+/// points, or the area inside a closed outline. The value follows from camera and pose, see measureImage.
 struct ImageMeasurement {
     MeasurementKind kind = MeasurementKind::Length;
     MeasurementPlane plane = MeasurementPlane::Vessels;
     std::vector<Eigen::Vector2d> pixels;
     int frame = 0;
     std::string name;   ///< display name; may be empty
-    std::string extraKeys{};   ///< JSON object with the keys of the case file that this version does not recognize
+    std::string extraKeys{};   ///< JSON object with the case-file keys that this version does not recognize
 
     bool operator==(const ImageMeasurement&) const = default;
 };

@@ -10,7 +10,7 @@ struct Landmark {
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
     std::string name;   ///< display name; may be empty
-    std::string extraKeys{};   ///< JSON object with the keys of the case file that this version does not recognize
+    std::string extraKeys{};   ///< JSON object with the case-file keys that this version does not recognize
 
     bool operator==(const Landmark&) const = default;
 };

@@ -12,7 +12,7 @@ namespace {
 struct NamedPosition {
     PatientPosition position;
     std::string_view name;
-    std::array<int, 3> left;   ///< direction of the patient's left, in the table's frame
+    std::array<int, 3> left;   ///< direction of the patient's left in the table frame
     std::array<int, 3> head;
 };
 

@@ -8,37 +8,37 @@
 
 namespace angiopose::core {
 
-/// Position of the patient on the table (PS3.3 C.7.3.1.1.2): head or feet first; supine, prone, or on the right (DR) or
-/// left (DL) side.
+/// Position of the patient on the table (PS3.3 C.7.3.1.1.2): head first or feet first; supine, prone, or on the right
+/// (DR) or left (DL) side.
 enum class PatientPosition { HFS, HFP, HFDR, HFDL, FFS, FFP, FFDR, FFDL };
 
-/// Parses the defined term; nothing for any other text.
+/// Parses a defined term such as "FFS"; returns nothing for any other text.
 std::optional<PatientPosition> patientPositionFrom(std::string_view text);
 
-/// Returns the defined term: "FFS".
+/// Returns the defined term, such as "FFS".
 std::string_view toText(PatientPosition position);
 
-/// Returns the rotation from the table's frame to the patient's LPS. The table's frame is the LPS of a patient lying
-/// head first and supine. det = +1.
+/// Returns the rotation from the table frame to patient LPS. The table frame is the LPS frame of a patient in
+/// head-first supine position. det = +1.
 Eigen::Matrix3d patientFromTable(PatientPosition position);
 
-/// C-arm angles in the patient's frame, degrees (ALGORITHMS §5.3).
+/// C-arm angles in the patient frame, in degrees (ALGORITHMS §5.3).
 struct PatientAngles {
     double primaryDeg = 0.0;
     double secondaryDeg = 0.0;
     double rollDeg = 0.0;
 };
 
-/// Interpretation of header angles from a device that measures them relative to the table, as if every patient lay head
-/// first and supine.
+/// Interpretation of the header angles as measured relative to the table, that is, as if every patient lay head first
+/// and supine.
 struct TableReading {
     PatientPosition position = PatientPosition::HFS;
-    PatientAngles angles;   ///< angles to enter instead of those in the header
+    PatientAngles angles;   ///< angles in the patient frame, to be entered instead of those in the header
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();   ///< rotation from patient LPS to the header angles' frame
 };
 
-/// Returns nothing if the patient lies head first and supine, because both readings are then equal, or if an angle is
-/// missing.
+/// Returns the interpretation of the angles relative to the table. Returns nothing if an angle is missing or the
+/// patient lies head first and supine, because both interpretations are then equal.
 std::optional<TableReading> countedFromTable(const CArm& cArm, PatientPosition position);
 
 }   // namespace angiopose::core

@@ -15,7 +15,7 @@ enum class PoseAxis { Right, Up, AlongRay, Roll, LaoRao, CraCau };
 inline constexpr std::array poseAxes{PoseAxis::Right, PoseAxis::Up,     PoseAxis::AlongRay,
                                      PoseAxis::Roll,  PoseAxis::LaoRao, PoseAxis::CraCau};
 
-/// Locked degrees of freedom, which keep their value; indexed by PoseAxis.
+/// Whether each degree of freedom is locked at its current value; indexed by PoseAxis.
 using PoseLocks = std::array<bool, poseAxes.size()>;
 
 inline bool isLocked(const PoseLocks& locks, PoseAxis axis)
@@ -31,7 +31,7 @@ double valueOf(const PoseOffset& offset, PoseAxis axis);
 std::string_view idOf(PoseAxis axis);
 std::optional<PoseAxis> poseAxisFrom(std::string_view id);
 
-/// Returns all ids in order, separated by commas; for messages.
+/// Returns all ids in order, separated by commas, for messages.
 std::string poseAxisIds();
 
 }   // namespace angiopose::core

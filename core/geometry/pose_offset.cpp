@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Camera-frame signs of "right" and "down" on screen.
+/// Signs of the camera axes x and y in the screen directions right and down.
 struct ScreenSigns {
     double right;
     double down;
@@ -19,9 +19,9 @@ ScreenSigns screenSigns(const ProjectionCamera& camera)
     return {camera.fx < 0.0 ? -1.0 : 1.0, camera.fy < 0.0 ? -1.0 : 1.0};
 }
 
-/// Rotation of the vessels in camera axes. C-arm rotation toward LAO is a positive rotation about +Y, cranial
-/// angulation a negative one about +X (ALGORITHMS §5.3), however the image is displayed; only the roll on screen
-/// depends on the display.
+/// Returns the rotation of the vessels in camera axes. C-arm rotation toward LAO is a positive rotation about +Y and
+/// cranial angulation a negative one about +X (ALGORITHMS §5.3), however the image is displayed. Only the roll on
+/// screen depends on the display.
 Eigen::Matrix3d turn(const PoseOffset& offset, const ScreenSigns& signs)
 {
     const double roll = offset.rollDeg / degreesPerRadian * signs.right * signs.down;

@@ -5,8 +5,8 @@
 
 namespace angiopose::core {
 
-/// A pose change in radiographic terms, relative to a reference pose and about a pivot (the tree's centroid). Shifts
-/// are screen directions at the pivot; angles rotate the vessels about the pivot, in camera axes.
+/// A pose change in radiographic terms, relative to a reference pose and about a pivot (the tree's centroid). The
+/// shifts move the pivot in screen directions; the angles rotate the vessels about the pivot, in camera axes.
 struct PoseOffset {
     double rightMm = 0.0;   ///< to the right on screen
     double upMm = 0.0;   ///< up on screen
@@ -18,11 +18,11 @@ struct PoseOffset {
     bool operator==(const PoseOffset&) const = default;
 };
 
-/// Returns the pose after applying `offset` to `reference`; the pivot (patient frame, mm) moves by the shifts only.
+/// Applies `offset` to `reference` and returns the pose. The pivot (patient frame, mm) moves only by the shifts.
 RigidTransform applyOffset(const RigidTransform& reference, const PoseOffset& offset,
                            const Eigen::Vector3d& pivotInPatient, const ProjectionCamera& camera);
 
-/// Returns the offset from `reference` to `pose`; exact inverse of applyOffset for |laoRao| < 90°.
+/// Returns the offset from `reference` to `pose`; the exact inverse of applyOffset for |laoRao| < 90°.
 PoseOffset offsetBetween(const RigidTransform& reference, const RigidTransform& pose,
                          const Eigen::Vector3d& pivotInPatient, const ProjectionCamera& camera);
 

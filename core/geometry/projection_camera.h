@@ -8,27 +8,27 @@
 
 namespace angiopose::core {
 
-/// Pinhole model of the X-ray source and detector (FORMATS §1): `u = fx X/Z + cx`, `v = fy Y/Z + cy`. Pixels: u to the
-/// right (column), v down (row), (0, 0) is the center of the first pixel. Camera frame: mm, Z > 0 from the source to
-/// the detector. A standard image (seen from the detector) has fx < 0.
+/// Pinhole model of the X-ray source and detector (FORMATS §1): `u = fx X/Z + cx`, `v = fy Y/Z + cy`. Pixel
+/// coordinates: u to the right (column), v down (row); (0, 0) is the center of the first pixel. Camera frame: mm, Z > 0
+/// from the source to the detector. A standard image (seen from the detector) has fx < 0.
 struct ProjectionCamera {
-    double fx = 0.0;   ///< px; the sign encodes the mirroring of the display
-    double fy = 0.0;   ///< px
-    double cx = 0.0;   ///< px
-    double cy = 0.0;   ///< px
+    double fx = 0.0;   ///< focal length, px; negative unless the display is mirrored
+    double fy = 0.0;   ///< focal length, px
+    double cx = 0.0;   ///< principal point, px
+    double cy = 0.0;   ///< principal point, px
     int width = 0;   ///< columns of the image
     int height = 0;   ///< rows of the image
 
     bool operator==(const ProjectionCamera&) const = default;
 };
 
-/// Minimum distance from the source plane, mm; nearer points do not project.
+/// Minimum distance from the source along the camera axis, mm; nearer points do not project.
 inline constexpr double minProjectableDepthMm = 1.0;
 
-/// Returns the pixel of a point in the camera frame (mm); nothing if it lies at or behind the source.
+/// Returns the pixel of a point in the camera frame (mm); nothing if the point lies at or behind the source.
 std::optional<Eigen::Vector2d> project(const ProjectionCamera& camera, const Eigen::Vector3d& pointInCamera);
 
-/// d(u, v) / d(X, Y, Z) in px/mm at a point with Z > 0.
+/// Returns d(u, v) / d(X, Y, Z) in px/mm at a point with Z > 0.
 Eigen::Matrix<double, 2, 3> projectionJacobian(const ProjectionCamera& camera, const Eigen::Vector3d& pointInCamera);
 
 /// Returns the direction (unit vector, camera frame) of the ray through a pixel.
@@ -37,7 +37,7 @@ Eigen::Vector3d rayThroughPixel(const ProjectionCamera& camera, const Eigen::Vec
 /// Returns the size of a pixel at the given depth, in millimeters.
 double millimetersPerPixel(const ProjectionCamera& camera, double depthMm);
 
-/// Reports why this camera is unusable; nothing if it is valid.
+/// Returns the reason why a camera is unusable; nothing if it is valid.
 std::optional<Message> findProblem(const ProjectionCamera& camera);
 
 }   // namespace angiopose::core

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double smallAngle = 1e-5;
 
-/// Left Jacobian of SO(3): translation part of the SE(3) exponential.
+/// Returns the left Jacobian of SO(3), which maps upsilon to the translation of the SE(3) exponential.
 Eigen::Matrix3d leftJacobianSo3(const Eigen::Vector3d& omega)
 {
     const double angle = omega.norm();
@@ -24,7 +24,7 @@ Eigen::Matrix3d leftJacobianSo3(const Eigen::Vector3d& omega)
            ((angle - std::sin(angle)) / (angle2 * angle)) * hat * hat;
 }
 
-/// Coupling block Q of the left Jacobian of SE(3) (Barfoot, State Estimation for Robotics, eq. 7.86).
+/// Returns the coupling block Q of the left Jacobian of SE(3) (Barfoot, State Estimation for Robotics, eq. 7.86).
 Eigen::Matrix3d couplingBlock(const Eigen::Vector3d& omega, const Eigen::Vector3d& upsilon)
 {
     const Eigen::Matrix3d w = skew(omega);
@@ -89,7 +89,7 @@ Eigen::Matrix3d expSo3(const Eigen::Vector3d& omega)
 
 Eigen::Vector3d logSo3(const Eigen::Matrix3d& rotation)
 {
-    Eigen::Quaterniond q(rotation);   // picks the largest component first, so it is stable near 180°
+    Eigen::Quaterniond q(rotation);   // uses the largest component first, which keeps the conversion stable near 180°
     if (q.w() < 0.0) {
         q.coeffs() = -q.coeffs();
     }

@@ -8,8 +8,8 @@ namespace angiopose::core {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-/// Rigid transform in mm. Variables are named after the frames they connect: `cameraFromPatient * pointInPatient =
-/// pointInCamera`.
+/// Rigid transform, lengths in mm. Variables are named after the frames they connect: `cameraFromPatient *
+/// pointInPatient = pointInCamera`.
 struct RigidTransform {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
     Eigen::Vector3d translation = Eigen::Vector3d::Zero();
@@ -24,28 +24,28 @@ struct RigidTransform {
     Eigen::Matrix4d matrix() const;
 };
 
-/// 3×3 matrix with `skew(a) * b == a × b`.
+/// Returns the 3×3 matrix with `skew(a) * b == a × b`.
 Eigen::Matrix3d skew(const Eigen::Vector3d& vector);
 
-/// Rotation by |omega| rad about omega; exact for any angle, series near zero.
+/// Returns the rotation by |omega| rad about omega; exact for any angle, with a series near zero.
 Eigen::Matrix3d expSo3(const Eigen::Vector3d& omega);
 
-/// Rotation vector with |omega| ≤ π; inverse of expSo3, stable up to and including π.
+/// Returns the rotation vector with |omega| ≤ π; inverse of expSo3, stable up to and including π.
 Eigen::Vector3d logSo3(const Eigen::Matrix3d& rotation);
 
-/// Inverse left Jacobian of SO(3): `log(exp(x) R) ≈ log(R) + Jl^-1(log R) x`.
+/// Returns the inverse left Jacobian of SO(3): `log(exp(x) R) ≈ log(R) + Jl^-1(log R) x`.
 Eigen::Matrix3d inverseLeftJacobianSo3(const Eigen::Vector3d& omega);
 
-/// Exact exponential of a twist (omega rad, upsilon mm).
+/// Returns the exact exponential of a twist (omega in rad, upsilon in mm).
 RigidTransform expSe3(const Vector6d& twist);
 
-/// Exact logarithm, twist (omega rad, upsilon mm).
+/// Returns the exact logarithm, a twist (omega in rad, upsilon in mm).
 Vector6d logSe3(const RigidTransform& transform);
 
-/// Adjoint for twists ordered (omega, upsilon): `T exp(x) T^-1 = exp(Ad(T) x)`.
+/// Returns the adjoint for twists ordered (omega, upsilon): `T exp(x) T^-1 = exp(Ad(T) x)`.
 Matrix6d adjoint(const RigidTransform& transform);
 
-/// Inverse right Jacobian of SE(3): `log(T exp(x)) ≈ log(T) + Jr^-1(log T) x`.
+/// Returns the inverse right Jacobian of SE(3): `log(T exp(x)) ≈ log(T) + Jr^-1(log T) x`.
 Matrix6d inverseRightJacobianSe3(const Vector6d& twist);
 
 /// Returns the rotation nearest to `matrix` (Frobenius norm), with determinant +1.

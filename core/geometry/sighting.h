@@ -7,10 +7,10 @@ namespace angiopose::core {
 
 /// Image position of a target point of the vessels in one frame.
 struct Sighting {
-    int markId = 0;   ///< see VesselMark
+    int markId = 0;   ///< id of the target point, see VesselMark
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
     int frame = 0;
-    std::string extraKeys{};   ///< JSON object with the keys of the case file that this version does not recognize
+    std::string extraKeys{};   ///< JSON object with the case-file keys that this version does not recognize
 
     bool operator==(const Sighting&) const = default;
 };

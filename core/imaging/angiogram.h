@@ -13,7 +13,7 @@ namespace angiopose::core {
 
 enum class Polarity { VesselsDark, VesselsBright };
 
-/// Patient and study data from the header; every field may be empty. Never logged.
+/// Patient and study data from the header; every field may be empty. Never written to logs.
 struct StudyIdentity {
     std::string patientName;
     std::string patientId;

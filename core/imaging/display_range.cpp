@@ -10,7 +10,7 @@ namespace {
 constexpr double borderShare = 0.02;   // share of pixels above which an extreme value counts as border or shutter
 constexpr double backgroundRoom = 0.75;   // contrast range beyond the background, relative to the vessels' contrast
 
-/// Returns finite pixels, at most about 60 000, evenly sampled.
+/// Returns at most about 60 000 finite pixels, evenly sampled.
 std::vector<float> sampleOf(const ImageF& frame)
 {
     const std::size_t step = std::max<std::size_t>(1, frame.pixels.size() / 60000);
@@ -24,7 +24,7 @@ std::vector<float> sampleOf(const ImageF& frame)
     return sample;
 }
 
-/// Removes a large border with one extreme value.
+/// Removes the pixels of a large uniform border or shutter from the sample.
 void keepExposedField(std::vector<float>& sample)
 {
     const auto range = std::ranges::minmax(sample);
@@ -33,7 +33,7 @@ void keepExposedField(std::vector<float>& sample)
     const auto count = static_cast<double>(sample.size());
     const auto atLowest = static_cast<double>(std::ranges::count(sample, lowest));
     const auto atHighest = lowest < highest ? static_cast<double>(std::ranges::count(sample, highest)) : 0.0;
-    // Otherwise the extreme value is image content.
+    // If little else remains, the extreme value is image content, not a border.
     const bool leavesEnough = count - atLowest - atHighest > 10.0 * borderShare * count;
     const bool dropsLowest = leavesEnough && atLowest > borderShare * count;
     const bool dropsHighest = leavesEnough && atHighest > borderShare * count;
@@ -41,8 +41,8 @@ void keepExposedField(std::vector<float>& sample)
                   [&](float value) { return (dropsLowest && value == lowest) || (dropsHighest && value == highest); });
 }
 
-/// Returns the quantile of the sample. Reorders the sample without sorting it, because this runs for every frame of a
-/// cine.
+/// Returns the quantile of the sample. Reorders the sample without fully sorting it, because this runs for every frame
+/// of a cine.
 double quantile(std::vector<float>& sample, double fraction)
 {
     const auto last = static_cast<double>(sample.size() - 1);

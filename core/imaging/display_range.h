@@ -14,13 +14,13 @@ struct DisplayRange {
     double level() const { return 0.5 * (low + high); }
 };
 
-/// Returns a display range suited to the vessels: from the 0.5th to the 99.5th percentile of the pixels inside the
-/// exposed field (excluding a large border with one extreme value), widened to keep the background a medium gray. Never
-/// empty: high > low.
+/// Returns a display range suited to the vessels: the 0.5th to the 99.5th percentile of the pixels inside the exposed
+/// field (without a large border of one extreme value), widened to display the background as medium gray. Never empty:
+/// high > low.
 DisplayRange displayRange(const ImageF& frame);
 
-/// Returns a display range for the vessels only: from their extreme value to the background (the median inside the
-/// exposed field), which is white behind dark vessels and black behind bright ones. Never empty.
+/// Returns a display range for the vessels only: from their extreme value to the background, which is the median inside
+/// the exposed field. The background is white behind dark vessels and black behind bright ones. Never empty.
 DisplayRange vesselRange(const ImageF& frame, Polarity polarity);
 
 }   // namespace angiopose::core

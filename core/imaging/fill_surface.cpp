@@ -17,7 +17,7 @@ constexpr int marginVoxels = 3;
 constexpr int rowsUnheard = 1000;   ///< rows of one triangle between checks for cancellation
 constexpr std::size_t trianglesUnheard = 0xFFF;   ///< bit mask: triangles between checks for cancellation, minus one
 
-/// Offset of the rays from the voxel centers, in voxels, so that they miss vertices and edges of the mesh.
+/// Offset of the rays from the voxel centers, in voxels; makes the rays miss vertices and edges of the mesh.
 constexpr double sideStepB = 1.237e-5;
 constexpr double sideStepC = 2.713e-5;
 
@@ -37,7 +37,7 @@ Box boxOf(const SurfaceMesh& mesh)
     return box;
 }
 
-/// Intersection of a ray with the mesh: position, and whether the ray enters (+1) or leaves (-1).
+/// Intersection of a ray with the mesh: position along the ray, and whether the ray enters (+1) or leaves (-1).
 struct Crossing {
     double at;
     int turn;
@@ -54,7 +54,7 @@ public:
         rows_.resize(static_cast<std::size_t>(size_[b_]) * static_cast<std::size_t>(size_[c_]));
     }
 
-    /// Adds the ray intersections of a triangle; can be canceled within a large triangle.
+    /// Adds the ray intersections of a triangle; can be canceled while processing a large triangle.
     void add(const std::array<Eigen::Vector3d, 3>& corners, const std::function<bool()>& shouldContinue)
     {
         const Eigen::Vector3d low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);

@@ -8,14 +8,14 @@
 
 namespace angiopose::core {
 
-/// Returns a voxel size that resolves the mesh with at most about fifty million voxels, about five million of them
-/// inside; at least 0.1 mm.
+/// Returns a voxel size of at least 0.1 mm for which the mesh's box has at most about fifty million voxels, about five
+/// million of them inside the mesh.
 double usualSpacingMm(const SurfaceMesh& mesh);
 
 /// Returns the voxels whose centers lie inside the mesh, on a grid along the patient's axes with a margin. A closed,
-/// oriented mesh is filled by winding number, so parts may overlap. Open or tangled meshes are decided by a majority of
-/// the three axes, which closes the open ends of tubes. Fails on a mesh without extent, on too fine a spacing, and as
-/// canceled when `shouldContinue`, which is called regularly, returns false.
+/// oriented mesh is filled by winding number, so its parts may overlap. For open or inconsistently oriented meshes, a
+/// majority vote of the three axes decides, which closes the open ends of tubes. Fails for a mesh without extent or too
+/// fine a spacing; canceled when `shouldContinue`, which is called regularly, returns false.
 Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm,
                               const std::function<bool()>& shouldContinue = {});
 

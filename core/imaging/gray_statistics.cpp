@@ -11,10 +11,10 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t worthCounting = 4096;   // below this count, plain selection is as fast
-constexpr int levelBits = 12;   // sign, exponent and three mantissa bits: an eighth of an octave
+constexpr std::size_t worthCounting = 4096;   // number of values below which plain selection is as fast
+constexpr int levelBits = 12;   // sign, exponent and three mantissa bits; a level spans an eighth of a factor of two
 
-/// Returns the highest bits of a value, in an order that increases with the value.
+/// Returns the highest bits of a value, reordered to increase with the value.
 std::size_t levelOf(float value)
 {
     const auto bits = std::bit_cast<std::uint32_t>(value);
@@ -36,7 +36,7 @@ std::vector<std::size_t> countedByLevel(const std::vector<float>& values)
     return counts;
 }
 
-/// Returns the value of a rank, selected among the values of its level.
+/// Returns the value with this rank by selecting among the values of one level.
 float atRank(const std::vector<float>& values, const std::vector<std::size_t>& counts, std::size_t rank)
 {
     std::size_t level = 0;
@@ -55,7 +55,7 @@ float atRank(const std::vector<float>& values, const std::vector<std::size_t>& c
 std::vector<float> selectedAt(std::vector<float> values, const std::vector<double>& shares)
 {
     std::vector<float> found;
-    auto rest = values.begin();   // all values before it are smaller
+    auto rest = values.begin();   // no value before this position is greater than one after it
     for (const double share : shares) {
         const auto place = values.begin() + static_cast<std::ptrdiff_t>(rankOf(share, values.size()));
         std::nth_element(rest, place, values.end());
@@ -93,7 +93,7 @@ float otsuThreshold(const std::vector<float>& values)
             continue;
         }
         const double gap = momentBelow / below - (moment - momentBelow) / (total - below);
-        const double between = below * (total - below) * gap * gap;   // between-class variance, up to a constant
+        const double between = below * (total - below) * gap * gap;   // between-class variance up to a constant factor
         if (between > widestGap) {
             widestGap = between;
             best = bin + 1;

@@ -11,7 +11,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Returns half of a symmetric kernel: weights at distance 0, 1, 2, …; the full kernel sums to one.
+/// Returns half of a symmetric kernel: the weights at distance 0, 1, 2, …. The full kernel sums to one.
 std::vector<float> gaussianHalfKernel(double sigmaPx)
 {
     const int reach = static_cast<int>(std::ceil(3.0 * sigmaPx));
@@ -78,7 +78,7 @@ void blurColumns(const ImageF& source, int y, float* target, const std::vector<f
     }
 }
 
-/// Calls `work` for all rows, in strips distributed over the threads.
+/// Calls `work` for all rows, in bands distributed over the threads.
 template <class Work>
 void eachStrip(int rowCount, int threads, const Work& work)
 {

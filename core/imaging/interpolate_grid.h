@@ -7,8 +7,8 @@
 namespace angiopose::core {
 
 /// Interpolates linearly between the eight voxels around a point; the outermost voxels are replicated beyond the grid.
-/// `pointMm` is in mm along the axes of the grid from its first voxel; `valueAt(Eigen::Vector3i)` returns a voxel's
-/// value.
+/// `pointMm` is the position along the grid axes in mm, from the first voxel; `valueAt(Eigen::Vector3i)` returns a
+/// voxel's value.
 template <class ValueAt>
 double interpolated(const VolumeGeometry& grid, const Eigen::Vector3d& pointMm, const ValueAt& valueAt)
 {

@@ -29,7 +29,7 @@ void forEachLabelled(const LabelVolume& image, const std::vector<std::size_t>& p
 
 LabelRows labelRows(const LabelVolume& image, const std::vector<int>& labels)
 {
-    std::vector<std::size_t> placeOf(labelCount, 0);   // 0: not listed
+    std::vector<std::size_t> placeOf(labelCount, 0);   // 1 + index in the list; 0 if not listed
     for (std::size_t place = 0; place < labels.size(); ++place) {
         placeOf[static_cast<std::size_t>(labels[place])] = place + 1;
     }

@@ -6,14 +6,14 @@
 
 namespace angiopose::core {
 
-/// A label image for display, at half the memory.
+/// A label image for display that needs half the memory (8 bit).
 struct LabelRows {
     VoxelMask rows;   ///< 1 + index of the voxel's label in the list; all from the 255th label on share 255
     std::vector<Eigen::Vector3d> middlesInPatient;   ///< per label: the voxel nearest to the mean of its voxels
 };
 
-/// Numbers the labels of an image by their index in `labels`, which holds every label once; other labels become
-/// background.
+/// Replaces the labels of an image with their position in `labels`, which contains every label once; other labels
+/// become background.
 LabelRows labelRows(const LabelVolume& image, const std::vector<int>& labels);
 
 }   // namespace angiopose::core

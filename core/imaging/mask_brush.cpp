@@ -82,7 +82,7 @@ std::optional<std::pair<double, double>> crossings(const Eigen::Vector3d& start,
     return rest < 0.0 ? std::nullopt : std::optional(std::pair(middle - std::sqrt(rest), middle + std::sqrt(rest)));
 }
 
-/// The part of a voxel row, `start + i * along`, inside a brush step: from first to last, empty if first > last.
+/// The part of a voxel row `start + i * along` inside a brush step, from i = first to last; empty if first > last.
 struct RowRange {
     double first = std::numeric_limits<double>::infinity();
     double last = -first;
@@ -94,8 +94,8 @@ struct RowRange {
     }
 };
 
-/// The step is a capsule and therefore convex: the row enters and leaves it at one of its balls or at the tube between
-/// them.
+/// Returns the part of the row inside the step. The step is a capsule and therefore convex: the row enters and leaves
+/// it at one of the end balls or at the tube between them.
 RowRange rangeInCapsule(const BrushStep& step, double radiusMm, const Eigen::Vector3d& start,
                         const Eigen::Vector3d& along)
 {
@@ -123,7 +123,7 @@ RowRange rangeInCapsule(const BrushStep& step, double radiusMm, const Eigen::Vec
     return range;
 }
 
-/// Collects the voxels between the pixels of a slice that is coarser than the mask.
+/// Collects the voxels that lie between the pixels of a slice that is coarser than the mask.
 void takeBetween(const VoxelMask& mask, const SliceGrid& slice, const MaskBrush& brush, const BrushStep& step,
                  Collector& collector)
 {
@@ -170,7 +170,7 @@ VoxelPlaces brushedInSlice(const VoxelMask& mask, const SliceGrid& slice, const 
 
 VoxelPlaces brushedInSpace(const VoxelMask& mask, const MaskBrush& brush, const BrushStep& step)
 {
-    constexpr double hair = 1e-9;   // tolerance that includes voxels on the boundary
+    constexpr double hair = 1e-9;   // tolerance, in voxels, that includes voxels on the boundary
     const Eigen::Affine3d patientFromVoxel = mask.geometry.patientFromVoxel();
     const Eigen::Vector3d along = patientFromVoxel.linear().col(0);
     const VoxelBox box = boxAround(step, brush.radiusMm, mask.geometry);

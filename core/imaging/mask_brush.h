@@ -10,7 +10,7 @@ enum class MaskAim { Paint, Erase };
 struct MaskBrush {
     MaskAim aim = MaskAim::Paint;
     double radiusMm = 2.0;
-    const Volume* scan = nullptr;   ///< changes only voxels of at least `minValue` in this scan; null: all
+    const Volume* scan = nullptr;   ///< if set, the brush changes only voxels with at least `minValue` in this scan
     double minValue = 0.0;
 };
 
@@ -20,8 +20,8 @@ struct BrushStep {
     Eigen::Vector3d toInPatient;
 };
 
-/// Return the voxels that the brush would change. In a slice: voxels that the slice cuts, and voxels that it displays
-/// if the mask is coarser than the slice. In space: all voxels within the radius.
+/// Returns the voxels that the brush would change. In a slice, these are the voxels cut by the slice and, if the mask
+/// is coarser than the slice, the voxels displayed in it; in space, all voxels within the radius.
 VoxelPlaces brushedInSlice(const VoxelMask& mask, const SliceGrid& slice, const MaskBrush& brush,
                            const BrushStep& step);
 VoxelPlaces brushedInSpace(const VoxelMask& mask, const MaskBrush& brush, const BrushStep& step);

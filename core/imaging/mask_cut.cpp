@@ -6,7 +6,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Returns the pixels of a slice inside an outline, by the even-odd rule at their centers.
+/// Returns for every pixel of a slice whether its center lies inside an outline, by the even-odd rule.
 std::vector<std::uint8_t> filled(const SliceGrid& slice, const std::vector<Eigen::Vector2d>& outline)
 {
     std::vector<std::uint8_t> inside(static_cast<std::size_t>(slice.width) * static_cast<std::size_t>(slice.height));
@@ -33,7 +33,7 @@ std::vector<std::uint8_t> filled(const SliceGrid& slice, const std::vector<Eigen
     return inside;
 }
 
-/// Classifies pixels of the slice as inside or outside the outline; pixels beyond the slice are outside.
+/// Classifies pixels of the slice as inside or outside the outline; pixels beyond the slice count as outside.
 class Sides {
 public:
     Sides(const MaskCut& cut) : slice_(cut.slice), inside_(filled(cut.slice, cut.outline)) {}
@@ -50,7 +50,7 @@ private:
     std::vector<std::uint8_t> inside_;
 };
 
-/// Voxels that the slice displays as its pixels.
+/// Returns the voxels to remove that are displayed in a pixel of the slice.
 VoxelPlaces cutInPixels(const VoxelMask& mask, const MaskCut& cut, const Sides& sides)
 {
     const Eigen::Affine3d voxelFromPatient = mask.geometry.patientFromVoxel().inverse();
@@ -88,8 +88,8 @@ VoxelPlaces cutInDepth(const VoxelMask& mask, const MaskCut& cut, const Sides& s
     return found;
 }
 
-/// Combines both searches: a mask finer than the slice has voxels between its pixels, a coarser one has displayed
-/// voxels beside the slice.
+/// Combines both searches: a mask finer than the slice has voxels between the pixels, and a coarser mask has displayed
+/// voxels whose centers lie outside the slice.
 VoxelPlaces cutInSlice(const VoxelMask& mask, const MaskCut& cut, const Sides& sides)
 {
     VoxelPlaces found = cutInPixels(mask, cut, sides);

@@ -53,7 +53,7 @@ TouchedBox boxOf(const VolumeGeometry& geometry, const MaskChange& change)
         const Eigen::Vector3i last = geometry.voxelAt(run.first + run.count - 1);
         low = low.cwiseMin(first).cwiseMin(last);
         high = high.cwiseMax(first).cwiseMax(last);
-        if (first.y() != last.y() || first.z() != last.z()) {   // wraps around the end of a row
+        if (first.y() != last.y() || first.z() != last.z()) {   // the run continues in the next row
             low.x() = 0;
             high.x() = geometry.size.x() - 1;
         }

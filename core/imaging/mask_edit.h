@@ -18,8 +18,8 @@ inline std::uint32_t placeOf(const VolumeGeometry& geometry, const Eigen::Vector
     return static_cast<std::uint32_t>(geometry.index(voxel.x(), voxel.y(), voxel.z()));
 }
 
-/// A set of flipped voxels, run-length encoded in storage order: small, however large the volume. Applying the same
-/// change again undoes it.
+/// A set of flipped voxels, run-length encoded in storage order, which is small even for large volumes. Applying the
+/// same change again undoes it.
 struct MaskChange {
     struct Run {
         std::uint32_t first = 0;
@@ -42,7 +42,7 @@ struct TouchedBox {
 /// Returns the bounding box of all voxels of a change, which must not be empty.
 TouchedBox boxOf(const VolumeGeometry& geometry, const MaskChange& change);
 
-/// Returns half the slice thickness: voxels within it belong to this slice, others to the neighboring slice.
+/// Returns half the slice thickness: voxels within this distance belong to the slice, others to a neighboring slice.
 inline double halfOf(const SliceGrid& slice)
 {
     return 0.499 * slice.thicknessMm;

@@ -50,8 +50,8 @@ struct Region {
     bool isHole = true;
 };
 
-/// Grows the background region around `seed`; it is not a hole if it exceeds the area or reaches the image edge or
-/// `open`.
+/// Grows the background region around `seed`. The region is not a hole if it exceeds `maxArea` or reaches the image
+/// edge or `open`.
 Region smallRegion(const Mask2d& mask, const Mask2d& open, std::size_t seed, std::size_t maxArea)
 {
     const auto width = static_cast<std::size_t>(mask.width);
@@ -118,7 +118,7 @@ Mask2d connectedToEdge(const Mask2d& mask)
 
 Mask2d withHolesFilled(Mask2d mask, int maxAreaPx)
 {
-    Mask2d open(mask.width, mask.height);   // background known to be too large for a hole
+    Mask2d open(mask.width, mask.height);   // background regions known to be too large for a hole
     for (std::size_t p = 1; p < mask.pixels.size(); ++p) {
         const bool besideMask = mask.pixels[p] == 0 && mask.pixels[p - 1] != 0;   // every hole contains such a pixel
         if (!besideMask || open.pixels[p] != 0) {

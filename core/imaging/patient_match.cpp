@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Returns letters and digits in lower case: "DOE^JOHN " and "Doe^John" are the same name.
+/// Returns only the letters and digits, in lower case; "DOE^JOHN " and "Doe^John" then compare equal.
 std::string bare(const std::string& text)
 {
     std::string result;

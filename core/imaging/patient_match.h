@@ -10,20 +10,20 @@ namespace angiopose::core {
 /// Types of the two compared images.
 enum class Compared { ScanAndRun, TwoRuns };
 
-/// Reports a contradiction between the patients of two images without naming anyone: different number, name, birth date
-/// or sex, if both give one.
+/// Reports contradictory patient data of two images without any identity: different patient ID, name, birth date or
+/// sex, if both images contain the value.
 std::optional<Message> findPatientMismatch(const StudyIdentity& one, const StudyIdentity& other,
                                            Compared compared = Compared::ScanAndRun);
 
-/// Same for the side of a paired body part, left or right.
+/// Does the same for the laterality of a paired body part.
 std::optional<Message> findSideMismatch(const StudyIdentity& one, const StudyIdentity& other,
                                         Compared compared = Compared::ScanAndRun);
 
-/// Same for two runs used as simultaneous views: they must come from one examination if both give an accession number.
-/// A scan has its own.
+/// Does the same for two runs used as simultaneous views: their accession numbers must be equal if both have one. A
+/// scan has its own accession number and is not compared.
 std::optional<Message> findExaminationMismatch(const StudyIdentity& one, const StudyIdentity& other);
 
-/// Returns all of these mismatches.
+/// Returns all mismatches of these kinds.
 Messages findMismatch(const StudyIdentity& one, const StudyIdentity& other, Compared compared = Compared::ScanAndRun);
 
 }   // namespace angiopose::core

@@ -34,7 +34,7 @@ VolumeGeometry blockGeometry(const VolumeGeometry& geometry, const VoxelRange& r
     return blocks;
 }
 
-/// Fills one slice of blocks; blocks at the border hold fewer voxels.
+/// Computes the means of one slice of blocks; blocks at the far border contain fewer voxels.
 void fillSlice(const Volume& volume, const VoxelRange& range, const Eigen::Vector3i& block, int k, Volume& means)
 {
     const Eigen::Vector3i& count = means.geometry.size;

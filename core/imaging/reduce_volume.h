@@ -8,13 +8,13 @@
 
 namespace angiopose::core {
 
-/// Voxels from `low` up to, but excluding, `high`.
+/// Box of voxel indices from `low` up to, but excluding, `high`.
 struct VoxelRange {
     Eigen::Vector3i low = Eigen::Vector3i::Zero();
     Eigen::Vector3i high = Eigen::Vector3i::Zero();
 };
 
-/// Returns the voxels inside a box in patient coordinates; all if `box` is not given, empty if it lies outside the
+/// Returns the voxels inside a box in patient coordinates: all if no box is given, none if the box lies outside the
 /// volume.
 VoxelRange voxelsIn(const VolumeGeometry& geometry, const std::optional<Eigen::AlignedBox3d>& boxInPatient);
 
@@ -23,7 +23,7 @@ VoxelRange voxelsIn(const VolumeGeometry& geometry, const std::optional<Eigen::A
 std::optional<Volume> reduced(const Volume& volume, const VoxelRange& range, std::size_t maxVoxels,
                               const std::function<bool()>& shouldContinue);
 
-/// Same for blocks of the given size; blocks at the far border hold fewer voxels.
+/// Does the same for blocks of the given size; blocks at the far border contain fewer voxels.
 std::optional<Volume> meansOfBlocks(const Volume& volume, const VoxelRange& range, const Eigen::Vector3i& block,
                                     const std::function<bool()>& shouldContinue);
 

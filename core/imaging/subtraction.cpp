@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::size_t subtractionSamples = 100000;
 constexpr double slowShareOfSide = 0.03;   // σ of slow differences between images (exposure), as a share of the side
-constexpr int smallestSubtractedSide = 48;   // side of the coarsest image in the pyramid
+constexpr int smallestSubtractedSide = 48;   // minimum image side in the resolution pyramid, px
 constexpr int roundsPerLevel = 20;
 constexpr double settledShiftPx = 1e-3;
 constexpr double normalPerMedian = 1.4826;
 constexpr double farthestShare = 0.1;
 
-/// Returns values in which contrast agent is additive.
+/// Returns the image in logarithmic values, in which contrast agent is additive.
 ImageF logarithmic(const ImageF& image, PixelRelation relation)
 {
     if (relation == PixelRelation::Logarithmic) {
@@ -41,7 +41,7 @@ ImageF withoutSlowChanges(ImageF image)
     return blurred(image, 1.0);
 }
 
-/// Contribution of one pixel: the residual, and the slope of the mask at its source position.
+/// One pixel of the least-squares problem: its residual and the mask gradient at its source position.
 struct Sample {
     float residual;
     float slopeX;
@@ -75,7 +75,7 @@ double robustScale(const std::vector<Sample>& samples)
     return normalPerMedian * ranked(evenSample(sizes, subtractionSamples), 0.5);
 }
 
-/// Gauss–Newton step of the shift; zero if the slopes have only one direction, or are all zero.
+/// Returns the Gauss–Newton step of the shift; zero if the gradients are all zero or all have the same direction.
 Eigen::Vector2d shiftStep(const std::vector<Sample>& samples)
 {
     const double scale = std::max(robustScale(samples), 1e-9);

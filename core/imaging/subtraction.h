@@ -19,12 +19,12 @@ ImageF meanFrame(const std::vector<ImageF>& frames, const std::vector<int>& indi
 /// only one image shows (Lucas & Kanade 1981, Welsch weights). Zero if the images do not determine it.
 Eigen::Vector2d maskShift(const ImageF& mask, const ImageF& frame, PixelRelation relation);
 
-/// Subtracts `mask`, shifted by `shiftPx`, from `frame`: logarithmic subtraction (DICOM PS3.3 C.7.6.10). The background
-/// takes the frame's medium gray; vessels keep their sign.
+/// Subtracts `mask`, shifted by `shiftPx`, from `frame` logarithmically (DICOM PS3.3 C.7.6.10). The background gets the
+/// medium gray of the frame; dark vessels stay dark and bright vessels bright.
 ImageF subtracted(const ImageF& frame, const ImageF& mask, const Eigen::Vector2d& shiftPx, PixelRelation relation);
 
-/// Returns the peak-opacification image of a run: the darkest value of each pixel (the brightest for bright vessels).
-/// Frames that differ in size from the first are left out; empty without frames.
+/// Returns the peak-opacification image of a run: the darkest value of each pixel, or the brightest for bright vessels.
+/// Frames that differ in size from the first are left out; the result is empty without frames.
 ImageF opacifiedComposite(const std::vector<ImageF>& frames, Polarity polarity);
 
 }   // namespace angiopose::core

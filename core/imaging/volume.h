@@ -30,7 +30,7 @@ struct VolumeGeometry {
                    static_cast<std::size_t>(size.x()) +
                static_cast<std::size_t>(i);
     }
-    /// Returns the voxel with this linear index.
+    /// Returns the voxel indices (i, j, k) for this linear index.
     Eigen::Vector3i voxelAt(std::size_t index) const
     {
         const auto columns = static_cast<std::size_t>(size.x());
@@ -47,7 +47,7 @@ struct VolumeGeometry {
     }
 };
 
-/// Voxels of one type; i varies fastest, then j, then k.
+/// Voxels of one type in storage order: i varies fastest, then j, then k.
 template <class T>
 struct VoxelGrid {
     VolumeGeometry geometry;
@@ -69,7 +69,7 @@ struct Volume : VoxelGrid<std::int16_t> {
     double slope = 1.0;
     double intercept = 0.0;
 
-    /// Hounsfield units for CT.
+    /// Returns the value of a voxel; in Hounsfield units for CT.
     double value(std::size_t voxel) const { return slope * voxels[voxel] + intercept; }
 };
 

@@ -12,12 +12,12 @@ namespace {
 constexpr int largestSidePx = 4096;
 constexpr double voxelTolerance = 0.2;   // distance from voxel centers at which rounding stays in the voxel
 
-/// Extent of the voxel centers along the patient's axes, and the finest useful steps.
+/// Extent of the voxel centers along the patient's axes, and the finest useful spacing of slices.
 struct PatientBox {
     Eigen::Vector3d lowMm;
     Eigen::Vector3d highMm;
     Eigen::Vector3d stepMm;
-    bool isAligned = false;   ///< whether the volume's axes are the patient's, in any order
+    bool isAligned = false;   ///< whether the volume's axes are parallel to the patient's axes, in any order
 };
 
 PatientBox boxOf(const VolumeGeometry& geometry)
@@ -59,7 +59,7 @@ int nearestStep(const PatientBox& box, Eigen::Index axis, double positionMm)
     return static_cast<int>(std::clamp(steps, 0.0, static_cast<double>(stepsAlong(box, axis))));
 }
 
-/// A slice in continuous voxel indices.
+/// A pixel grid expressed in continuous voxel indices.
 struct VoxelWalk {
     Eigen::Vector3d first;
     Eigen::Vector3d columnStep;
@@ -80,7 +80,7 @@ bool isWhole(const Eigen::Vector3d& value, double tolerance)
     return (value - value.array().round().matrix()).cwiseAbs().maxCoeff() < tolerance;
 }
 
-/// Whether every pixel lies on the center of its own voxel.
+/// Whether every pixel coincides with the center of a voxel of its own.
 bool meetsVoxels(const VoxelWalk& walk, const SliceGrid& grid)
 {
     return isWhole(walk.at(0, 0), voxelTolerance) && isWhole(walk.at(grid.width - 1, 0), voxelTolerance) &&
@@ -93,8 +93,8 @@ Eigen::Vector3i rounded(const Eigen::Vector3d& voxel)
     return voxel.array().round().cast<int>();
 }
 
-/// Calls `work(row)` for every row, with bands of rows in parallel: a slice across the storage order is limited by
-/// memory latency.
+/// Calls `work(row)` for every row, with bands of rows in parallel: memory latency limits the speed of slices across
+/// the storage order.
 template <class Work>
 void forBands(int rows, const Work& work)
 {
@@ -125,7 +125,7 @@ void forNearest(const VolumeGeometry& geometry, const VoxelWalk& walk, const Sli
     }
 }
 
-/// Same for a grid on the voxel centers, where the index step from pixel to pixel is constant.
+/// Does the same for a grid on voxel centers, where the index step from pixel to pixel is constant.
 template <class Take>
 void forEven(const VolumeGeometry& geometry, const VoxelWalk& walk, const SliceGrid& grid, const Take& take)
 {
@@ -156,7 +156,7 @@ bool isEven(const VolumeGeometry& geometry, const VoxelWalk& walk, const SliceGr
            isInside(grid.width - 1, 0) && isInside(0, grid.height - 1) && isInside(grid.width - 1, grid.height - 1);
 }
 
-/// Interpolates linearly; NaN beyond half a voxel from the outermost centers.
+/// Interpolates linearly; NaN more than half a voxel beyond the outermost voxel centers.
 float interpolated(const Volume& volume, const Eigen::Vector3d& voxel)
 {
     const VolumeGeometry& geometry = volume.geometry;

@@ -17,12 +17,12 @@ inline constexpr std::array bodyPlanes{BodyPlane::Axial, BodyPlane::Coronal, Bod
 struct PlaneAxes {
     Eigen::Vector3d right;
     Eigen::Vector3d down;
-    Eigen::Vector3d normal;   ///< a positive patient axis: left, posterior or head
+    Eigen::Vector3d normal;   ///< a positive patient axis: left, posterior or superior
 };
 PlaneAxes axesOf(BodyPlane plane);
 
-/// Pixel grid of a slice through the patient, LPS mm. Pixel indices are continuous; (0, 0) is the center of the first
-/// pixel.
+/// Pixel grid of a slice through the patient, in LPS, mm. Pixel indices are continuous; (0, 0) is the center of the
+/// first pixel.
 struct SliceGrid {
     int width = 0;
     int height = 0;
@@ -53,20 +53,20 @@ struct SliceGrid {
 /// nearest stored slice, pixel for pixel; an oblique volume is cut along the patient's axes at its finest spacing.
 SliceGrid sliceThrough(const VolumeGeometry& geometry, BodyPlane plane, const Eigen::Vector3d& pointInPatient);
 
-/// Return the number of slices of a plane, and the index of the slice through a point, counted along the normal from 0.
+/// Returns the number of slices of a plane, or the index of the slice through a point, counted from 0 along the normal.
 int sliceCount(const VolumeGeometry& geometry, BodyPlane plane);
 int sliceIndex(const VolumeGeometry& geometry, BodyPlane plane, const Eigen::Vector3d& pointInPatient);
 
 /// Returns the values at the pixels of a slice, linearly interpolated between voxels; NaN outside the volume.
 std::vector<float> sliceValues(const Volume& volume, const SliceGrid& grid);
 
-/// Returns the mask at the pixels of a slice, by nearest voxel; 0 outside.
+/// Returns the mask at the pixels of a slice, by nearest voxel; 0 outside the volume.
 std::vector<std::uint8_t> sliceMask(const VoxelMask& mask, const SliceGrid& grid);
 
-/// Returns the value of the voxel that contains a point; nothing outside.
+/// Returns the value of the voxel that contains a point; nothing outside the volume.
 std::optional<double> valueAt(const Volume& volume, const Eigen::Vector3d& pointInPatient);
 
-/// Returns the nearest point in the box of voxel centers, in patient axes.
+/// Returns the nearest point inside the bounding box of the voxel centers along the patient's axes.
 Eigen::Vector3d clampedTo(const VolumeGeometry& geometry, const Eigen::Vector3d& pointInPatient);
 Eigen::Vector3d centerOf(const VolumeGeometry& geometry);
 

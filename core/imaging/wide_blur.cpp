@@ -17,7 +17,7 @@ ImageF widelyBlurred(const ImageF& image, double sigmaPx)
     if (factor == 1) {
         return blurred(image, sigmaPx);
     }
-    // Block averaging and bilinear enlargement also blur; their variances are subtracted from σ².
+    // Block averaging and bilinear enlargement also blur; their variances are therefore subtracted from σ².
     const double pixel = factor;
     const double sidewaysVariance = (pixel * pixel - 1.0) / 12.0 + pixel * pixel / 6.0;
     const double leftSigmaPx = std::sqrt(sigmaPx * sigmaPx - sidewaysVariance) / pixel;

@@ -4,7 +4,7 @@
 
 namespace angiopose::core {
 
-/// Same as `blurred`, in nearly constant time for any σ: above σ = 8 px it works on a reduced image.
+/// Does the same as `blurred` in nearly constant time for any σ, by working on a reduced image above σ = 8 px.
 ImageF widelyBlurred(const ImageF& image, double sigmaPx);
 
 }   // namespace angiopose::core

@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// Combines each pixel with those `step` to its left and right, clamped to the row. `raise(target, values, count)` sets
-/// every target to the larger of both.
+/// Combines each pixel with the pixels `step` to its left and right; positions beyond the row are clamped.
+/// `raise(target, values, count)` sets each target to the larger of target and value.
 template <class T, class Raise>
 Image2d<T> raisedAlongRows(const Image2d<T>& image, int step, const Raise& raise)
 {
@@ -38,7 +38,7 @@ Image2d<T> raisedAlongColumns(const Image2d<T>& image, int step, const Raise& ra
     return raised;
 }
 
-/// Computes the maximum in the square around each pixel, `radiusPx` to every side, clipped to the image.
+/// Computes the maximum in the square that extends `radiusPx` from each pixel in all directions, clipped to the image.
 template <class T, class Raise>
 Image2d<T> windowMaximum(Image2d<T> image, int radiusPx, const Raise& raise)
 {

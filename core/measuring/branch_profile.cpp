@@ -17,8 +17,8 @@ namespace {
 
 /// Linear model of the diameter along a vessel.
 struct DiameterLine {
-    double startMm = 0.0;   ///< at arc length 0
-    double slope = 0.0;   ///< mm per mm
+    double startMm = 0.0;   ///< diameter at arc length 0
+    double slope = 0.0;   ///< diameter change in mm per mm of arc length
 
     double at(double arcMm) const { return startMm + slope * arcMm; }
 };
@@ -43,9 +43,9 @@ DiameterLine lineThrough(const std::vector<Eigen::Vector2d>& diameters)
     return {mean.y() - slope * mean.x(), slope};
 }
 
-/// Returns the line through the diameters, (arc length, diameter) in mm, of the healthy vessel: fitted to all, then
-/// refitted without diameters too far below or above it, with limits that tighten (to 10 % and 20 %). Nothing for fewer
-/// than 6 diameters, or if fewer than a quarter of them agree.
+/// Fits a line to the diameters, (arc length, diameter) in mm, of the healthy vessel: first to all diameters, then
+/// again without those too far below or above the line, with limits that tighten to 10 % and 20 %. Returns nothing for
+/// fewer than 6 diameters, or if fewer than a quarter of them are within the limits.
 std::optional<DiameterLine> referenceLine(const std::vector<Eigen::Vector2d>& diameters)
 {
     if (diameters.size() < minDiameters) {
@@ -84,7 +84,7 @@ bool hasAllRadii(const VesselBranch& branch)
     return branch.radiusMm.size() == branch.pointsInPatient.size() && std::ranges::all_of(branch.radiusMm, isRadius);
 }
 
-/// Returns the samples within `reachMm` of sample `middle`: first, and one past the last.
+/// Returns the index range of the samples within `reachMm` of sample `middle`: the first, and one past the last.
 std::pair<std::size_t, std::size_t> samplesAround(const std::vector<ProfileSample>& samples, std::size_t middle,
                                                   double reachMm)
 {
@@ -99,7 +99,7 @@ std::pair<std::size_t, std::size_t> samplesAround(const std::vector<ProfileSampl
     return {first, end};
 }
 
-/// Curvature of the parabola fitted to the surrounding samples.
+/// Returns the curvature of a parabola fitted to the surrounding samples.
 double curvatureAt(const std::vector<ProfileSample>& samples, std::size_t middle)
 {
     const auto [first, end] = samplesAround(samples, middle, curvatureReachMm);
@@ -151,7 +151,7 @@ double narrowness(const ProfileSample& sample)
     return sample.diameterMm / sample.referenceMm;
 }
 
-/// Returns the narrowest place among the samples with a reference; at least one must have it.
+/// Returns the stenosis at the narrowest sample relative to its reference; at least one sample must have a reference.
 StenosisMeasure narrowestOf(const std::vector<ProfileSample>& samples)
 {
     std::size_t least = 0;
@@ -175,8 +175,8 @@ StenosisMeasure narrowestOf(const std::vector<ProfileSample>& samples)
             samples[least].referenceMm};
 }
 
-/// Adds references to the samples from `first` up to, but excluding, `end`: each from the samples around it, with as
-/// many near an end as in the middle.
+/// Adds reference diameters to the samples from `first` up to, but excluding, `end`. Each is computed from the
+/// surrounding samples; near an end, the window is shifted inward to contain equally many samples.
 void addReferences(std::vector<ProfileSample>& samples, std::size_t first, std::size_t end)
 {
     const auto reach = static_cast<std::size_t>(referenceReachMm / profileSpacingMm);
@@ -194,8 +194,8 @@ void addReferences(std::vector<ProfileSample>& samples, std::size_t first, std::
     }
 }
 
-/// Lowers the reference where the vessel stays narrow, because it has given off a branch or tapers: if the diameter
-/// does not recover to its reference further on, the reference becomes the diameter to which it recovers.
+/// Lowers the reference where the vessel stays narrow because it tapers or has given off a branch: if the diameter does
+/// not recover to the reference farther along, the reference becomes the diameter to which it recovers.
 void lowerWhereNothingRecovers(std::vector<ProfileSample>& samples)
 {
     const auto reach = static_cast<std::size_t>(recoveryReachMm / profileSpacingMm);
@@ -212,7 +212,7 @@ void lowerWhereNothingRecovers(std::vector<ProfileSample>& samples)
     }
 }
 
-/// Adds the reference and the narrowest place; excludes the ends of the branch over one diameter.
+/// Adds reference diameters and the stenosis; excludes about one diameter at each end of the branch.
 void addStenosis(BranchProfile& profile)
 {
     std::vector<ProfileSample>& samples = profile.samples;

@@ -12,16 +12,16 @@ namespace angiopose::core {
 struct ProfileSample {
     double arcMm = 0.0;   ///< arc length from the branch's first point
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm
-    double diameterMm = 0.0;   ///< twice the tree's radius, median over 2 mm
+    double diameterMm = 0.0;   ///< twice the radius in the tree, as the median over 2 mm
     double referenceMm = 0.0;   ///< diameter expected in a healthy vessel, see profileOf
-    double curvaturePerMm = 0.0;   ///< inverse radius of curvature, over 6 mm
+    double curvaturePerMm = 0.0;   ///< inverse of the radius of curvature, measured over 6 mm
 };
 
-/// The narrowest place of a branch relative to its reference diameter.
+/// The narrowest point of a branch relative to its reference diameter.
 struct StenosisMeasure {
-    double percent = 0.0;   ///< diameter stenosis; 0: not narrower than the reference
+    double percent = 0.0;   ///< diameter stenosis in %; 0 if not narrower than the reference
     double atMm = 0.0;
-    double fromMm = 0.0;   ///< start and end: where the diameter is within a tenth of the reference
+    double fromMm = 0.0;   ///< start and end of the stenosis, where the diameter reaches 90 % of the reference
     double toMm = 0.0;
     double diameterMm = 0.0;
     double referenceMm = 0.0;
@@ -30,15 +30,15 @@ struct StenosisMeasure {
 /// Measurements of one branch.
 struct BranchProfile {
     int branchId = 0;
-    std::vector<ProfileSample> samples;   ///< in order, 0.5 mm apart, including both ends
+    std::vector<ProfileSample> samples;   ///< ordered along the branch, 0.5 mm apart, including both ends
     double lengthMm = 0.0;
     double tortuosity = 1.0;   ///< length over distance between the ends; 1 is straight; NaN for a closed loop
     double greatestCurvaturePerMm = 0.0;   ///< NaN for branches shorter than 2 mm
-    std::optional<double> meanDiameterMm;   ///< mean over the length; nothing without radii
+    std::optional<double> meanDiameterMm;   ///< mean over the branch length; not set without radii
     std::optional<double> minDiameterMm;
     std::optional<double> greatestDiameterMm;
-    std::optional<StenosisMeasure> stenosis;   ///< nothing without a reference
-    Messages doubts;   ///< measurements that failed, and why
+    std::optional<StenosisMeasure> stenosis;   ///< not set without a reference diameter
+    Messages doubts;   ///< measurements that failed, with the reason
 };
 
 /// Measures diameter, curvature, tortuosity and the narrowest place of a branch. The reference at a sample is a line

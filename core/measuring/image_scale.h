@@ -10,14 +10,14 @@ namespace angiopose::core {
 /// Size of an image pixel in the plane of a measurement.
 struct ImageScale {
     MeasurementPlane plane = MeasurementPlane::Pixels;
-    Eigen::Vector2d unitsPerPx = Eigen::Vector2d::Ones();   ///< along u and v: mm, or px in the plane Pixels
+    Eigen::Vector2d unitsPerPx = Eigen::Vector2d::Ones();   ///< along u and v; in mm, or in px if the plane is `Pixels`
     double depthMm = 0.0;   ///< at the vessels: depth of their centroid along the ray to the detector's center
     Origin origin = Origin::Missing;   ///< least certain origin of the values used
 
     bool isInMm() const { return plane != MeasurementPlane::Pixels; }
 };
 
-/// A view with the displayed vessels: at its own pose, or at a temporarily displayed pose.
+/// A view with the displayed vessels, at the view's own pose or at a temporarily displayed pose.
 struct MeasuredView {
     MeasuredView(const View& view, const VesselTree* tree)   ///< `tree` may be null
         : view(view), tree(tree), cameraFromPatient(view.cameraFromPatient)
@@ -27,7 +27,7 @@ struct MeasuredView {
         : view(view), tree(tree), cameraFromPatient(cameraFromPatient)
     {
     }
-    /// Returns the result that found the pose; null if there is none.
+    /// Returns the registration result that belongs to the pose; null if there is none.
     const RegistrationResult* result() const;
 
     const View& view;
@@ -39,8 +39,8 @@ struct MeasuredView {
 /// as entered for the image, or none. Fails naming the missing value and how to supply it.
 Result<ImageScale> imageScaleOf(const MeasuredView& seen, MeasurementPlane plane);
 
-/// Returns the first plane for which the view has a scale: at the vessels, as entered, at the detector, otherwise
-/// pixels.
+/// Returns the preferred plane for which the view has a scale: the vessels, then the entered pixel size, then the
+/// detector, otherwise pixels.
 MeasurementPlane bestPlaneOf(const MeasuredView& seen);
 
 }   // namespace angiopose::core

@@ -76,7 +76,7 @@ Message basisSentence(const MeasuredImage& measured, MeasurementKind kind)
     return messages::measureBasisPixels();
 }
 
-/// Adds notes on the uncertainty of the depth used for a length at the vessels.
+/// Adds notes on the uncertainty of the vessel depth from which the length was computed.
 void addDepthDoubt(Messages& basis, const ImageScale& scale, const RegistrationResult* result)
 {
     if (!result) {
@@ -177,7 +177,7 @@ Result<Quantity> valueOf(const SliceMeasurement& measurement)
     ImageMeasurement inPlane;
     inPlane.kind = measurement.kind;
     for (const Eigen::Vector3d& point : measurement.pointsInPatient) {
-        inPlane.pixels.emplace_back(point.dot(axes.right), point.dot(axes.down));   // one pixel is one millimeter
+        inPlane.pixels.emplace_back(point.dot(axes.right), point.dot(axes.down));   // pixel units are millimeters
     }
     ImageScale scale;
     scale.plane = MeasurementPlane::Typed;

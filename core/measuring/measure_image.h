@@ -8,38 +8,38 @@ namespace angiopose::core {
 
 /// Value of a measurement and the scale used for it.
 struct MeasuredImage {
-    Quantity value;   ///< mm, mm², px, px² or °
+    Quantity value;   ///< in mm, mm², px, px² or °
     ImageScale scale;
 };
 
-/// Returns the minimum number of points of a measurement.
+/// Returns the minimum number of points for this kind of measurement.
 std::size_t minPoints(MeasurementKind kind);
 
 /// Returns the length along the points, the angle (0°…180°) at the second point, or the area inside the closed outline.
-/// Angles depend only on the pixel aspect. Fails with a reason on invalid points: too few, not finite, an angle without
-/// legs, a self-intersecting outline.
+/// Angles depend only on the pixel aspect. The error gives the reason for invalid points: too few points, non-finite
+/// coordinates, an angle with a leg of zero length, or a self-intersecting outline.
 Result<Quantity> valueOf(const ImageMeasurement& measurement, const ImageScale& scale);
 
-/// Same with the scale of the view in the measurement's plane.
+/// Does the same with the scale of the view in the measurement's plane.
 Result<MeasuredImage> measureImage(const ImageMeasurement& measurement, const MeasuredView& seen);
 
-/// Returns the label next to the drawing: the value, its plane, and whether its scale is assumed.
+/// Returns the label next to the drawing: the value, the plane, and whether the scale is assumed.
 Message labelOf(const MeasuredImage& measured, MeasurementKind kind);
 
-/// Returns the basis of the value and its limitations, one sentence each, the basis first.
+/// Returns what the value is based on, followed by its limitations, one sentence each.
 Messages basisOf(const MeasuredImage& measured, MeasurementKind kind, const MeasuredView& seen);
 
 /// Returns the length along the points, the angle (0°…180°) at the second point, or the area inside the closed outline,
 /// in the plane of the slice: mm, ° or mm². Fails with a reason on invalid points, as valueOf for an image does.
 Result<Quantity> valueOf(const SliceMeasurement& measurement);
 
-/// Returns the basis of the value, one sentence each; `scan` may be null if it is not open.
+/// Returns what the value is based on, one sentence each; `scan` is null if no scan is loaded.
 Messages basisOf(const SliceMeasurement& measurement, const VolumeGeometry* scan);
 
 /// Returns the position of the slice along its normal, mm.
 double sliceAtMm(const SliceMeasurement& measurement);
 
-/// Returns the center of the bounding box of its points.
+/// Returns the center of the bounding box of the measurement's points.
 Eigen::Vector3d middleOf(const SliceMeasurement& measurement);
 
 }   // namespace angiopose::core

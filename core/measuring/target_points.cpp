@@ -16,7 +16,7 @@ namespace {
 constexpr double minAngleDeg = 10.0;   // below this angle, one pixel in the image is 6 pixels along the ray
 constexpr int refinements = 10;
 
-/// A ray in patient coordinates.
+/// A ray from the X-ray source, in patient coordinates.
 struct Ray {
     Eigen::Vector3d source;
     Eigen::Vector3d direction;   ///< unit vector
@@ -80,13 +80,13 @@ Eigen::Vector3d refined(std::span<const PointedPixel> seen, Eigen::Vector3d poin
     return point;
 }
 
-/// Returns the millimeters per pixel in the image plane at a depth, along u and v.
+/// Returns the millimeters per pixel, along u and v, in the plane parallel to the detector at this depth.
 Eigen::Vector2d mmPerPixel(const ProjectionCamera& camera, double depthMm)
 {
     return {depthMm / std::abs(camera.fx), depthMm / std::abs(camera.fy)};
 }
 
-/// Returns the sighting in the frame of the pose, or else the first one.
+/// Returns the marked position in the view's current frame, or else the first one; null if there is none.
 const Sighting* sightingOf(const View& view, int markId)
 {
     const Sighting* found = nullptr;
@@ -195,7 +195,7 @@ Result<ImageError> imageError(const Sight& sight, const Eigen::Vector3d& pointIn
 
 Eigen::Matrix3d placeCovariance(const Matrix6d& poseCovariance, const Eigen::Vector3d& armInCamera)
 {
-    Eigen::Matrix<double, 3, 6> shift;   // ω × a + δ
+    Eigen::Matrix<double, 3, 6> shift;   // displacement of the point, ω × a + δ, as a matrix
     shift << -skew(armInCamera), Eigen::Matrix3d::Identity();
     return shift * poseCovariance * shift.transpose();
 }

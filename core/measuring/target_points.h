@@ -11,27 +11,27 @@
 
 namespace angiopose::core {
 
-/// Error of a target point in an image: projected position against marked position.
+/// Error of a target point in an image: the projected position compared with the marked position.
 struct ImageError {
     Eigen::Vector2d expectedPx = Eigen::Vector2d::Zero();   ///< projected position under the pose
     Eigen::Vector2d seenPx = Eigen::Vector2d::Zero();
-    double px = 0.0;   ///< distance between both
-    double mm = 0.0;   ///< same in the image plane at the point's depth
+    double px = 0.0;   ///< distance between the two positions
+    double mm = 0.0;   ///< the same distance in the plane parallel to the detector at the point's depth
     double depthMm = 0.0;   ///< distance of the point from the source
-    double mmPerPx = 0.0;   ///< at that depth
+    double mmPerPx = 0.0;   ///< pixel size at this depth
 };
 
-/// Fails if the point lies behind the source or there is no camera.
+/// Computes the error. Fails if the point lies behind the source or the camera is invalid.
 Result<ImageError> imageError(const Sight& sight, const Eigen::Vector3d& pointInPatient, const Eigen::Vector2d& seenPx);
 
-/// Returns the covariance (mm², camera axes) of a point at `armInCamera` from the tree's centroid, from the covariance
-/// of the pose.
+/// Computes the covariance (mm², camera axes) of a point at offset `armInCamera` from the tree's centroid from the
+/// covariance of the pose.
 Eigen::Matrix3d placeCovariance(const Matrix6d& poseCovariance, const Eigen::Vector3d& armInCamera);
 
-/// Expected error of a point according to a result: 1-σ, root mean square length in mm.
+/// Expected error of a point according to a registration result: root mean square length in mm, 1 σ.
 struct ClaimedError {
     double inPlaneMm = 0.0;   ///< as in ImageError; without camera errors, which move tree and rays alike
-    double spaceMm = 0.0;   ///< including camera errors
+    double spaceMm = 0.0;   ///< in 3-D, including camera errors
 };
 ClaimedError claimedError(const RegistrationResult& result, const VesselTree& tree, const ProjectionCamera& camera,
                           const Eigen::Vector3d& pointInPatient);
@@ -42,51 +42,50 @@ struct PointedPixel {
     Eigen::Vector2d seenPx = Eigen::Vector2d::Zero();
 };
 
-/// Best intersection of the rays of two or more images.
+/// Best intersection of the rays from two or more images.
 struct MeetingPoint {
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< point with the least sum of squared pixel distances
-    double angleDeg = 0.0;   ///< largest angle between two rays, at most 90
-    double raysApartMm = 0.0;   ///< largest distance of a ray from the point
+    double angleDeg = 0.0;   ///< largest angle between two rays, 0…90
+    double raysApartMm = 0.0;   ///< largest distance from a ray to the point
 };
 
-/// Triangulates the point. Fails with a reason if there are fewer than two images or their directions are nearly
-/// parallel.
+/// Triangulates the point. Fails if there are fewer than two images or the rays are nearly parallel.
 Result<MeetingPoint> meetingPoint(std::span<const PointedPixel> seen);
 
 /// Result for a target point in one view.
 struct CheckedView {
     std::size_t view = 0;   ///< index into Case::views
-    int frame = 0;   ///< frame in which it was marked
-    Result<ImageError> error;   ///< error of the vessels under the rigid pose
-    std::optional<double> deformedMm;   ///< same error with the deformed vessels, if a deformation is known
-    std::optional<ClaimedError> claimed;   ///< error expected by the result that found the pose
+    int frame = 0;   ///< frame in which the point was marked
+    Result<ImageError> error;   ///< error of the projected point under the rigid pose
+    std::optional<double> deformedMm;   ///< the same error with deformed vessels, if a deformation is known
+    std::optional<ClaimedError> claimed;   ///< expected error according to the registration result of this pose
 };
 
-/// Results for one target point: its marked positions and the error of the pose at each.
+/// Results for one target point: the marked positions and the error of the pose at each of them.
 struct CheckedPoint {
     VesselMark mark;
-    std::vector<CheckedView> views;   ///< views in which it was marked, in the order of the case
-    Result<MeetingPoint> meeting;   ///< from the rays of views whose pose belongs to the marked frame
+    std::vector<CheckedView> views;   ///< views in which the point was marked, in the order of the case
+    Result<MeetingPoint> meeting;   ///< triangulated from the views whose pose belongs to the marked frame
     std::vector<std::size_t> meetingViews;
-    std::optional<double> claimedSpaceMm;   ///< smallest error claimed by a result of these views
+    std::optional<double> claimedSpaceMm;   ///< smallest 3-D error expected by the results of these views
 
-    /// Returns the distance from the intersection of the rays; the rays must intersect.
+    /// Returns the distance of the target point from the intersection of the rays; requires a valid intersection.
     double spaceMm() const { return (meeting.value().pointInPatient - mark.pointInPatient).norm(); }
 };
 
 /// Returns the cameraFromPatient pose of a view by its index.
 using PoseOfView = std::function<RigidTransform(std::size_t view)>;
 
-/// Returns the results of all target points of a case, in its order, without ostium rings. `poseOf`: the displayed
-/// poses.
+/// Returns the results for all target points of a case, in the case's order, excluding ostium rings. `poseOf` gives the
+/// displayed poses.
 std::vector<CheckedPoint> checkedPoints(const Case& session, const PoseOfView& poseOf);
-std::vector<CheckedPoint> checkedPoints(const Case& session);   ///< at the case's own poses
+std::vector<CheckedPoint> checkedPoints(const Case& session);   ///< uses the poses stored in the case
 
-/// Returns a short list label: "1.2 mm off, 0.6 mm claimed" for the shown view, or else in space; nothing if neither is
-/// known.
+/// Returns a short list label, such as "1.2 mm off, 0.6 mm claimed", for the shown view or else for the 3-D error;
+/// nothing if neither is known.
 std::optional<Message> labelOf(const CheckedPoint& checked, std::size_t shownView);
 
-/// Return messages about the result of one view, and about all views together.
+/// Returns messages about the result of one view, or about all views together.
 Messages sentencesOf(const CheckedView& checked);
 Messages spaceSentences(const CheckedPoint& checked);
 

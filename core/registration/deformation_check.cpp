@@ -14,13 +14,13 @@ namespace angiopose::core {
 namespace {
 
 // Measured on synthetic trees from three generators (bent_trust_table and foreign_targets_table --family development,
-// the simulator's degraded targets): rigid trees with a fifth of the branches missing stay below 0.29 px and above 0.57
-// of their visible length; trees deformed by 1 mm or more lie above 0.5 px or below 0.48.
-constexpr double minOffsetPx = 0.4;   // offset of stretches from their vessels
-constexpr double minFoundShare = 0.52;   // fraction of the visible tree: the rest may have moved away
+// the simulator's degraded targets): rigid trees with a fifth of the branches missing stay below 0.29 px offset and
+// above 0.57 of the visible length; trees deformed by 1 mm or more lie above 0.5 px or below 0.48.
+constexpr double minOffsetPx = 0.4;   // standard deviation of stretch offsets above which a fit looks deformed
+constexpr double minFoundShare = 0.52;   // matched fraction of the visible tree below which a fit looks deformed
 constexpr double maxRigidOffMm = 1.9;   // expected error of the tree's points; errors from 2 mm on must be flagged
 
-/// Share of the tree inside the image that lies along traced vessels.
+/// Returns the fraction of the tree inside the image that lies along traced vessels.
 double foundShare(const Alignment& alignment, const CentroidPose& pose)
 {
     constexpr double scalePx = 2.0;
@@ -37,14 +37,14 @@ double foundShare(const Alignment& alignment, const CentroidPose& pose)
     return visible > 0.0 ? found / visible : 1.0;
 }
 
-/// Whether a warning about a rigid fit is explained by deformation alone.
+/// Whether deformation alone explains a warning about a rigid fit.
 bool isExplained(const Message& reason)
 {
     return reason.is(messages::trustLittleAgreement) || reason.is(messages::trustBetterAside) ||
            reason.is(messages::trustPoseUncertain);
 }
 
-/// Withdraws the warnings about the fit that a certain and small deformation explains.
+/// Withdraws the fit warnings that a certain but small deformation explains.
 void withdrawExplained(RigidJudgement judgement)
 {
     if (std::erase_if(judgement.warnings, isExplained) > 0) {
@@ -52,14 +52,14 @@ void withdrawExplained(RigidJudgement judgement)
     }
 }
 
-/// Display name of a branch: its label, otherwise its number.
+/// Returns the display name of a branch: its label or, without one, its number.
 std::string nameOrNumber(const VesselTree& tree, int branchId)
 {
     const VesselBranch* branch = tree.find(branchId);
     return branch && !branch->name.empty() ? branch->name : std::to_string(branchId);
 }
 
-/// Message with the error of the rigid overlay, worded according to the certainty of the deformation.
+/// Returns a message about the error of the rigid overlay, worded according to how certain the deformation is.
 Message offWords(const DeformableResult& deformed, const VesselTree& tree)
 {
     const Quantity mean = inMm(deformed.rigid.meanMm, 1);
@@ -69,8 +69,8 @@ Message offWords(const DeformableResult& deformed, const VesselTree& tree)
                                                             : messages::deformationMayBeOff(mean, farthest, branch);
 }
 
-/// Lowers the confidence if the overlay is off and keeps it if the deformation explains the rest; always reports the
-/// error of the overlay, first if it is certain.
+/// Lowers the confidence if the rigid overlay is too far off; withdraws the warnings that a small deformation explains.
+/// Always reports the overlay error, first among the warnings if it is certain.
 void tellDeformation(const DeformableResult& deformed, const VesselTree& tree, RigidJudgement judgement)
 {
     const bool isOff = putsOverlayOff(deformed);
@@ -129,7 +129,7 @@ std::shared_ptr<const DeformableResult> judgeByDeformation(std::span<const Defor
         return nullptr;
     }
     auto result = std::make_shared<const DeformableResult>(std::move(deformed).value());
-    if (result->stopReason == StopReason::StoppedByUser) {   // a fit that looked deformed remains in doubt
+    if (result->stopReason == StopReason::StoppedByUser) {   // the check is incomplete, and the fit had looked deformed
         judgement.trustworthy = false;
         judgement.warnings.insert(judgement.warnings.begin(), messages::deformationStopped().as(Severity::Warning));
     } else if (result->verdict != DeformationVerdict::Rigid) {

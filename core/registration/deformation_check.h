@@ -8,37 +8,37 @@
 
 namespace angiopose::core {
 
-/// Rigid pose and the image in which it was found.
+/// Rigid pose with the problem and target from which it was found.
 struct RigidFit {
     const RegistrationProblem& problem;
     const TargetLines& target;
     const RigidTransform& cameraFromPatient;
 };
 
-/// Quick test whether a fit looks as if the vessels were deformed (ALGORITHMS §11.5); decides whether to run the
-/// deformable model. A rigid tree rarely triggers it.
+/// Tests quickly whether the vessels appear deformed relative to a rigid fit (ALGORITHMS §11.5), to decide whether to
+/// run the deformable model. A rigid tree rarely triggers it.
 bool looksDeformed(const RigidFit& fit);
 
-/// Whether deformed vessels displace the rigid overlay so much that it is not reliable.
+/// Whether the deformation displaces the rigid overlay so far that it is not reliable.
 bool putsOverlayOff(const DeformableResult& deformed);
 
-/// Whether a message lowers the confidence regardless of deformation.
+/// Whether a message lowers the confidence, whatever the deformation.
 bool speaksAgainstTrust(const Message& said);
 
-/// Assessment of a rigid pose, to be corrected by the deformable registration.
+/// Assessment of a rigid pose, to be updated by the deformable registration.
 struct RigidJudgement {
     PoseUncertainty& uncertainty;
     bool& trustworthy;
     Messages& warnings;
 };
 
-/// Deformable options with the initial pose errors taken from the registration options.
+/// Returns deformable options whose initial pose errors are those of the registration options.
 DeformableOptions deformationOptions(const RegistrationOptions& options);
 
-/// Deforms the vessels from the rigid poses and updates the rigid result: the covariance includes the error of the
-/// pose, the confidence drops if the overlay is off, and the messages state which part is off, by how much and how
-/// certainly. If stopped early, marks the result as unreliable. Returns null if the vessels cannot be deformed (points
-/// without curves). `observe`: see deformVessels.
+/// Deforms the vessels from the rigid poses and updates the assessment: the covariance includes the error of the rigid
+/// pose, the confidence drops if the overlay is too far off, and messages state which part is displaced, by how much
+/// and how certainly. If stopped early, marks the result as unreliable. Returns null if the vessels cannot be deformed
+/// (target points without curves). For `observe`, see deformVessels.
 std::shared_ptr<const DeformableResult> judgeByDeformation(std::span<const DeformableView> views,
                                                            const DeformableOptions& options, RigidJudgement judgement,
                                                            const IterationObserver& observe);

@@ -5,8 +5,8 @@
 
 namespace angiopose::core {
 
-/// Solution refined at the depth of the initial pose, if `judged` shows that the image does not determine the depth
-/// (ALGORITHMS §6.19). Returns nullopt if it does or if the depth did not change.
+/// Returns the solution refined at the depth of the initial pose if, according to `judged`, the image does not
+/// determine the depth (ALGORITHMS §6.19). Returns nullopt if it does, if the depth is locked or if it hardly changed.
 std::optional<MethodSolution> withConstrainedDepth(const RegistrationProblem& problem,
                                                    const RegistrationOptions& options, const MethodSolution& solution,
                                                    const RegistrationResult& judged);

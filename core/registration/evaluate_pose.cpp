@@ -12,8 +12,8 @@ namespace {
 constexpr double settledMm = 1.3;   // beyond this the pose does not match the image (see judgeTrust)
 constexpr double mostlyExplained = 0.5;
 
-/// Withdraws the single-path warning unless the pose explains the image: from a wrong pose, few vessels of a full tree
-/// appear to be visible.
+/// Withdraws the single-path warning unless the pose explains the image: at a wrong pose, even a fully opacified tree
+/// seems to match only a few vessels.
 void withdrawSinglePath(RegistrationResult& judged)
 {
     const FitSigns& signs = judged.signs;

@@ -12,27 +12,27 @@ namespace angiopose::core {
 struct TrackedVessels {
     TrackedFrame tracked;
     std::shared_ptr<const DeformableResult>
-        deformed;   ///< null: not deformed, undetermined, or rigid vessels are tracked
+        deformed;   ///< null if not deformed, not determined, or if rigid vessels are tracked
 };
 
-/// Tracks vessels, deformed or not, from frame to frame of one view. Deformed vessels keep their deformation from the
-/// previous frame for the rigid step; then the deformation is refined in every frame (ALGORITHMS §11.6).
+/// Tracks rigid or deformed vessels through the frames of one view. For deformed vessels, the rigid step uses the
+/// deformation of the previous frame, which is then refined in the current one (ALGORITHMS §11.6).
 class RunFollower {
 public:
-    /// `input` has the pose of the frame before the first tracked one as its initial pose, and that frame's target.
-    /// `bent` is the deformation found there, in this view only, or null. Fails on unusable input.
+    /// `input` holds the target of the frame before the first tracked one and, as initial pose, that frame's pose.
+    /// `deformed` is the deformation found there, in this view only, or null. Fails on unusable input.
     static Result<RunFollower> from(const RegistrationInput& input,
                                     const std::shared_ptr<const DeformableResult>& deformed,
                                     const RegistrationOptions& options);
 
-    /// Fails when the target is empty or not finite, leaving the tracker unchanged.
+    /// Tracks the next frame. If the target is empty or not finite, fails and leaves the tracker unchanged.
     Result<TrackedVessels> next(const Centerline2d& target, const SearchObserver& observe = {});
 
 private:
     RunFollower(RegistrationInput input, const RegistrationOptions& options, FrameTracker tracker,
                 std::optional<DeformationTracker> deformations);
 
-    RegistrationInput input_;   ///< with the undeformed tree
+    RegistrationInput input_;   ///< input with the undeformed tree
     RegistrationOptions options_;
     FrameTracker tracker_;
     std::optional<DeformationTracker> deformations_;

@@ -11,17 +11,17 @@ namespace angiopose::core {
 namespace {
 
 // Thresholds measured on synthetic trees (wrong_geometry_table --family development).
-constexpr double minBetter = 0.15;   // required gain in agreement of another reading, as a fraction of both
+constexpr double minBetter = 0.15;   // required gain in agreement of another orientation hypothesis
 constexpr double minConvincing = 0.45;
-constexpr double middlingAgreement = 0.5;   // a reliable fit of many branches above this is not questioned
+constexpr double middlingAgreement = 0.5;   // a reliable fit of many branches with higher agreement is not questioned
 constexpr std::size_t fewBranches = 6;
 constexpr double asWell = 0.9;
 
-/// Alternative storage orientation of an image relative to its camera: first mirrored left to right, then rotated by
-/// quarter turns.
+/// Hypothesis about the stored orientation of an image relative to its camera: mirrored left to right, then rotated by
+/// multiples of 90°.
 struct FrameReading {
     bool isMirrored = false;
-    int quarterTurns = 0;   ///< about the camera's z
+    int quarterTurns = 0;   ///< rotations by 90° about the camera's z axis
 };
 
 /// Problem under that reading: the image stays, its camera and the initial pose change.
@@ -37,7 +37,7 @@ RegistrationProblem readAs(const FrameReading& reading, const RegistrationProble
     return other;
 }
 
-/// Problem for a device that measures its angles relative to the table.
+/// Returns the problem for a device that reports its angles relative to the table.
 RegistrationProblem readAs(const TableReading& reading, const RegistrationProblem& problem)
 {
     RegistrationProblem other = problem;
@@ -106,8 +106,8 @@ std::optional<Message> likelyReading(const RegistrationProblem& problem, const R
                                          FrameReading{true, 3}};
     double best = std::max(minConvincing, asItIs + minBetter);
     std::optional<Message> likely;
-    if (problem.tableReading) {   // first, because the header supports it and a frontal view looks the same when
-                                  // rotated by 180°
+    if (problem.tableReading) {   // tried first, because the header supports it and a frontal view rotated by 180°
+                                  // looks the same
         const double agreement = agreementOf(readAs(*problem.tableReading, problem), options, observe);
         if (agreement > best) {
             best = agreement;

@@ -20,7 +20,7 @@ std::vector<PoseSnapshot> withSnapshot(std::vector<PoseSnapshot> snapshots, Pose
     added.id = highest + 1;
     snapshots.push_back(std::move(added));
     auto surplus = std::ranges::count(snapshots, SnapshotKind::Run, &PoseSnapshot::kind) - keptRuns;
-    std::erase_if(snapshots, [&surplus](const PoseSnapshot& each) {   // oldest first
+    std::erase_if(snapshots, [&surplus](const PoseSnapshot& each) {   // erases the oldest first
         return each.kind == SnapshotKind::Run && surplus-- > 0;
     });
     return snapshots;

@@ -8,10 +8,10 @@
 
 namespace angiopose::core {
 
-/// Whether the user saved the snapshot or a registration created it.
+/// Origin of a snapshot: saved by the user, or created by a registration.
 enum class SnapshotKind { Kept, Run };
 
-/// Agreement of a snapshot's pose with its frame, computed when it was taken.
+/// Fit of a snapshot's pose to its frame, computed when the snapshot was taken.
 struct SnapshotMetrics {
     double medianPx = 0.0;
     double medianMm = 0.0;
@@ -22,27 +22,27 @@ struct SnapshotMetrics {
     bool operator==(const SnapshotMetrics&) const = default;
 };
 
-/// Saved pose with its origin: method, time, frame and quality of the fit.
+/// Saved pose with its method, time, frame and quality of fit.
 struct PoseSnapshot {
-    int id = 0;   ///< unique in the case
+    int id = 0;   ///< unique within the case
     SnapshotKind kind = SnapshotKind::Kept;
     std::string name;
     std::string author;
     std::string note;
     std::string time;   ///< ISO 8601, UTC
-    std::string method;   ///< id of the method that found it; empty: set manually
-    int frame = 0;   ///< frame of the angiogram, counts from 0
+    std::string method;   ///< id of the method that found the pose; empty if set manually
+    int frame = 0;   ///< frame of the angiogram, counting from 0
     RigidTransform cameraFromPatient;
-    std::optional<SnapshotMetrics> metrics;   ///< nullopt: not computed
-    double runMs = 0.0;   ///< 0: not found by a registration
+    std::optional<SnapshotMetrics> metrics;   ///< nullopt if not computed
+    double runMs = 0.0;   ///< duration of the registration; 0 if the pose is from another source
     std::string extraKeys{};   ///< JSON object with keys of the case file that this version does not know
 };
 
-/// Metrics of a judged pose to store in a snapshot.
+/// Returns the metrics of an assessed pose that a snapshot stores.
 SnapshotMetrics metricsOf(const RegistrationResult& result);
 
-/// Appends `added` to `snapshots` with a new id. Keeps only the newest `keptRuns` snapshots of registrations, and all
-/// snapshots saved by the user.
+/// Appends `added` with a new id. Keeps all snapshots saved by the user, but only the newest `keptRuns` of those
+/// created by registrations.
 std::vector<PoseSnapshot> withSnapshot(std::vector<PoseSnapshot> snapshots, PoseSnapshot added, int keptRuns = 20);
 
 /// Snapshot with this id, or null.

@@ -19,10 +19,10 @@ namespace angiopose::core {
 
 namespace {
 
-// Chosen on synthetic trees (wire_table --world made-up).
+// Thresholds for the wire method, chosen on synthetic trees (wire_table --world made-up).
 constexpr double sureProbability = 0.9;
-constexpr double minReportedProbability = 0.05;   // probability of another path
-constexpr double minFollowed = 0.7;   // share of the wire
+constexpr double minReportedProbability = 0.05;   // minimum probability of an alternative path to report
+constexpr double minFollowed = 0.7;   // minimum fraction of the wire that follows the tree
 constexpr double maxGaps = 0.2;
 constexpr double maxExpectedErrorMm = 2.2;   // errors have an RMS of 0.85 times this; below it, 5 % exceed 3 mm
 constexpr double observedShare = 0.5;   // relative to the prior
@@ -68,7 +68,7 @@ Messages reasonsAgainst(const WireFinding& finding, const RegistrationResult& re
     return reasons;
 }
 
-/// Measures only along the best path: the rest of the tree is not visible.
+/// Measures distances along the best path only, because the rest of the tree is not visible.
 void measureAlongWay(const RegistrationProblem& problem, const WireFinding& finding, RegistrationResult& result)
 {
     if (std::ranges::count(finding.isFollowed, std::uint8_t{1}) == 0) {
@@ -79,8 +79,8 @@ void measureAlongWay(const RegistrationProblem& problem, const WireFinding& find
     result.metrics = distanceMetrics(way, result.cameraFromPatient, projectTree(way, result.cameraFromPatient, target));
 }
 
-/// Replaces the assessment from vessels with one from a wire: distances along its path, a covariance that includes the
-/// uncertainty of the path, confidence, messages and the ranked paths.
+/// Replaces the assessment for vessels by one for a wire: distances along the wire's path, a covariance that includes
+/// the uncertainty of the path, confidence, messages and ranked paths.
 void judgeByWire(const RegistrationProblem& problem, const WireFinding& finding, RegistrationResult& result)
 {
     result.wirePaths = finding.paths;
@@ -118,8 +118,8 @@ void judgeByWire(const RegistrationProblem& problem, const WireFinding& finding,
 constexpr double allButSure = 0.99;
 constexpr double oftenFails = 0.8;
 
-/// Rules of thumb that the calibrated probability may override; it must not override findings about other poses or
-/// other frames.
+/// Whether a message results from a rule of thumb that the calibrated probability may override. The probability must
+/// not override findings about other poses or image orientations.
 bool isRuleOfThumb(const Message& said)
 {
     return said.is(messages::trustFilledDoubtful) || said.is(messages::trustLittleAgreement) ||
@@ -136,10 +136,10 @@ bool onlyRulesOfThumbSpeakAgainst(const RegistrationResult& result)
     });
 }
 
-/// Calibrates the confidence of a single-view result of the default method: adds the probability that its overlay lies
-/// within 2 mm of the vessels, learned from many fits, and adjusts the confidence where it is conclusive (ALGORITHMS
-/// §6.21). A nearly certain fit is reliable even if agreement or opacification is low; a fit of a kind that often fails
-/// is not. If other signs count against a fit, a high probability is not reported.
+/// Calibrates the confidence of a single-view result of the default method (ALGORITHMS §6.21): adds the probability,
+/// learned from many fits, that the overlay lies within 2 mm of the vessels, and changes the confidence where this
+/// probability is conclusive. A nearly certain fit is reliable even if agreement or opacification is low; a fit of a
+/// kind that often fails is not. If other findings count against a fit, a high probability is not reported.
 void calibrateConfidence(RegistrationResult& result)
 {
     const double probability = overlayProbability(result);
@@ -153,15 +153,14 @@ void calibrateConfidence(RegistrationResult& result)
         result.warnings.insert(result.warnings.begin(),
                                messages::trustOftenFails(Quantity{100.0 * probability, 0, "%"}));
     }
-    if (!result.trustworthy &&
-        probability >= oftenFails) {   // the probability does not account for the signs against this fit
+    if (!result.trustworthy && probability >= oftenFails) {   // the probability ignores the findings against this fit
         result.probabilityWithin2Mm.reset();
     }
 }
 
-/// Assesses a fit of the default method, however it was found: constrains a depth that the image does not determine,
-/// unless branches were chosen to determine it, and reports a frame that may be mirrored or rotated. If stopped by the
-/// user, keeps the pose as unreliable, because the assessment is incomplete.
+/// Assesses a fit of the default method: constrains a depth that the image does not determine, unless the user selected
+/// auxiliary branches to determine it, and reports an image that may be mirrored or rotated. If the user stops, keeps
+/// the pose but marks it as unreliable, because the assessment is incomplete.
 RegistrationResult judgeWithCare(const RegistrationProblem& problem, const RegistrationOptions& options,
                                  const MethodSolution& solution, ProgressLog& progress)
 {

@@ -18,12 +18,12 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double clearlyLess = 0.9;   // fraction of the agreement that the views reach individually
+constexpr double clearlyLess = 0.9;   // minimum agreement of the joint pose, relative to the views' individual poses
 constexpr double knownTurnReachDeg = 3.0;   // search range in a view whose rotation is known from another view
 constexpr std::size_t maxSearchedAgain = 3;
 constexpr double widestForDeformationMm =
-    8.0;   // upper limit of the shift uncertainty between views; a larger correction was not caused by deformation
-constexpr double aloneShare = 0.9;   // fraction of a view's progress; the rest is its joint refinement
+    8.0;   // maximum shift uncertainty between views for deformation; larger corrections have other causes
+constexpr double aloneShare = 0.9;   // fraction of a view's progress before its joint refinement
 
 Result<JointSolve::Views> makeViews(std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
                                     const MultiViewOptions& multiView)
@@ -59,7 +59,7 @@ public:
     {
     }
 
-    /// Report of a single-view registration, with that view's own pose.
+    /// Forwards a report of a single-view registration, with the pose in that view.
     Verdict report(std::size_t view, IterationReport report)
     {
         report.view = view;
@@ -68,8 +68,8 @@ public:
         return pass(view, std::move(report));
     }
 
-    /// Report of the joint refinement starting from a view's pose, with the pose in the first view; `done` is the
-    /// completed share of all its starting poses.
+    /// Forwards a report of a joint refinement that started from a pose of `view`, with the pose in the first view;
+    /// `done` is the completed fraction over all starting poses of that view.
     Verdict report(std::size_t view, const JointPose& joint, double scalePx, double done)
     {
         IterationReport report;
@@ -106,16 +106,16 @@ private:
 
     const JointView& first_;
     TreeShift shift_;
-    std::optional<RigidTransform> last_;   ///< pose of the previous joint report
+    std::optional<RigidTransform> last_;   ///< pose of the previous report of a joint refinement
     std::size_t viewCount_;
     const IterationObserver& observe_;
     std::vector<double> distances_;
-    IterationReport reported_;   ///< last report
+    IterationReport reported_;   ///< last report forwarded
     int iterations_ = 0;
     bool isStopped_ = false;
 };
 
-/// Poses that explain one view: its result and the alternatives that are nearly as good.
+/// Returns the poses that explain one view: its result and the nearly equally good alternatives.
 std::vector<RigidTransform> posesOf(const RegistrationResult& alone)
 {
     std::vector<RigidTransform> poses{alone.cameraFromPatient};
@@ -125,7 +125,6 @@ std::vector<RigidTransform> posesOf(const RegistrationResult& alone)
     return poses;
 }
 
-/// Best joint pose so far.
 struct BestJoint {
     JointPose pose;
     double score = -1.0;
@@ -211,7 +210,7 @@ public:
     }
 
 private:
-    /// Result of the single-view registration and the alternatives that are nearly as good.
+    /// Registers a single view and returns its result and the nearly equally good alternatives.
     Result<std::vector<RigidTransform>> posesAlone(std::size_t view, const RegistrationInput& input,
                                                    const RegistrationOptions& options)
     {
@@ -230,7 +229,7 @@ private:
         });
     }
 
-    /// Refines jointly from each pose of a view, converted to the first view.
+    /// Refines jointly from each pose of a view, transformed to the first view.
     void refineFrom(std::size_t view)
     {
         const double share = 1.0 / static_cast<double>(poses_[view].size());
@@ -241,8 +240,8 @@ private:
         }
     }
 
-    /// If the geometry is uncertain, the pose of one view does not fit the image of another: starts every view at its
-    /// own pose, as far as the geometry allows.
+    /// Refines jointly with every view starting at its own pose, as far as the relative geometry allows. Needed if the
+    /// geometry is uncertain, because the pose of one view then does not fit the image of another.
     void refineTogether()
     {
         for (std::size_t view = 0; view < poses_.size(); ++view) {
@@ -255,8 +254,8 @@ private:
         }
     }
 
-    /// If no combination of poses has the rotation of the gantries, searches the views again, rotated like each pose of
-    /// the first view.
+    /// Searches the other views again, starting with the rotation implied by each pose of the first view. Needed if no
+    /// combination of poses agrees with the gantry rotation.
     Status searchTurnedAlike()
     {
         RegistrationOptions turned = ofOneView_;
@@ -277,8 +276,8 @@ private:
         return Done{};
     }
 
-    /// If the geometry is wrong, no view's result fits the others: placing each view at its own pose then shows the
-    /// contradiction.
+    /// Returns the best joint pose, or the one with each view at its own pose if that fits clearly better. The geometry
+    /// is then wrong, and the large corrections reveal the contradiction.
     JointPose orEachAtItsOwn()
     {
         std::vector<RigidTransform> own;
@@ -295,13 +294,13 @@ private:
     RegistrationOptions ofOneView_;
     const MultiViewOptions& multiView_;
     JointProgress& progress_;
-    bool knowsShift_ = true;   ///< see StepSpread; true only if it holds for all steps
-    bool isTight_ = true;   ///< images taken simultaneously
+    bool knowsShift_ = true;   ///< whether StepSpread::knowsShift holds for all views
+    bool isTight_ = true;   ///< whether the relative geometry is as accurate as for simultaneous acquisition
     std::vector<std::vector<RigidTransform>> poses_;   ///< poses that explain each view
     BestJoint best_;
 };
 
-/// Judges one view at the joint pose; adds the reasons against it to the warnings of the result.
+/// Assesses one view at the joint pose; adds the findings against it to the warnings of the result.
 void addView(MultiViewResult& result, std::size_t number, const JointView& view, MethodSolution solution,
              bool isPlausible, const RegistrationOptions& options)
 {
@@ -331,8 +330,8 @@ bool isDeformationRequested(const JointSolve::Views& views, const RegistrationOp
     return false;
 }
 
-/// Determines the deformation from all views together. Uses the geometry of the initial poses, because a correction
-/// found for a rigid tree may have been caused by the deformation.
+/// Determines the deformation jointly from all views. Uses the relative geometry of the initial poses, because
+/// corrections found for a rigid tree may be an effect of the deformation.
 void hearDeformation(MultiViewResult& result, std::span<const RegistrationInput> inputs,
                      const RegistrationOptions& options, const MultiViewOptions& multiView, JointProgress& progress)
 {

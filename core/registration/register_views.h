@@ -8,43 +8,43 @@
 
 namespace angiopose::core {
 
-/// Uncertainty of the step from the first view to another, 1-σ per axis (ALGORITHMS §5.5). The defaults apply to
+/// 1-σ uncertainty per axis of the transform from the first view to another (ALGORITHMS §5.5). The defaults apply to
 /// simultaneously acquired planes with rounded header values and gantry sag.
 struct StepSpread {
     double rotationDeg = 0.5;
     Eigen::Vector3d shiftMm =
         Eigen::Vector3d::Constant(1.5);   ///< shift of the tree's centroid, in that view's camera axes
 
-    /// Whether a pose in one view gives the approximate position of the vessels in the other.
+    /// Whether a pose in one view predicts the approximate position of the vessels in the other.
     bool knowsShift() const { return shiftMm.maxCoeff() < 20.0; }
 };
 
 struct MultiViewOptions {
     std::vector<StepSpread> steps{};   ///< one per view; that of the first is unused. Empty: simultaneous acquisition
-    std::vector<std::size_t> numbers{};   ///< view numbers shown in messages; empty: 1, 2, … in the order given
+    std::vector<std::size_t> numbers{};   ///< view numbers for messages; empty for 1, 2, … in the given order
 
     StepSpread stepTo(std::size_t index) const { return index < steps.size() ? steps[index] : StepSpread(); }
     std::size_t numberOf(std::size_t index) const { return index < numbers.size() ? numbers[index] : index + 1; }
 };
 
-/// Result for one rigid tree in several views.
+/// Result of registering one rigid tree to several views.
 struct MultiViewResult {
-    std::vector<RegistrationResult> views;   ///< each judged at its joint pose, in the order given
-    /// Corrections of each view's geometry found relative to its header and to the first view: rotation about the
-    /// tree's centroid (rad) and shift (mm) in that view's camera axes. Zero for the first.
+    std::vector<RegistrationResult> views;   ///< results at the joint pose, in the given order of the views
+    /// Estimated correction of each view's geometry relative to its header and to the first view: rotation about the
+    /// tree's centroid (rad) and shift (mm) in the camera axes of that view. Zero for the first view.
     std::vector<Vector6d> corrections;
-    PoseUncertainty uncertainty;   ///< of the first view's pose, from all views
-    std::vector<CameraEvidence> cameras;   ///< one per view, from all views; empty: all cameras count as exact
+    PoseUncertainty uncertainty;   ///< uncertainty of the first view's pose, from all views
+    std::vector<CameraEvidence> cameras;   ///< one per view, from all views; empty if all cameras are treated as exact
     std::shared_ptr<const DeformableResult> deformed;   ///< see RegistrationResult
-    bool trustworthy = false;   ///< all views are reliable and no correction is implausible
+    bool trustworthy = false;   ///< whether all views are reliable and all corrections plausible
     Messages warnings;
 };
 
 /// Registers one tree to two or more simultaneous views (biplane), or to frames between which the gantry rotated
-/// (ALGORITHMS §6.12). The initial poses define the geometry: startOfB ∘ startOfA⁻¹ leads from camera to camera, up to
-/// the small corrections that `multiView` allows. The depth in one view is a lateral shift in another and thus becomes
-/// as certain as the shift. Reports contain the view of their pose; iterations and progress count all views. A stop
-/// keeps the best pose so far. Fails like registerVessels, naming the view, and if the views show different trees.
+/// (ALGORITHMS §6.12). The initial poses define the relative geometry: startOfB ∘ startOfA⁻¹ maps camera A to camera B,
+/// up to the small corrections that `multiView` allows. The depth in one view is a lateral shift in another, which
+/// makes it equally certain. Each report names the view of its pose; iterations and progress count all views. A stop
+/// keeps the best pose so far. Fails like registerVessels, naming the view, and if the views use different trees.
 Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
                                       const RegistrationOptions& options = {}, const MultiViewOptions& multiView = {},
                                       const IterationObserver& observe = {});

@@ -6,14 +6,14 @@
 namespace angiopose::core {
 
 /// Finds the pose that aligns the projected tree with the traced angiogram, using the method `options.method`. Fails
-/// only on unusable input, with a message that names it; when iterations run out or the user stops, returns the best
-/// pose so far. Deterministic: the same input gives bitwise the same result. `observe` is called on the calling thread
-/// after each iteration.
+/// only on unusable input, with a message that names the problem; if the iterations run out or the user stops, returns
+/// the best pose so far. Deterministic: the same input gives a bitwise identical result. Calls `observe` on the calling
+/// thread after each iteration.
 Result<RegistrationResult> registerVessels(const RegistrationInput& input, const RegistrationOptions& options = {},
                                            const IterationObserver& observe = {});
 
-/// Assesses a pose without changing it: metrics, residuals per branch, covariance, warnings. Also used by the window
-/// while the user nudges the pose. The `timing` fields remain zero.
+/// Assesses a pose without changing it: metrics, residuals per branch, covariance, warnings. Also used while the user
+/// nudges the pose. Leaves `time` at its defaults.
 Result<RegistrationResult> evaluatePose(const RegistrationInput& input, const RigidTransform& cameraFromPatient);
 
 /// Returns "converged", "iteration limit", "no improvement" or "stopped by the user".

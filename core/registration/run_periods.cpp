@@ -10,9 +10,9 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t minPoses = 12;
-constexpr double cyclesSeen = 1.8;   // minimum number of cycles of the slowest period searched
+constexpr double cyclesSeen = 1.8;   // minimum number of observed cycles of the slowest period
 constexpr double samplesPerCycle = 3.0;   // minimum number of samples per cycle of the fastest period searched
-constexpr double stepsPerCycle = 8.0;   // resolution of the frequency grid: a peak is 1 / duration wide
+constexpr double stepsPerCycle = 8.0;   // frequency grid points per 1 / duration, the width of a peak
 constexpr double minAmplitudeMm = 0.3;
 constexpr double chanceOfNoise = 1e-4;
 
@@ -23,9 +23,9 @@ struct Band {
 constexpr Band breathing{2.0, 10.0};
 constexpr Band beating{0.4, 1.5};
 
-using Signal = Eigen::Matrix<double, Eigen::Dynamic, 2>;   // mm across the rays, one row per pose
+using Signal = Eigen::Matrix<double, Eigen::Dynamic, 2>;   // position across the rays, mm, one row per pose
 
-/// Columns for a constant, a drift and, if the frequency is not zero, a wave.
+/// Returns the regression columns for a constant, a linear drift and, at a nonzero frequency, a wave.
 Eigen::MatrixXd waves(const Eigen::VectorXd& seconds, double frequencyHz)
 {
     const bool hasWave = frequencyHz > 0.0;
@@ -54,13 +54,13 @@ WaveFit fitWave(const Eigen::VectorXd& seconds, const Signal& signal, double fre
     return fit;
 }
 
-/// Amplitude of an elliptic motion: its semi-major axis.
+/// Returns the amplitude of an elliptical motion, which is its semi-major axis.
 double amplitudeOf(const WaveFit& fit)
 {
     return Eigen::JacobiSVD<Eigen::Matrix2d>(fit.factors.bottomRows<2>()).singularValues()[0];
 }
 
-/// Extracts the strongest wave of a band and subtracts it from the signal.
+/// Finds the strongest wave in a band and, if it is significant, subtracts it from the signal.
 std::optional<PeriodicMotion> takeOut(const Band& band, const Eigen::VectorXd& seconds, Signal& signal)
 {
     const double duration = seconds.maxCoeff() - seconds.minCoeff();
@@ -80,12 +80,12 @@ std::optional<PeriodicMotion> takeOut(const Band& band, const Eigen::VectorXd& s
             bestHz = hz;
         }
     }
-    if (bestHz <= slowest) {   // at the limit of the resolvable range this is a slope, not a peak
+    if (bestHz <= slowest) {   // a maximum at the lower limit is a slope, not a peak
         return std::nullopt;
     }
     const double share = 1.0 - best / before;
-    // For noise, the explained share has a beta distribution: 4 degrees of freedom of both waves versus the remaining
-    // ones. Assumes as many independent frequencies as fit between the limits.
+    // For noise, the explained fraction has a beta distribution with the 4 degrees of freedom of both waves against the
+    // remaining ones. The number of independent frequencies is the number that fits between the limits.
     const double half = static_cast<double>(seconds.size()) - 4.0;
     const double tried = std::max(1.0, (fastest - slowest) * duration);
     const double chance = tried * std::pow(1.0 - share, half) * (1.0 + half * share);

@@ -7,28 +7,28 @@
 
 namespace angiopose::core {
 
-/// Position of the vessels at one time of a run.
+/// Vessel pose at one time of a cine run.
 struct TimedPose {
     double seconds = 0.0;
     RigidTransform cameraFromPatient;
 };
 
-/// Periodic motion.
+/// Periodic component of the vessel motion.
 struct PeriodicMotion {
     double periodS = 0.0;
     double amplitudeMm = 0.0;   ///< amplitude across the rays
-    double share = 0.0;   ///< share of the squared motion that it explains, 0…1
+    double share = 0.0;   ///< explained fraction of the squared motion, 0…1
 };
 
 /// Periods of a run; nullopt if the run is shorter than two periods or shows none.
 struct RunPeriods {
-    std::optional<PeriodicMotion> breath;   ///< period of 2 to 10 s
-    std::optional<PeriodicMotion> heart;   ///< period of 0.4 to 1.5 s
+    std::optional<PeriodicMotion> breath;   ///< breathing, period of 2 to 10 s
+    std::optional<PeriodicMotion> heart;   ///< heartbeat, period of 0.4 to 1.5 s
 };
 
-/// Detects breathing and heartbeat in the motion of a vessel point across the rays (ALGORITHMS §6.11): least-squares
-/// spectra after removing a drift; frames may be missing (Lomb 1976). A period is accepted if the probability of noise
-/// producing a peak of this height is below 1 in 10,000 (Fisher 1929).
+/// Detects breathing and heartbeat in the motion of a vessel point across the rays (ALGORITHMS §6.11) by least-squares
+/// spectra after removing a drift; frames may be missing (Lomb 1976). Accepts a period if noise produces a peak of this
+/// height with a probability below 1 in 10,000 (Fisher 1929).
 RunPeriods findPeriods(std::span<const TimedPose> poses, const Eigen::Vector3d& pointInPatient);
 
 }   // namespace angiopose::core

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t usedTrackingPoints = 250;
 constexpr std::size_t rememberedScores = 15;
-constexpr double fitsLikeBefore = 0.8;   // fraction of the median score of the last frames
-constexpr double fitsAtAll = 0.25;   // below this, a score is meaningless (see PoseRanking)
+constexpr double fitsLikeBefore = 0.8;   // minimum score of a fit, as a fraction of the median score of the last frames
+constexpr double fitsAtAll = 0.25;   // minimum score of any fit; lower scores are meaningless (see PoseRanking)
 constexpr RefinementSchedule fromPrediction{6.0, 1.0, 0.55, 2, 4, 16};
 
 }   // namespace
@@ -27,7 +27,7 @@ FrameTracker::FrameTracker(RegistrationProblem first, const RegistrationOptions&
 {
 }
 
-/// Poses continue to refer to the same point.
+/// Replaces the tree but keeps its centroid, to which the poses refer.
 void FrameTracker::followAsDeformed(RegistrationProblem deformed)
 {
     deformed.tree.centroid = problem_.tree.centroid;

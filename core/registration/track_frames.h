@@ -10,20 +10,20 @@
 
 namespace angiopose::core {
 
-/// Tracks the vessels from frame to frame of one run (ALGORITHMS §6.11). Every frame starts from the pose predicted
-/// from the previous motion, with the prediction as prior, and needs no search as long as it explains the frame about
-/// as well as its predecessors.
+/// Tracks the vessels through one cine run (ALGORITHMS §6.11). Each frame starts at the pose predicted from the
+/// previous motion, which also serves as prior; a search runs only if the fit is clearly worse than in the previous
+/// frames.
 class FrameTracker {
 public:
-    /// `first` is a validated problem whose initial pose is the registered pose of the frame before the first one to
-    /// track.
+    /// `first` is a validated problem whose initial pose is the registered pose of the frame before the first tracked
+    /// one.
     FrameTracker(RegistrationProblem first, const RegistrationOptions& options, const MotionModel::Noise& noise = {});
 
-    /// Fails if the target is empty or not finite, leaving the tracker unchanged. `observe` is called during a search;
-    /// if it stops the search, the frame has been searched only partly.
+    /// Tracks the next frame. If the target is empty or not finite, fails and leaves the tracker unchanged. Calls
+    /// `observe` during a search; a Stop leaves the search of this frame incomplete.
     Result<TrackedFrame> next(const Centerline2d& target, const SearchObserver& observe = {});
 
-    /// Replaces the shape of the vessels: `bent` is the problem with the same branches in their current shape.
+    /// Replaces the vessel shape; `deformed` is the problem with the same branches in their current shape.
     void followAsDeformed(RegistrationProblem deformed);
 
 private:
@@ -37,7 +37,7 @@ private:
     RegistrationOptions options_;
     MotionModel motion_;
     std::vector<AlignmentPoint> points_;
-    std::deque<double> scores_;   ///< scores of fitting frames, newest last
+    std::deque<double> scores_;   ///< scores of the successfully tracked frames, newest last
 };
 
 }   // namespace angiopose::core

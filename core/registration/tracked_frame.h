@@ -5,12 +5,12 @@
 
 namespace angiopose::core {
 
-/// Tracking result of one frame of a run.
+/// Tracking result of one frame of a cine run.
 struct TrackedFrame {
     RigidTransform cameraFromPatient;
     double score = 0.0;   ///< agreement in both directions, 0…1
-    bool searched = false;   ///< the prediction did not fit and its surroundings were searched
-    bool isTrustworthy = false;   ///< false: no nearby pose explains the frame, and the pose is the prediction
+    bool searched = false;   ///< whether the prediction did not fit and poses around it were searched
+    bool isTrustworthy = false;   ///< whether a nearby pose explains the frame; otherwise the pose is the prediction
     StageTimes time;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double splatSpacingMm = 0.25;
 constexpr double heartRateHz = 1.15;
-constexpr double pulsation = 0.12;   ///< relative pulsation of the concentration
+constexpr double pulsation = 0.12;   ///< relative decrease of the concentration during each heartbeat
 
 ContrastPoint between(const ContrastPoint& a, const ContrastPoint& b, double fraction)
 {

@@ -28,7 +28,7 @@ void jitter(Curve2d& curve, CounterRandom& random)
     }
 }
 
-/// Rounds to whole pixels, each at most once in the whole target.
+/// Rounds the points to whole pixels and uses each pixel at most once in the whole target.
 Curve2d rasterized(const Curve2d& curve, std::set<std::pair<int, int>>& taken)
 {
     Curve2d result{curve.id, {}, {}};

@@ -62,7 +62,7 @@ VesselBranch layCatheter(const VesselBranch& trunk, CounterRandom& random)
     return catheter;
 }
 
-constexpr double thinRadiusMm = 1.2;   ///< thinner branches are missing twice as often
+constexpr double thinRadiusMm = 1.2;   ///< radius below which branches are missing twice as often
 
 bool hasFilledChild(const GrownTree& grown, const std::vector<bool>& filled, std::size_t branch)
 {
@@ -74,7 +74,7 @@ bool hasFilledChild(const GrownTree& grown, const std::vector<bool>& filled, std
     return false;
 }
 
-/// Draws an opacified branch without opacified children; 0, the trunk, if there is none.
+/// Draws an opacified branch without opacified children; returns 0, the trunk, if there is none.
 std::size_t drawEndBranch(const GrownTree& grown, const std::vector<bool>& filled, CounterRandom& random)
 {
     std::vector<std::size_t> tickets;
@@ -87,9 +87,9 @@ std::size_t drawEndBranch(const GrownTree& grown, const std::vector<bool>& fille
     return tickets.empty() ? 0 : tickets[static_cast<std::size_t>(random.index(static_cast<int>(tickets.size())))];
 }
 
-/// Draws which branches are opacified if `missingShare` of them are not: one flag per branch. Vessels drop out from
-/// their ends, thin ones twice as often, so an opacified branch never has an unopacified parent; the trunk always stays
-/// opacified.
+/// Draws which branches are opacified, one flag per branch; the fraction `missingShare` is not. Branches are removed
+/// from the ends of the tree, thin ones twice as often, so an opacified branch never has an unopacified parent; the
+/// trunk always stays opacified.
 std::vector<bool> drawFilledBranches(const GrownTree& grown, double missingShare, CounterRandom& random)
 {
     std::vector<bool> filled(grown.tree.branches.size(), true);
@@ -104,8 +104,8 @@ std::vector<bool> drawFilledBranches(const GrownTree& grown, double missingShare
 }
 
 constexpr double mixingMm = 12.0;   ///< length over which a child reaches its own opacity
-constexpr double tipMm = 14.0;   ///< length at its end over which a vessel fades out
-constexpr double jetMm = 12.0;   ///< length over which the injected jet fills the lumen of the inlet
+constexpr double tipMm = 14.0;   ///< length over which a vessel fades out toward its tip
+constexpr double jetMm = 12.0;   ///< length over which the injected jet spreads to the whole lumen of the trunk
 
 /// State of the contrast agent at the start of a path.
 struct Inlet {
@@ -147,7 +147,7 @@ double shareOutside(const VesselBranch& parent, const Eigen::Vector3d& point)
     return smoothStep((std::sqrt(nearest) / radius - 0.3) / 0.9);
 }
 
-/// Fades a vessel out toward its tip.
+/// Reduces the opacity of a vessel toward its tip.
 void fadeTip(ContrastPath& path)
 {
     const double endMm = path.back().pathMm;
@@ -174,7 +174,7 @@ ContrastPath drawnTrunk(ContrastPath path)
     return path;
 }
 
-/// Adds vessels that are not in the tree, `share` of them per visible branch.
+/// Adds vessels that are not in the tree, each visible branch getting one with probability `share`.
 void addExtras(FilledVessels& vessels, double share, int firstId, CounterRandom& random)
 {
     const std::vector<VesselBranch> parents = vessels.visible.branches;
@@ -193,7 +193,7 @@ void addExtras(FilledVessels& vessels, double share, int firstId, CounterRandom&
     }
 }
 
-/// Adds a catheter, through which the contrast agent flows before it reaches the inlet.
+/// Adds a catheter through which the contrast agent flows before it reaches the inlet.
 void addCatheter(FilledVessels& vessels, const VesselBranch& trunk, CounterRandom& random)
 {
     VesselBranch catheter = layCatheter(trunk, random);
@@ -209,7 +209,7 @@ FilledVessels fillVessels(const GrownTree& grown, const DsaOptions& options, Cou
     const std::vector<VesselBranch>& branches = grown.tree.branches;
     const std::vector<bool> filled = drawFilledBranches(grown, options.missingBranchShare, random);
     FilledVessels vessels;
-    std::vector<ContrastPath> pathOf(branches.size());   // before fading, for the inlets of the children
+    std::vector<ContrastPath> pathOf(branches.size());   // without fading, as inlets of the children
     for (std::size_t b = 0; b < branches.size(); ++b) {
         const double opacity = random.uniform(b == 0 ? 0.85 : 0.3, 1.0);
         if (!filled[b]) {

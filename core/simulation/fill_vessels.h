@@ -7,12 +7,12 @@
 
 namespace angiopose::core {
 
-/// Opacified part of a tree, and the other structures that the contrast agent shows.
+/// Opacified part of a tree and the other structures made visible by the contrast agent.
 struct FilledVessels {
-    std::vector<ContrastPath> paths;   ///< opacified branches, extra vessels, catheter
+    std::vector<ContrastPath> paths;   ///< opacified branches, extra vessels and the catheter
     std::vector<int> missingBranchIds;   ///< unopacified branches; their children are unopacified too
     VesselTree visible;   ///< opacified branches and extra vessels; the latter have ids above the tree's
-    VesselTree catheter;   ///< one branch, or none
+    VesselTree catheter;   ///< one branch, or none without a catheter
     double longestPathMm = 0.0;
 };
 

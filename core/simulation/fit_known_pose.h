@@ -7,7 +7,7 @@
 
 namespace angiopose::core {
 
-/// Returns the pose near `start` that projects `pointsInPatient` closest to their known `pixels` (least squares).
+/// Returns the pose near `start` that projects `pointsInPatient` closest to the corresponding `pixels` (least squares).
 RigidTransform fitKnownPose(const std::vector<Eigen::Vector3d>& pointsInPatient,
                             const std::vector<Eigen::Vector2d>& pixels, const ProjectionCamera& camera,
                             const RigidTransform& start);

@@ -14,7 +14,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Returns a smooth random field with standard deviation `amplitude` and grain size `sigmaPx`.
+/// Returns a smooth random field with grain size `sigmaPx`.
 ImageF randomField(int width, int height, double sigmaPx, CounterRandom& random)
 {
     ImageF field(width, height);
@@ -37,7 +37,7 @@ void addScaled(ImageF& image, const ImageF& field, double standardDeviation)
     }
 }
 
-/// A long shallow arc across the image.
+/// A long circular arc of low curvature across the image.
 struct Arc {
     Eigen::Vector2d centerPx;
     double radiusPx;
@@ -63,7 +63,7 @@ Arc drawArc(const ImageF& image, CounterRandom& random)
     return {center, radiusPx, angle - halfSpan, angle + halfSpan};
 }
 
-/// Adds discs along the arc, which form a tube with attenuation `peak` at its axis.
+/// Adds discs along the arc; together they form a tube with attenuation `peak` at its axis.
 void addTubeAlong(ImageF& image, const Arc& arc, double radiusPx, double peak)
 {
     const double stepPx = std::max(0.5, 0.15 * radiusPx);
@@ -74,7 +74,7 @@ void addTubeAlong(ImageF& image, const Arc& arc, double radiusPx, double peak)
     }
 }
 
-/// Adds hollow tubes: cortical bone shows as two bright rims.
+/// Adds hollow tubes as bones, whose cortex is visible as two bright edges.
 void addBones(ImageF& image, double size, CounterRandom& random)
 {
     const int bones = 2 + random.index(4);
@@ -89,7 +89,7 @@ void addBones(ImageF& image, double size, CounterRandom& random)
 }
 
 /// Returns the background around the vessels, as −ln of its transmission relative to the average patient: soft tissue,
-/// bones with bright rims, spongy texture, and sometimes a monitoring lead.
+/// bones with bright cortex, spongy texture, and sometimes a monitoring lead.
 ImageF bodyAttenuation(int width, int height, CounterRandom& random)
 {
     const double size = std::max(width, height);
@@ -106,19 +106,19 @@ ImageF bodyAttenuation(int width, int height, CounterRandom& random)
 
 constexpr double attenuationPerMm = 0.08;   ///< attenuation of undiluted contrast agent
 constexpr double scatterShare = 0.2;
-constexpr double scatterSigmaShare = 40.0 / 512.0;   ///< fraction of the image width
-constexpr double focalSpotSigmaPx = 0.5;   ///< together with screenSigmaPx, σ 0.7 px
-constexpr double screenSigmaPx = 0.5;   ///< also blurs the quantum noise
+constexpr double scatterSigmaShare = 40.0 / 512.0;   ///< σ of the scatter blur as a fraction of the image width
+constexpr double focalSpotSigmaPx = 0.5;   ///< focal-spot blur; combined with screenSigmaPx, σ is 0.7 px
+constexpr double screenSigmaPx = 0.5;   ///< detector blur, which also affects the quantum noise
 constexpr int maskAverage = 4;   ///< number of frames averaged for the mask
 constexpr double midGray = 2048.0;
 constexpr double grayPerAttenuation = 2200.0;
 constexpr double largestGray = 4095.0;
-constexpr int bodyMarginPx = 8;   ///< margin of the body beyond the field, for motion
+constexpr int bodyMarginPx = 8;   ///< margin of the simulated body around the field of view, for patient motion
 
-/// Random streams of the run's generator.
+/// Independent random streams of a run.
 enum FrameStream : std::uint64_t { BodyStream, MotionStream, ShutterStream, MaskStream, FirstFrameStream };
 
-/// Returns the visible part of the body after a shift.
+/// Returns the part of the body inside the field of view after a shift.
 ImageF shiftedBody(const ImageF& body, const Eigen::Vector2d& shiftPx)
 {
     ImageF result(body.width - 2 * bodyMarginPx, body.height - 2 * bodyMarginPx);
@@ -130,7 +130,7 @@ ImageF shiftedBody(const ImageF& body, const Eigen::Vector2d& shiftPx)
     return result;
 }
 
-/// Returns the expected counts behind an attenuation image: primary beam, scatter, focal-spot blur.
+/// Returns the expected photon counts behind an attenuation image: primary beam with focal-spot blur, plus scatter.
 ImageF expectedCounts(const ImageF& attenuation, double photonCount)
 {
     ImageF primary(attenuation.width, attenuation.height);
@@ -145,7 +145,7 @@ ImageF expectedCounts(const ImageF& attenuation, double photonCount)
     return counts;
 }
 
-/// Returns ln of the detected counts, averaged over `frames` exposures.
+/// Returns ln of the detected photon counts, averaged over `frames` exposures.
 ImageF logDetected(const ImageF& expected, int frames, CounterRandom random)
 {
     ImageF counts(expected.width, expected.height);
@@ -160,7 +160,7 @@ ImageF logDetected(const ImageF& expected, int frames, CounterRandom random)
     return counts;
 }
 
-/// Draws the exposed part of the field: whole, octagonal or round.
+/// Draws the exposed field: the whole image, or an octagonal or round part of it.
 Mask2d drawShutter(int width, int height, double probability, CounterRandom random)
 {
     Mask2d open(width, height, 1);
@@ -182,8 +182,8 @@ Mask2d drawShutter(int width, int height, double probability, CounterRandom rand
     return open;
 }
 
-/// Returns the patient's drift since the mask frames, at fraction `share` of the run: it grows, with slight breathing
-/// superimposed.
+/// Returns the patient's shift since the mask frames, at fraction `share` of the run: a growing drift with slight
+/// breathing superimposed.
 Eigen::Vector2d motionAt(double share, double largestPx, CounterRandom random)
 {
     const double direction = random.uniform(0.0, 2.0 * std::numbers::pi);
@@ -200,7 +200,7 @@ ImageF withContrast(ImageF attenuation, const ImageF& thicknessMm)
     return attenuation;
 }
 
-/// Returns the change that the contrast agent alone makes to the gray values of a subtracted frame.
+/// Returns the noise-free change of the gray values of a subtracted frame that is due to the contrast agent.
 ImageF noiselessContrast(const ImageF& attenuation, const ImageF& thicknessMm, double photonCount)
 {
     ImageF contrast = blurred(expectedCounts(attenuation, photonCount), screenSigmaPx);
@@ -241,7 +241,7 @@ DsaRun formDsaFrames(const DsaScene& scene, const DsaOptions& options, const Cou
     run.frameTimeMs = options.frameCount > 1 ? std::round(1000.0 * timing.runS / options.frameCount) : 0.0;
     double peak = -1.0;
     ImageF peakThicknessMm;
-    ImageF peakAttenuation;   // attenuation of the body without contrast
+    ImageF peakAttenuation;   // attenuation of the body in the peak frame, without contrast agent
     for (int k = 0; k < options.frameCount; ++k) {
         const double share = (k + 0.5) / options.frameCount;
         const ImageF thicknessMm = contrastThicknessMm(scene.paths, bolus, timing.firstS + share * timing.runS,

@@ -13,18 +13,18 @@
 namespace angiopose::core {
 namespace {
 
-// Vessels grow at a fixed size and are scaled to the requested extent at the end.
+// The tree grows at this fixed size and is then scaled to the requested extent.
 constexpr double growthHalfExtentMm = 90.0;
 constexpr double takeoffMarginMm = 9.0;   ///< distance from ends and other takeoffs without further takeoffs
-constexpr double minReachMm = 22.0;   ///< minimum straight length of a branch while growing
+constexpr double minReachMm = 22.0;   ///< minimum straight-line length of a branch before scaling
 constexpr int candidateCount = 60;
 
 /// Random properties that distinguish the anatomies of different seeds.
 struct Anatomy {
     Eigen::Vector3d halfAxesMm;
-    double hollowness;   ///< 0: vessels fill the organ; 1: they run on its surface (heart, brain)
+    double hollowness;   ///< 0: the vessels fill the organ; 1: they lie on its surface (heart, brain)
     double tortuosity;
-    double upward;   ///< +1: blood flows toward the head
+    double upward;   ///< +1 if blood flows toward the head, −1 if toward the feet
 };
 
 Anatomy drawAnatomy(CounterRandom& random)
@@ -66,7 +66,7 @@ double distanceToTree(const VesselTree& tree, const Eigen::Vector3d& place)
     return std::sqrt(nearest);
 }
 
-/// Returns the emptiest of a few random positions: farthest-point sampling fills the organ evenly.
+/// Returns the random candidate position farthest from the tree; this farthest-point sampling fills the organ evenly.
 Eigen::Vector3d emptiestPlace(const VesselTree& tree, const Anatomy& anatomy, CounterRandom& random)
 {
     Eigen::Vector3d best = Eigen::Vector3d::Zero();
@@ -84,7 +84,7 @@ Eigen::Vector3d emptiestPlace(const VesselTree& tree, const Anatomy& anatomy, Co
 
 bool isFree(const GrownTree& grown, std::size_t branch, std::size_t point)
 {
-    const auto margin = static_cast<std::size_t>(takeoffMarginMm);   // points are 1 mm apart while growing
+    const auto margin = static_cast<std::size_t>(takeoffMarginMm);   // points are 1 mm apart before scaling
     const std::size_t count = grown.tree.branches[branch].pointsInPatient.size();
     if (point < margin || point + margin >= count) {
         return false;
@@ -104,8 +104,8 @@ int generationOf(const GrownTree& grown, std::size_t branch)
     return generation;
 }
 
-/// Returns the takeoff with the lowest cost for a branch to `place`: path length, plus penalties for deviating from the
-/// parent's direction and for late generations. This results in branching angles near 40°.
+/// Returns the takeoff with the lowest cost for a branch to `place`. The cost is the path length plus penalties for
+/// deviating from the parent's direction and for late generations; it results in branching angles near 40°.
 Takeoff cheapestTakeoff(const GrownTree& grown, const Eigen::Vector3d& place)
 {
     Takeoff best;
@@ -165,7 +165,7 @@ bool growBranch(GrownTree& grown, const Anatomy& anatomy, CounterRandom& random)
     return true;
 }
 
-/// Names the branches: Trunk, then A, B, … for its children, A1, A2, … for theirs, A1.1, … below.
+/// Names the branches: Trunk; A, B, … for its children; A1, A2, … for their children; A1.1, … for later generations.
 void nameBranches(GrownTree& grown)
 {
     std::vector<int> children(grown.tree.branches.size(), 0);
@@ -188,7 +188,7 @@ void nameBranches(GrownTree& grown)
     }
 }
 
-/// Moves the bounding box to the origin and scales its longest side to `extentMm`.
+/// Centers the bounding box at the origin and scales its longest side to `extentMm`.
 void fitIntoBox(VesselTree& tree, double extentMm)
 {
     Eigen::AlignedBox3d box;
@@ -205,7 +205,7 @@ void fitIntoBox(VesselTree& tree, double extentMm)
     }
 }
 
-/// Resamples to the final spacing and moves takeoffs to the nearest new point.
+/// Resamples the branches to the final spacing and moves takeoffs to the nearest new point.
 void resampleTo(GrownTree& grown, double spacingMm)
 {
     for (std::size_t b = 0; b < grown.tree.branches.size(); ++b) {
@@ -231,7 +231,7 @@ GrownTree growTree(std::uint64_t seed, const TreeOptions& options)
     GrownTree grown;
     grown.tree.branches.push_back({1, "", growTrunk(anatomy, random), {}});
     grown.takeoffs.emplace_back();
-    // A crowded tree may have no free takeoff left for a position; other positions are tried, up to a limit.
+    // In a crowded tree, a position may have no free takeoff; other positions are then tried, up to a limit.
     for (int attempt = 0; attempt < 20 * options.branchCount; ++attempt) {
         if (static_cast<int>(grown.tree.branches.size()) >= options.branchCount) {
             break;

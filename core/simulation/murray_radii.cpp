@@ -9,7 +9,7 @@ namespace {
 constexpr double shareFedAtTip = 0.35;   ///< fraction of a branch's own flow; the rest leaves evenly along its length
 constexpr double transitionMm = 4.0;   ///< half the length over which the lumen narrows at a bifurcation
 
-/// Returns the mean over ±`reach` points, fewer near the ends.
+/// Returns the moving average over ±`reach` points, over fewer near the ends.
 std::vector<double> smoothed(const std::vector<double>& values, std::size_t reach)
 {
     std::vector<double> result(values.size());
@@ -38,7 +38,7 @@ void assignMurrayRadii(GrownTree& grown, double rootRadiusMm)
             const double remaining = 1.0 - static_cast<double>(i) / static_cast<double>(count - 1);
             flow[b][i] = own * (shareFedAtTip + (1.0 - shareFedAtTip) * remaining);
         }
-        // Children come after their parent, so their flow is already complete.
+        // Children come after their parent in the list and are processed first; their flow is complete.
         for (std::size_t child = b + 1; child < branches.size(); ++child) {
             if (grown.takeoffs[child].parentIndex == static_cast<int>(b)) {
                 for (std::size_t i = 0; i <= grown.takeoffs[child].parentPoint; ++i) {

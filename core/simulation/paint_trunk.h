@@ -10,7 +10,7 @@ inline constexpr double muscleHu = 45.0;
 inline constexpr double lungHu = -850.0;
 inline constexpr double cortexHu = 900.0;
 
-/// Extent of the scan in the patient.
+/// Extent of the scanned volume in the patient.
 struct ScanField {
     Eigen::Vector3d center;
     Eigen::Vector3d half;

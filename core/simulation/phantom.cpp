@@ -7,7 +7,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double depthMm = 800.0;
-constexpr double focalLengthPx = 1877.0;   // for 512 × 512; a finer image shows the same field
+constexpr double focalLengthPx = 1877.0;   // at 512 × 512 px; larger images cover the same field of view
 constexpr int referenceSizePx = 512;
 
 double lengthMm(const VesselTree& tree)

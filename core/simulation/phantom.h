@@ -9,14 +9,14 @@
 
 namespace angiopose::core {
 
-/// One generated tree in front of the camera of the published experiments: f = 1877 px, centroid 800 mm from the
-/// source, clinical angles.
+/// A generated tree and the camera of the published experiments: f = 1877 px, centroid 800 mm from the source, clinical
+/// angles.
 struct Phantom {
     VesselTree tree;
     ProjectionCamera camera;
     RigidTransform trueCameraFromPatient;
     Centerline2d target;   ///< resampled curves of the tree, see projectCurves
-    Centerline2d exactTarget;   ///< projections of the tree's own points, one curve per branch: exact partners exist
+    Centerline2d exactTarget;   ///< projections of the tree's points, one curve per branch; gives exact correspondences
 };
 
 /// Makes the tree of this seed with about `pointCount` points, projected into a square image of `imageSizePx`.

@@ -5,10 +5,10 @@
 
 namespace angiopose::core {
 
-/// Returns the ids of leaf branches, which have a free end and no child branch: one bifurcation, one tip.
+/// Returns the ids of the leaf branches, which have one bifurcation and one free end.
 std::vector<int> leafBranchIds(const VesselTree& tree);
 
-/// Returns the tree without `count` random leaves (without all of them if it has fewer).
+/// Returns the tree without `count` random leaf branches, or without all of them if there are fewer.
 VesselTree pruned(const VesselTree& tree, int count, CounterRandom& random);
 
 }   // namespace angiopose::core

@@ -5,7 +5,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Returns the lumen fraction of each voxel.
+/// Returns the fraction of each voxel that is lumen.
 ScanGrid lumenShares(const VesselTree& tree, const VolumeGeometry& geometry)
 {
     ScanGrid shares(geometry, 0.0F);

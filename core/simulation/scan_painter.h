@@ -10,7 +10,7 @@
 
 namespace angiopose::core {
 
-using ScanGrid = VoxelGrid<float>;   ///< HU of a scan being simulated, axes along the patient's
+using ScanGrid = VoxelGrid<float>;   ///< HU of a simulated scan; axes parallel to the patient's axes
 
 /// Returns the fraction of a voxel inside a wall at `distanceMm` (negative inside).
 inline double shareInside(double distanceMm, double voxelMm)
@@ -18,12 +18,12 @@ inline double shareInside(double distanceMm, double voxelMm)
     return std::clamp(0.5 - distanceMm / voxelMm, 0.0, 1.0);
 }
 
-/// Draws shapes, given by their distance function, into the surrounding part of the grid.
+/// Draws shapes, given by their distance functions, into the voxel grid with partial volume.
 class ScanPainter {
 public:
     explicit ScanPainter(ScanGrid& grid) : grid_(grid), voxelMm_(std::cbrt(grid.geometry.spacingMm.prod())) {}
 
-    /// Calls `work(voxel index, point)` for each voxel within `reachMm` of `center` along the axes.
+    /// Calls `work(voxel index, point)` for each voxel in the box of half size `reachMm` around `center`.
     template <class Work>
     void around(const Eigen::Vector3d& center, const Eigen::Vector3d& reachMm, const Work& work)
     {
@@ -53,7 +53,7 @@ public:
         ellipsoid(center, halfAxes, [hu] { return hu; });
     }
 
-    /// Same, with the value that `draw()` returns for each voxel.
+    /// Does the same with the value that `draw()` returns for each voxel.
     template <class Draw>
     requires std::is_invocable_r_v<double, Draw>
     void ellipsoid(const Eigen::Vector3d& center, const Eigen::Vector3d& halfAxes, const Draw& draw)
@@ -75,16 +75,16 @@ private:
     double voxelMm_;
 };
 
-/// Returns a grid of that size centered on the origin of the patient frame.
+/// Returns a grid of this size centered on the origin of the patient frame.
 VolumeGeometry gridAroundOrigin(const Eigen::Vector3i& size, const Eigen::Vector3d& spacingMm);
 
-/// Draws the vessels with a lumen of `hu`.
+/// Draws the lumen of the vessels with the value `hu`.
 void paintTree(ScanPainter& painter, const VesselTree& tree, const VolumeGeometry& geometry, double hu);
 
-/// Gaussian blur along each axis in turn, with border values replicated.
+/// Applies a Gaussian blur along each axis in turn, with border values replicated.
 void blurScan(ScanGrid& grid, double sigmaVoxels);
 
-/// Rounds to integers: `value(voxel of the grid, generator)` for each voxel, with one random generator per slice.
+/// Rounds `value(voxel of the grid, generator)` to an integer for each voxel, with one random generator per slice.
 template <class Value>
 Volume asWholeNumbers(const ScanGrid& grid, const CounterRandom& random, const Value& value)
 {
@@ -101,7 +101,7 @@ Volume asWholeNumbers(const ScanGrid& grid, const CounterRandom& random, const V
     return volume;
 }
 
-/// Returns the scan as a scanner stores it, with noise.
+/// Returns the scan in stored values, with noise added.
 Volume asStored(const ScanGrid& grid, double noiseHu, const CounterRandom& random);
 
 }   // namespace angiopose::core

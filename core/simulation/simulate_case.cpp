@@ -14,7 +14,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Random streams of the case's generator, one per part, so that draws of one part never shift those of another.
+/// Random streams of a case, one per part; draws of one part never shift those of another.
 enum CaseStream : std::uint64_t { GeometryStream = 1, DeformationStream, FillingStream, ImageStream };
 
 constexpr double angleErrorDeg = 1.0;
@@ -33,7 +33,7 @@ double roundedTo(double value, double step)
     return std::round(value / step) * step;
 }
 
-/// Draws a clinical setup whose field of view contains the vessels; values are rounded as in headers.
+/// Draws a clinical geometry whose field of view contains the vessels; values are rounded as in DICOM headers.
 CArm drawCArm(double extentMm, const DsaOptions& dsa, CounterRandom& random)
 {
     CArm cArm;
@@ -59,7 +59,7 @@ CArm withTrueAngles(CArm cArm, CounterRandom& random)
     return cArm;
 }
 
-/// Draws a patient-frame offset with the given standard deviations across and along the ray.
+/// Draws an offset in the patient frame with the given standard deviations perpendicular to and along the ray.
 Eigen::Vector3d drawOffset(const CArm& cArm, double lateralStdMm, double depthStdMm, CounterRandom& random)
 {
     const double x = lateralStdMm * random.normal();
@@ -88,7 +88,7 @@ ViewGeometryTruth drawGeometry(const Eigen::Vector3d& centroid, double extentMm,
     return geometry;
 }
 
-/// Returns the rigid pose that best aligns the undeformed tree with the deformed one in the image.
+/// Returns the rigid pose whose projection of the undeformed tree is closest to that of the deformed tree.
 RigidTransform bestRigidPose(const VesselTree& tree, const VesselTree& warped, const ProjectionCamera& camera,
                              const RigidTransform& cameraFromPatient)
 {

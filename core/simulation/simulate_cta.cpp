@@ -14,7 +14,7 @@ namespace {
 
 constexpr double tableHu = 150.0;
 constexpr double calcificationHu = 950.0;
-constexpr double metalHu = 8000.0;   ///< of a stent's struts before blurring
+constexpr double metalHu = 8000.0;   ///< stent struts, before blurring
 constexpr double treeShare = 0.72;   ///< size of the tree as a fraction of the scan's shortest side
 
 /// Paints liver, spleen and kidneys with some enhancement, and lungs at the top.
@@ -45,7 +45,7 @@ void paintTable(ScanPainter& painter, const ScanField& field)
                    });
 }
 
-/// Paints calcified plaques in the wall that hardly reach into the lumen.
+/// Paints calcified plaques in the vessel wall that hardly extend into the lumen.
 void paintCalcifications(ScanPainter& painter, const VesselTree& tree, int count, CounterRandom& random)
 {
     for (int n = 0; n < count; ++n) {

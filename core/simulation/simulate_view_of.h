@@ -12,12 +12,12 @@ struct ViewGeometryTruth {
     RigidTransform initialCameraFromPatient;
 };
 
-/// Same as simulateView, for an existing tree and geometry.
+/// Does the same as simulateView for an existing tree and geometry.
 SimulatedCase simulateViewOf(const GrownTree& grown, const ViewGeometryTruth& geometry, std::uint64_t viewSeed,
                              const DsaOptions& dsa);
 
-/// Same as simulateView, for an existing tree. `extentMm` determines the field of view, as the extent of a grown tree
-/// does.
+/// Does the same as simulateView for an existing tree. `extentMm` determines the field of view, like the extent of a
+/// generated tree.
 SimulatedCase simulateViewOf(const GrownTree& grown, double extentMm, std::uint64_t viewSeed,
                              const DsaOptions& dsa = {});
 

@@ -12,7 +12,7 @@
 
 namespace angiopose::core {
 
-/// Shape of a generated tree; lengths mm.
+/// Options of a generated tree; lengths in mm.
 struct TreeOptions {
     int branchCount = 24;
     double extentMm = 180.0;   ///< approximate size of the bounding box
@@ -30,7 +30,7 @@ struct ContrastTiming {
     double runS = 3.6;   ///< duration of the run, from inflow to washout of the bolus
     double fillingS = 1.4;   ///< transit time from the inlet to the farthest tip
     double injectionS = 1.6;
-    double riseS = 0.4;   ///< blur of the bolus front
+    double riseS = 0.4;   ///< temporal blur of the bolus front
     double washoutS = 0.45;   ///< decay time after the injection
 };
 
@@ -38,50 +38,50 @@ struct ContrastTiming {
 struct DsaOptions {
     int width = 512;
     int height = 512;
-    int frameCount = 8;   ///< frames of the bolus passage; opacification peaks in the middle frames
-    double photonCount = 3000.0;   ///< N0 of the Poisson noise
+    int frameCount = 8;   ///< number of frames of the bolus passage; opacification peaks in the middle
+    double photonCount = 3000.0;   ///< expected photons per pixel behind the average patient (N0 of the Poisson noise)
     double missingBranchShare = 0.2;   ///< fraction of the branches; they drop out from the ends, thin ones more often
-    double extraBranchShare = 0.1;   ///< 2-D vessels that are not in the tree, per branch
-    double nonRigidStdMm = 0.0;   ///< smooth deformation of the true vessels
+    double extraBranchShare = 0.1;   ///< probability per branch of an additional vessel that is not in the tree
+    double nonRigidStdMm = 0.0;   ///< smooth deformation of the true vessels, standard deviation per axis
     double catheterProbability = 0.5;
     double maskMotionPx = 1.0;   ///< maximum shift between mask and contrast frames
     double shutterProbability = 0.5;   ///< of a black, octagonal or round border, as exported with the display shutter
     ContrastTiming timing{};
 };
 
-/// Reports options that cannot be simulated; nothing if all can.
+/// Reports options that cannot be simulated; nothing if all options are valid.
 std::optional<Message> findProblem(const TreeOptions& tree, const DsaOptions& dsa);
 
 /// A simulated case with known ground truth.
 struct SimulatedCase {
     VesselTree tree;
-    Angiogram angiogram;   ///< DSA run with dark vessels and geometry as given by a header
+    Angiogram angiogram;   ///< DSA run with dark vessels; its geometry is that of the header
     ProjectionCamera camera;
-    RigidTransform trueCameraFromPatient;   ///< best rigid pose
-    std::optional<VesselTree> deformedTree;   ///< deformed vessels at their true positions, under trueCameraFromPatient
+    RigidTransform trueCameraFromPatient;   ///< true pose; with deformed vessels, the best rigid pose
+    std::optional<VesselTree> deformedTree;   ///< deformed vessels, at their true positions under trueCameraFromPatient
     RigidTransform initialCameraFromPatient;   ///< as in DICOM: angles ±1°, isocenter error 15 mm lateral, 30 mm depth
-    std::vector<int> missingBranchIds;   ///< unopacified in the image
+    std::vector<int> missingBranchIds;   ///< branches that are unopacified in the image
     Centerline2d trueTarget;   ///< opacified branches and extra vessels, projected by projectCurves
-    Centerline2d trueCatheter;   ///< one curve, or none without a catheter
-    ImageF trueContrast;   ///< noise-free gray-value decrease by the contrast agent in the suggested frame
+    Centerline2d trueCatheter;   ///< one curve, or none if there is no catheter
+    ImageF trueContrast;   ///< noise-free decrease of the gray values in the suggested frame due to the contrast agent
 };
 
-/// Simulates tree, clinical C-arm pose and DSA frames, all determined by the seed.
+/// Simulates a tree, a clinical C-arm pose and DSA frames, all determined by the seed.
 SimulatedCase simulateCase(std::uint64_t seed, const TreeOptions& tree = {}, const DsaOptions& dsa = {});
 
-/// Simulates another view of the tree of `treeSeed`; `viewSeed` determines pose, opacification and image.
+/// Simulates a view of the tree with seed `treeSeed`; `viewSeed` determines pose, opacification and image.
 SimulatedCase simulateView(std::uint64_t treeSeed, std::uint64_t viewSeed, const TreeOptions& tree = {},
                            const DsaOptions& dsa = {});
 
-/// Pose noise conventions of ALGORITHMS §4.2, never mixed in one table. OBJ: rotation about the tree's centroid, then
-/// shift. CAM: twist applied in the camera frame (rotation about the source).
+/// Perturb a pose by one of the conventions of ALGORITHMS §4.2, which one table never mixes. OBJ: rotation about the
+/// tree's centroid, then shift. CAM: twist applied in the camera frame (rotation about the source).
 RigidTransform perturbedAboutCentroid(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
                                       double rotationStdDeg, double translationStdMm, CounterRandom& random);
 RigidTransform perturbedAboutSource(const RigidTransform& cameraFromPatient, double rotationStdDeg,
                                     double translationStdMm, CounterRandom& random);
 
-/// OBJ with uniform components: rotated by up to ±`rangeDeg` about each camera axis and shifted by up to ±`rangeMm`
-/// along each.
+/// Perturbs a pose as OBJ with uniformly distributed components: rotation by up to ±`rangeDeg` about each camera axis
+/// and shift by up to ±`rangeMm` along each.
 RigidTransform uniformlyDisplaced(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
                                   double rangeDeg, double rangeMm, CounterRandom& random);
 
@@ -89,7 +89,7 @@ RigidTransform uniformlyDisplaced(const RigidTransform& cameraFromPatient, const
 Centerline2d projectTree(const VesselTree& tree, const ProjectionCamera& camera,
                          const RigidTransform& cameraFromPatient);
 
-/// Returns the same curves as an ideal image shows them, resampled at 1 px: except for the ends, no point is the
+/// Returns the projected curves as traced in an ideal image, resampled at 1 px. Except at the ends, no point is the
 /// projection of a tree point, so there are no exact correspondences.
 Centerline2d projectCurves(const VesselTree& tree, const ProjectionCamera& camera,
                            const RigidTransform& cameraFromPatient);

@@ -20,7 +20,7 @@ struct Sway {
     Eigen::Vector3d axis;
 };
 
-/// Draws two slow waves and a faster, smaller one; the smallest radius of curvature of a wave stays above about 15 mm.
+/// Draws two long waves and a shorter, smaller one; the radius of curvature of each wave stays above about 15 mm.
 std::array<Sway, 3> drawSways(const Eigen::Vector3d& chord, double tortuosity, CounterRandom& random)
 {
     const Eigen::Vector3d u = chord.unitOrthogonal();
@@ -58,7 +58,7 @@ std::vector<Eigen::Vector3d> smoothPath(const PathPlan& plan, CounterRandom& ran
     for (int k = 0; k <= steps; ++k) {
         const double t = static_cast<double>(k) / steps;
         const double alongMm = t * chord.norm();
-        // The waves fade in, so the vessel leaves its parent in the planned direction.
+        // The waves fade in to let the vessel leave its parent in the planned direction.
         const double faded = 1.0 - std::exp(-alongMm * alongMm / (15.0 * 15.0));
         Eigen::Vector3d point = bezier(control, t);
         for (const Sway& sway : sways) {

@@ -4,7 +4,7 @@
 
 namespace angiopose::core {
 
-/// Returns 0 below 0, 1 above 1, and a cubic with zero end slopes in between.
+/// Returns 0 for t below 0 and 1 for t above 1; in between, a cubic with zero slope at both ends.
 inline double smoothStep(double t)
 {
     const double x = std::clamp(t, 0.0, 1.0);

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Pixels that a disc may touch.
+/// Range of the pixels that a disc can cover.
 struct Window {
     int left, right, top, bottom;
 };

@@ -28,7 +28,7 @@ VesselTree stentWires(const VesselBranch& branch, const StentOptions& options)
     Eigen::Vector3d aside = tangents[first].unitOrthogonal();
     double turn = 0.0;
     for (std::size_t n = first; n < last; ++n) {
-        aside = (aside - aside.dot(tangents[n]) * tangents[n]).normalized();   // keeps the frame from twisting
+        aside = (aside - aside.dot(tangents[n]) * tangents[n]).normalized();   // keeps the local frame from twisting
         const Eigen::Vector3d across = tangents[n].cross(aside);
         turn += n > first ? slope * (axis[n] - axis[n - 1]).norm() / radii[n] : 0.0;
         for (std::size_t w = 0; w < wires.branches.size(); ++w) {

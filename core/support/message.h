@@ -13,8 +13,8 @@
 
 namespace angiopose::core {
 
-/// A catalog entry: the id of a message, for programs and translations, and the English sentence with %1 … as
-/// placeholders for the arguments.
+/// A catalog entry: the message id, for programs and translations, and the English sentence with placeholders %1 … for
+/// the arguments.
 struct MessageEntry {
     const char* id;
     const char* english;
@@ -23,9 +23,9 @@ struct MessageEntry {
 class Message;
 using Messages = std::vector<Message>;
 
-/// A number in a message. `unit` follows it, after a space unless it is "°"; may be empty.
+/// A number in a message. `unit` is appended after a space (without one for "°") and may be empty.
 struct Quantity {
-    static constexpr int asNeeded = -1;   ///< up to six significant digits and no more than needed
+    static constexpr int asNeeded = -1;   ///< as many significant digits as needed, at most six
 
     double value;
     int decimals = 0;
@@ -35,15 +35,15 @@ struct Quantity {
 };
 
 /// Argument for a placeholder: an untranslated text (a name, a word from a file), a number, a list of texts, or a list
-/// of messages: sentences, or phrases that have translations.
+/// of messages that are translated.
 using MessageArgument = std::variant<std::string, Quantity, std::vector<std::string>, Messages>;
 
 enum class Severity { Note, Warning, Error };
 
-/// "note", "warning", "error".
+/// Returns "note", "warning" or "error".
 std::string_view toText(Severity severity);
 
-/// A message to the user as data: catalog entry, severity and arguments. Made by calling a catalog entry with its
+/// A message to the user as data: catalog entry, severity and arguments. Created by calling a catalog entry with its
 /// arguments: `messages::noSuchBranch(7)`.
 class Message {
 public:
@@ -51,15 +51,15 @@ public:
         : entry_(&entry), arguments_(std::move(arguments))
     {
     }
-    /// Makes a message from text without a catalog entry: a patient's name, a sentence stored by another version. Its
-    /// id is `text.plain`.
+    /// Creates a message from text without a catalog entry, such as a patient's name or a sentence stored by another
+    /// version. Its id is `text.plain`.
     static Message verbatim(std::string words);
 
     const MessageEntry& entry() const { return *entry_; }
     std::string_view id() const { return entry_->id; }
     const std::vector<MessageArgument>& arguments() const { return arguments_; }
 
-    /// Whether it was made from this entry, with any arguments.
+    /// Whether the message was created from this entry, with any arguments.
     bool is(const MessageEntry& entry) const { return entry_ == &entry; }
 
     Severity severity() const { return severity_; }
@@ -69,7 +69,7 @@ public:
     const std::string& subject() const { return subject_; }
     Message about(std::string_view subject) const;
 
-    /// Returns the English sentence, preceded by its subject.
+    /// Returns the English sentence, preceded by the subject if there is one.
     std::string text() const;
 
     bool operator==(const Message&) const = default;
@@ -81,7 +81,7 @@ private:
     std::vector<MessageArgument> arguments_;
 };
 
-/// For logs and tests.
+/// Writes the message to a stream, for logs and tests.
 std::ostream& operator<<(std::ostream& stream, const Message& message);
 
 /// Returns the English text of one argument: "2.4 mm", "aorta, liver".
@@ -115,7 +115,7 @@ MessageArgument messageArgument(const Given& given)
     }
 }
 
-/// A catalog entry with a fixed number of arguments: a wrong number does not compile.
+/// A catalog entry with a fixed number of arguments; a call with a different number does not compile.
 template <std::size_t Places>
 struct MessageKind : MessageEntry {
     template <class... Arguments>
@@ -125,7 +125,6 @@ struct MessageKind : MessageEntry {
     }
 };
 
-/// Returns a quantity in mm.
 constexpr Quantity inMm(double value, int decimals)
 {
     return {value, decimals, "mm"};

@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-std::atomic<int> threadsAllowed{0};   // 0: all
+std::atomic<int> threadsAllowed{0};   // thread limit of the process; 0 for all processors
 
 }   // namespace
 

@@ -10,18 +10,18 @@
 
 namespace angiopose::core {
 
-/// Returns the number of threads this process may use at once: the number of processors, or fewer if limited. Affects
-/// times only, never results.
+/// Returns the number of threads this process may use at once: the number of processors, or the limit if one is set.
+/// Affects only computation times, never results.
 int usableThreads();
 
-/// Limits the threads of a process that shares the machine with similar processes, including the libraries of this
-/// layer. Call before any work begins.
+/// Limits the threads of this process, including those of the libraries it uses, when several such processes share the
+/// machine. Call before any work begins.
 void limitThreads(int threads);
 
-/// Transfers an exception from worker threads to the waiting thread; of several, the first.
+/// Passes the first exception thrown in worker threads to the waiting thread.
 class FirstException {
 public:
-    /// Returns whether the work completed without an exception.
+    /// Runs `work`, stores an exception, and returns whether there was none.
     template <class Work>
     bool run(const Work& work) noexcept
     {
@@ -37,7 +37,7 @@ public:
         }
     }
 
-    /// Call only after all threads have finished.
+    /// Rethrows the stored exception, if any. Call only after all threads have finished.
     void rethrow() const
     {
         if (first_) {
@@ -50,16 +50,16 @@ private:
     std::exception_ptr first_;
 };
 
-/// Returns `asked`, or the number of usable threads if it is 0.
+/// Returns `asked`, or the number of usable threads if `asked` is 0.
 inline int threadCount(int asked)
 {
     return asked > 0 ? asked : usableThreads();
 }
 
-/// Calls `work(i)` once for each i below `count` on `threads` threads, including the calling one. `meanwhile(done)` is
-/// called on the calling thread between its work items; returning false skips the remaining items. Results that depend
-/// only on i and are stored by i are the same for any number of threads. An exception from `work` ends the rest and is
-/// rethrown to the caller.
+/// Calls `work(i)` once for each i below `count` on `threads` threads, including the calling one. The calling thread
+/// also calls `meanwhile(done)` between its work items; if that returns false, the remaining items are skipped. Results
+/// that depend only on i and are stored by i are the same for any number of threads. An exception from `work` skips the
+/// remaining items and is rethrown to the caller.
 template <class Work, class Meanwhile>
 bool parallelFor(std::size_t count, int threads, const Work& work, const Meanwhile& meanwhile)
 {
@@ -86,7 +86,7 @@ bool parallelFor(std::size_t count, int threads, const Work& work, const Meanwhi
             stopped = true;
         }
     }
-    helpers.clear();   // waits for their last work items
+    helpers.clear();   // waits until the other threads have finished their current items
     thrown.rethrow();
     return !stopped;
 }

@@ -14,8 +14,8 @@ std::vector<double> quantiles(std::vector<double> values, const std::vector<doub
     if (values.empty()) {
         return result;
     }
-    // Order statistics by selection, because sorting would dominate the time for a few fractions. A higher rank is
-    // searched only above the previous one.
+    // Uses selection, because sorting would take most of the time for a few fractions. Each higher rank is searched for
+    // only above the previous one.
     std::size_t settled = 0;
     const auto ranked = [&](std::size_t rank) {
         const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
@@ -29,7 +29,7 @@ std::vector<double> quantiles(std::vector<double> values, const std::vector<doub
         const auto below = static_cast<std::size_t>(position);
         const std::size_t above = std::min(below + 1, values.size() - 1);
         const double share = position - static_cast<double>(below);
-        // An infinite neighbor must not turn an exact hit into NaN.
+        // Interpolates only between ranks; otherwise an infinite neighbor would turn an exact rank into NaN.
         const double lower = ranked(below);
         result[k] = share > 0.0 ? (1.0 - share) * lower + share * ranked(above) : lower;
     }

@@ -22,7 +22,7 @@ public:
     int index(int count);   ///< in {0, …, count-1}, count > 0
     std::uint64_t poisson(double mean);   ///< mean ≥ 0; normal approximation above 50
 
-    /// Returns an independent generator for part `stream` of the work (a trial, a frame, a branch).
+    /// Returns an independent generator for subtask `stream` (a trial, a frame, a branch).
     CounterRandom fork(std::uint64_t stream) const;
 
 private:

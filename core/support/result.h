@@ -12,8 +12,8 @@ struct Stopped {
     Message message;
 };
 
-/// Reason why there is no value: a message the user can act on (which file or value, the problem, the remedy), or
-/// cancellation by the user.
+/// Reason why there is no value: a message the user can act on (file or value, problem, remedy), or cancellation by the
+/// user.
 class Error {
 public:
     Error(const Message& problem) : message(problem.as(Severity::Error)) {}
@@ -21,7 +21,7 @@ public:
 
     bool isStop() const { return isStop_; }
 
-    /// Returns the same error about a file or a key in a file.
+    /// Returns the same error with a file, or a key in a file, as its subject.
     Error about(std::string_view subject) const
     {
         Error reported = *this;

@@ -5,7 +5,7 @@
 
 namespace angiopose::core {
 
-/// Wall time since construction or the last reading.
+/// Measures the wall time since construction or the last reading.
 class Stopwatch {
 public:
     double lapMs()
@@ -21,7 +21,7 @@ private:
     Clock::time_point start_ = Clock::now();
 };
 
-/// CPU time of the constructing thread, which other programs disturb less than wall time.
+/// Measures the CPU time of the constructing thread, which depends less on other programs than wall time.
 class ThreadStopwatch {
 public:
     double elapsedMs() const { return nowMs() - startMs_; }

@@ -9,17 +9,17 @@ namespace angiopose::core {
 template <int Size>
 struct Axes {
     Eigen::Vector<double, Size> values;   ///< eigenvalues, ascending
-    Eigen::Matrix<double, Size, Size> directions;   ///< a unit eigenvector per column, in the same order
+    Eigen::Matrix<double, Size, Size> directions;   ///< one unit eigenvector per column, in the order of `values`
 };
 
 Axes<2> axesOf(const Eigen::Matrix<double, 2, 2>& matrix);
 Axes<3> axesOf(const Eigen::Matrix<double, 3, 3>& matrix);
 Axes<6> axesOf(const Eigen::Matrix<double, 6, 6>& matrix);
 
-/// At most six rows and columns, on the stack.
+/// Matrix with at most six rows and columns, stored on the stack.
 using UpToSix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
 
-/// Inverse of a regular matrix, symmetric or not, by LU.
+/// Returns the inverse of a regular matrix, symmetric or not, by LU decomposition.
 UpToSix inverseOf(const UpToSix& matrix);
 Eigen::Matrix<double, 6, 6> inverseOf(const Eigen::Matrix<double, 6, 6>& matrix);
 

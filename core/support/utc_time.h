@@ -4,7 +4,7 @@
 
 namespace angiopose::core {
 
-/// Returns the current time as ISO 8601, UTC, to the second: "2026-05-04T12:30:00Z".
+/// Returns the current UTC time in ISO 8601, to the second: "2026-05-04T12:30:00Z".
 std::string utcNow();
 
 }   // namespace angiopose::core

@@ -2,7 +2,7 @@
 
 namespace angiopose::core {
 
-/// Decision of a progress observer.
+/// Decision of a progress observer about the operation it observes.
 enum class Verdict { Continue, Stop };
 
 }   // namespace angiopose::core

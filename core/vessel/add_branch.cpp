@@ -10,15 +10,15 @@
 namespace angiopose::core {
 namespace {
 
-/// A point of a branch near a position.
+/// A point of a branch and its distance from a given position.
 struct PlaceInBranch {
     const VesselBranch* branch = nullptr;
     std::size_t point = 0;
     double awayMm = 0.0;
 };
 
-/// Returns the branch whose lumen contains the position; of several, the one with the nearest axis. Without radii, a
-/// branch that touches it.
+/// Returns the branch whose lumen contains the position or that touches it; if there are several, the one with the
+/// nearest axis.
 std::optional<PlaceInBranch> branchAround(const VesselTree& tree, const Eigen::Vector3d& place)
 {
     std::optional<PlaceInBranch> around;
@@ -35,8 +35,8 @@ std::optional<PlaceInBranch> branchAround(const VesselTree& tree, const Eigen::V
     return around;
 }
 
-/// Removes the start of the branch that runs inside other branches; the branch then begins on the axis of the one it
-/// left.
+/// Removes the start of the branch that runs inside other branches; the branch then begins on the axis of the branch
+/// from which it emerges.
 std::optional<PlaceInBranch> trimInside(const VesselTree& tree, VesselBranch& branch)
 {
     std::optional<PlaceInBranch> last;

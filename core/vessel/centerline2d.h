@@ -32,7 +32,7 @@ std::vector<Eigen::Vector2d> tangentsOf(const std::vector<Eigen::Vector2d>& poin
 /// unchanged.
 Centerline2d resampled(const Centerline2d& centerline, double spacingPx);
 
-/// Reports why this centerline is unusable (no points, NaN); nothing if it is valid.
+/// Returns the reason why a centerline is unusable (no points, NaN); nothing if it is valid.
 std::optional<Message> findProblem(const Centerline2d& centerline);
 
 }   // namespace angiopose::core

@@ -10,7 +10,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double reachInSpacings = 2.5;
-constexpr double besideOnGridPx = 1.5;   // slightly more than √2
+constexpr double besideOnGridPx = 1.5;   // distance up to which grid pixels are adjacent, slightly more than √2
 
 struct Joint {
     double lengthPx = 0.0;
@@ -59,7 +59,7 @@ double distanceToNearest(const ImagePoints& points, const std::vector<std::size_
 {
     double nearest = std::numeric_limits<double>::infinity();
     const Eigen::Vector2d& point = points[order[place]];
-    const auto isFurther = [&](std::size_t other) {   // then all points beyond it are farther, too
+    const auto isFurther = [&](std::size_t other) {   // if true, all points beyond this one are farther away, too
         const Eigen::Vector2d apart = points[order[other]] - point;
         nearest = std::min(nearest, apart.norm());
         return std::abs(apart.x()) > nearest;
@@ -71,7 +71,7 @@ double distanceToNearest(const ImagePoints& points, const std::vector<std::size_
     return nearest;
 }
 
-/// Median distance of a point to its nearest neighbor.
+/// Returns the median distance of the points to their nearest neighbors.
 double usualSpacing(const ImagePoints& points, const std::vector<std::size_t>& order)
 {
     std::vector<double> nearest(order.size());
@@ -111,7 +111,7 @@ JoinedPoints spanningForest(std::size_t count, std::vector<Joint> joints)
     return neighbors;
 }
 
-/// Follows untaken points from `start` to the next end or bifurcation.
+/// Follows unused points from `start` to the next end or bifurcation.
 Curve2d curveFrom(std::size_t start, const ImagePoints& points, const JoinedPoints& neighbors,
                   std::vector<char>& isTaken)
 {
@@ -147,7 +147,7 @@ Centerline2d chainPoints(const ImagePoints& points)
             }
         }
     };
-    collect([&](std::size_t i) { return neighbors[i].size() < 2; });   // start at ends
+    collect([&](std::size_t i) { return neighbors[i].size() < 2; });   // curves that start at an end
     collect([&](std::size_t i) { return neighbors[i].size() > 2; });   // start at bifurcations that no end led to
     const auto isCutOff = [&](std::size_t point) { return isTaken[point] != 0; };
     collect([&](std::size_t i) { return std::ranges::any_of(neighbors[i], isCutOff); });   // start between bifurcations

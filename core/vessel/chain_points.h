@@ -9,7 +9,7 @@ namespace angiopose::core {
 
 /// Chains unordered image points (px), such as skeleton pixels, into curves: neighbors are connected by a minimum
 /// spanning tree, which is split at bifurcations. Each point belongs to one curve; a point without neighbors forms its
-/// own curve. Neighbors are points within 2.5 times the typical spacing, and adjacent pixels.
+/// own curve. Points are neighbors if they are adjacent pixels or closer than 2.5 times the typical spacing.
 Centerline2d chainPoints(const std::vector<Eigen::Vector2d>& points);
 
 }   // namespace angiopose::core

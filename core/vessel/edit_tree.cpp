@@ -53,7 +53,7 @@ double meanRadius(const VesselBranch& branch)
            static_cast<double>(branch.radiusMm.size());
 }
 
-/// Whether the branch is an end branch: no other branch begins on it beyond its first points.
+/// Whether no other branch begins on this branch beyond its first points.
 bool isEndBranch(const VesselTree& tree, const VesselBranch& branch)
 {
     return std::none_of(tree.branches.begin(), tree.branches.end(), [&](const VesselBranch& other) {
@@ -63,7 +63,7 @@ bool isEndBranch(const VesselTree& tree, const VesselBranch& branch)
     });
 }
 
-/// Returns the shortest end branch below the limits.
+/// Returns the shortest end branch that is too short or too thin.
 std::optional<int> worstEndBranch(const VesselTree& tree, double minLengthMm, double minRadiusMm)
 {
     std::optional<int> worst;
@@ -91,7 +91,7 @@ const Eigen::Vector3d& endOf(const VesselBranch& branch, bool atBack)
     return atBack ? branch.pointsInPatient.back() : branch.pointsInPatient.front();
 }
 
-/// Adds points on the straight line between two ends, at the point spacing of the branch.
+/// Extends the branch along a straight line toward `to`, with the point spacing of the branch.
 void bridge(VesselBranch& branch, const Eigen::Vector3d& to, std::optional<double> radiusAtEnd)
 {
     const Eigen::Vector3d from = branch.pointsInPatient.back();
@@ -261,7 +261,7 @@ Result<VesselTree> smoothedBranch(const VesselTree& tree, int branchId, double w
     if (count < 3 || !(spacing > 0.0)) {
         return result;
     }
-    // The spline halves the amplitude of a wave of length 2π λ^¼ steps.
+    // The spline halves the amplitude of a wave whose length is 2π λ^¼ steps.
     const double lambda = std::pow(widthMm / (2.0 * std::numbers::pi * spacing), 4.0);
     std::vector<double> weights(count, 1.0);
     weights.front() = 1e6;

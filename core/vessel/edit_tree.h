@@ -6,27 +6,27 @@
 #include <cstddef>
 #include <string>
 
-// Edits of a vessel tree: each takes a tree and returns the edited one, with the ids of untouched branches unchanged. A
-// nonexistent branch, or an edit that would leave nothing, is an error for the user.
+// Edits of a vessel tree. Each function takes a tree and returns the edited tree; the ids of unaffected branches stay
+// unchanged. A nonexistent branch, or an edit that would leave nothing, is reported as an error to the user.
 
 namespace angiopose::core {
 
-/// Maximum distance at which two branches connect, mm; as for `findNodes`.
+/// Maximum distance at which two branches count as connected, mm; same as for `findNodes`.
 inline constexpr double touchingMm = 1.5;
 
 /// Removes the branch and all its descendants.
 Result<VesselTree> withoutSubtree(const VesselTree& tree, int branchId);
 
-/// Removes end branches that are too short or, on average, too thin; the shortest first, until none is left. A branch
-/// of unknown radius is never too thin.
+/// Removes end branches that are too short or, on average, too thin, shortest first, until none is left. A branch of
+/// unknown radius never counts as too thin.
 Result<VesselTree> pruned(const VesselTree& tree, double minLengthMm, double minRadiusMm);
 
-/// Splits the branch at its `point`-th point, which ends the first part; the second part begins with the next point and
-/// gets a new id. Each part needs two points.
+/// Splits the branch after its point `point`. The second part begins with the next point and gets a new id. Each part
+/// needs at least two points.
 Result<VesselTree> cutAt(const VesselTree& tree, int branchId, std::size_t point);
 
-/// Joins two branches at their nearest ends, keeping id, name and direction of the first; a straight line bridges the
-/// gap.
+/// Joins two branches at their nearest ends and bridges the gap with a straight line. The result keeps id, name and
+/// direction of the first branch.
 Result<VesselTree> joined(const VesselTree& tree, int firstId, int secondId);
 
 /// An end of a branch: its first or its last point.
@@ -35,13 +35,13 @@ struct BranchEnd {
     bool atBack = true;
 };
 
-/// Same as `joined`, at the given ends.
+/// Does the same as `joined`, at the given ends.
 Result<VesselTree> joinedOver(const VesselTree& tree, const BranchEnd& first, const BranchEnd& second);
 
 /// Extends the branch straight from one of its ends to a point, usually of another branch, which it then touches.
 Result<VesselTree> extendedTo(const VesselTree& tree, const BranchEnd& end, const Eigen::Vector3d& pointInPatient);
 
-/// Smooths the branch by a smoothing spline: removes bends narrower than about `widthMm` and keeps its ends.
+/// Smooths the branch with a smoothing spline, which removes curves narrower than about `widthMm` and keeps both ends.
 Result<VesselTree> smoothedBranch(const VesselTree& tree, int branchId, double widthMm);
 
 /// Returns the index of the branch's point nearest to a position; the branch must exist.
@@ -49,7 +49,7 @@ std::size_t nearestPoint(const VesselTree& tree, int branchId, const Eigen::Vect
 
 Result<VesselTree> renamed(const VesselTree& tree, int branchId, const std::string& name);
 
-/// Sets the generation of the branch; −1: unknown.
+/// Sets the generation of the branch; −1 means unknown.
 Result<VesselTree> withGeneration(const VesselTree& tree, int branchId, int generation);
 
 }   // namespace angiopose::core

@@ -8,11 +8,11 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t minReported = 8;   // minimum number of points for a curve to have an order
+constexpr std::size_t minReported = 8;   // minimum number of points for checking the order of a curve
 constexpr std::size_t askedPoints = 48;
 constexpr std::size_t firstAskedPoints = 16;   // if all but one of these are in order, the curve counts as ordered
 constexpr double minInOrder = 0.8;   // nearly 1 for curves, 0.4 to 0.7 for pixels row by row
-constexpr double nearlyNearest = 1.5;   // steps along the pixel grid are 1 or √2
+constexpr double nearlyNearest = 1.5;   // maximum ratio to the nearest distance; steps along the pixel grid are 1 or √2
 constexpr std::size_t minLonePoints = 20;
 
 bool isInOrder(const std::vector<Eigen::Vector2d>& points, std::size_t i)
@@ -24,7 +24,7 @@ bool isInOrder(const std::vector<Eigen::Vector2d>& points, std::size_t i)
         if (other + 1 == i || other == i + 1) {
             adjacent = std::min(adjacent, squared);
         }
-        // Duplicates of the point carry no information.
+        // Ignores duplicates of the point.
         if (other != i && squared > 0.0) {
             nearest = std::min(nearest, squared);
         }
@@ -32,7 +32,7 @@ bool isInOrder(const std::vector<Eigen::Vector2d>& points, std::size_t i)
     return adjacent <= nearlyNearest * nearlyNearest * nearest;
 }
 
-/// Counts the ordered points among `asked` evenly spread points.
+/// Counts how many of `asked` points, evenly distributed over the curve, are in order.
 std::size_t countInOrder(const std::vector<Eigen::Vector2d>& points, std::size_t asked)
 {
     std::size_t inOrder = 0;

@@ -9,13 +9,13 @@ namespace angiopose::core {
 /// Curves after reordering.
 struct OrderedCurves {
     Centerline2d curves;
-    std::size_t reorderedPoints = 0;   ///< number of points that were unordered
+    std::size_t reorderedPoints = 0;   ///< number of points that were out of order
 };
 
-/// Reorders curves if necessary: along an ordered curve, a point's nearest neighbor is the previous or next point. If
-/// this fails for most points (skeleton pixels row by row, points in any order), or if most curves are single points,
-/// the points are chained (chainPoints) and lose their radii. Returns nothing if all curves are in order. Points must
-/// be finite.
+/// Reorders curves if necessary. Along an ordered curve, the nearest neighbor of a point is the previous or next point.
+/// Curves for which this is false at too many points (skeleton pixels listed row by row, points in any order) are
+/// rebuilt from their points (chainPoints) and lose their radii, as are single points if most curves are single points.
+/// Returns nothing if all curves are in order. Points must be finite.
 std::optional<OrderedCurves> putInOrder(const Centerline2d& given);
 
 }   // namespace angiopose::core

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Returns the position on the segment, 0 at a … 1 at b, nearest to a point.
+/// Returns the position on the segment a–b nearest to a point, from 0 at a to 1 at b.
 template <class Vector>
 double fractionNearest(const Vector& a, const Vector& b, const Vector& point)
 {

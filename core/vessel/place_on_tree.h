@@ -11,21 +11,21 @@ namespace angiopose::core {
 /// A position on a tree: on one of its branches, between two of its points.
 struct TreePlace {
     std::size_t branch = 0;   ///< index into VesselTree::branches
-    std::size_t segment = 0;   ///< from the branch point with this index to the next
-    double fraction = 0.0;   ///< 0…1 along the segment
+    std::size_t segment = 0;   ///< segment from the branch point with this index to the next point
+    double fraction = 0.0;   ///< position along the segment, 0…1
 };
 
-/// Returns the position on the tree nearest to a point in space; nothing for an empty tree.
+/// Returns the position on the tree nearest to a 3-D point; nothing for an empty tree.
 std::optional<TreePlace> nearestPlace(const VesselTree& tree, const Eigen::Vector3d& pointInPatient);
 
 Eigen::Vector3d pointAt(const VesselTree& tree, const TreePlace& place);   ///< LPS, mm
 
-/// Returns the direction of the branch at this position: the chord over 3 mm, unit vector.
+/// Returns the direction of the branch at this position: the unit vector of the chord over 3 mm.
 Eigen::Vector3d directionAt(const VesselTree& tree, const TreePlace& place);
 
-std::optional<double> radiusAt(const VesselTree& tree, const TreePlace& place);   ///< mm; nothing without radii
+std::optional<double> radiusAt(const VesselTree& tree, const TreePlace& place);   ///< in mm; nothing without radii
 
-/// Same as a point in space.
+/// Returns the same position as a 3-D point.
 std::optional<Eigen::Vector3d> nearestOnTree(const VesselTree& tree, const Eigen::Vector3d& pointInPatient);
 
 /// Returns the point on the tree that projects nearest to a pixel; nothing if it is farther than `reachPx`.

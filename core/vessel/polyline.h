@@ -13,7 +13,7 @@ namespace angiopose::core {
 template <int Dim>
 using Polyline = std::vector<Eigen::Matrix<double, Dim, 1>>;
 
-/// A position on a polyline: between point `index` and the next one.
+/// A position on a polyline, between point `index` and the next point.
 struct PolylineStation {
     std::size_t index = 0;
     double fraction = 0.0;   ///< 0 at `index`, 1 at the next point
@@ -29,8 +29,8 @@ double polylineLength(const Polyline<Dim>& points)
     return length;
 }
 
-/// Returns unit tangents by central differences over ±`reach` points; if these coincide, the previous tangent
-/// (initially the x axis).
+/// Returns unit tangents by central differences over ±`reach` points. Where these points coincide, the previous tangent
+/// is used (initially the x axis).
 template <int Dim>
 Polyline<Dim> polylineTangents(const Polyline<Dim>& points, std::size_t reach)
 {
@@ -49,8 +49,8 @@ Polyline<Dim> polylineTangents(const Polyline<Dim>& points, std::size_t reach)
     return tangents;
 }
 
-/// Returns stations about every `spacing` of arc length, with the spacing adjusted to make both ends stations. One
-/// station for a single point.
+/// Returns stations about `spacing` apart in arc length. The spacing is adjusted to make both ends stations. Returns
+/// one station for a single point.
 template <int Dim>
 std::vector<PolylineStation> evenStations(const Polyline<Dim>& points, double spacing)
 {
@@ -82,7 +82,7 @@ std::vector<PolylineStation> evenStations(const Polyline<Dim>& points, double sp
     return stations;
 }
 
-/// Interpolates values given per polyline point (points, radii, …) linearly at the stations.
+/// Interpolates values given for each polyline point (points, radii, …) linearly at the stations.
 template <class Value>
 std::vector<Value> interpolate(const std::vector<Value>& values, const std::vector<PolylineStation>& stations)
 {

@@ -10,7 +10,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t thicknessStretch = 5;   ///< number of points from which the thickness of an end is computed
+constexpr std::size_t thicknessStretch = 5;   ///< number of points over which the radius of an end is averaged
 
 double endRadius(const VesselBranch& branch, bool atBack)
 {
@@ -28,8 +28,7 @@ void turnAround(VesselBranch& branch)
     std::reverse(branch.radiusMm.begin(), branch.radiusMm.end());
 }
 
-/// Returns the index of the branch point nearest to `place` if it is close enough to touch; otherwise the number of
-/// points.
+/// Returns the index of the branch point nearest to `place`, or the number of points if none is close enough to touch.
 std::size_t touchingPoint(const VesselBranch& branch, const Eigen::Vector3d& place)
 {
     std::size_t best = branch.pointsInPatient.size();
@@ -44,7 +43,7 @@ std::size_t touchingPoint(const VesselBranch& branch, const Eigen::Vector3d& pla
     return best;
 }
 
-/// Traverses the vessels from a root and outputs them in order.
+/// Traverses the vessels from a root and collects the branches in this order.
 class RootWalker {
 public:
     explicit RootWalker(const VesselTree& tree) : left_(tree.branches.begin(), tree.branches.end())
@@ -56,7 +55,7 @@ public:
 
     bool isDone() const { return left_.empty(); }
 
-    /// Traverses from the end with the greatest `worth(branch, atBack)`.
+    /// Traverses the vessels from the branch end with the highest score, `worth(branch, atBack)`.
     template <class Worth>
     void walkFromBest(const Worth& worth)
     {
@@ -127,7 +126,7 @@ private:
         result_.branches.push_back(std::move(child));
     }
 
-    /// Splits off the part after the `at`-th point, which both parts keep.
+    /// Splits off the part after point `at`, which then belongs to both parts.
     VesselBranch secondPart(VesselBranch& branch, std::size_t at)
     {
         const auto from = static_cast<std::ptrdiff_t>(at);

@@ -6,11 +6,11 @@ namespace {
 /// A symmetric pentadiagonal matrix, solved in place for one right-hand side.
 struct PentadiagonalMatrix {
     std::vector<double> diagonal;
-    std::vector<double> upper1;   ///< [i] is the element (i, i + 1)
-    std::vector<double> upper2;   ///< [i] is the element (i, i + 2)
+    std::vector<double> upper1;   ///< element i is the matrix element (i, i + 1)
+    std::vector<double> upper2;   ///< element i is the matrix element (i, i + 2)
 };
 
-/// W + λ DᵀD with the second differences D.
+/// Returns W + λ DᵀD, where D computes second differences.
 PentadiagonalMatrix normalMatrix(const std::vector<double>& weights, double lambda)
 {
     const std::size_t n = weights.size();
@@ -26,7 +26,7 @@ PentadiagonalMatrix normalMatrix(const std::vector<double>& weights, double lamb
     return a;
 }
 
-/// Factors a = L D Lᵀ row by row while eliminating x, then back-substitutes.
+/// Factors the matrix as L D Lᵀ row by row during forward substitution, then back-substitutes.
 template <class Value>
 void solveInPlace(PentadiagonalMatrix a, std::vector<Value>& x)
 {

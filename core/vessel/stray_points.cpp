@@ -9,7 +9,7 @@ namespace {
 
 constexpr double maxStrayShare = 0.01;
 
-/// Returns the median along each axis, ignoring points that are not finite.
+/// Returns the median of the points along each axis, ignoring non-finite points.
 Eigen::Vector3d middleOf(const std::vector<Eigen::Vector3d>& points)
 {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t pointsUnheard = 0xFFFF;   ///< bit mask: points between checks for cancellation, minus one
 
-/// Undirected edge, and whether the triangle traverses it in ascending order.
+/// Undirected edge of a triangle, and whether the triangle traverses the edge in ascending order.
 struct HalfEdge {
     std::uint32_t low, high;
     bool isUpward;

@@ -9,24 +9,24 @@
 
 namespace angiopose::core {
 
-/// The vessel wall as triangles, patient LPS mm.
+/// The vessel wall as a triangle mesh, in patient LPS, mm.
 struct SurfaceMesh {
     std::vector<Eigen::Vector3d> pointsInPatient;
-    std::vector<std::array<std::uint32_t, 3>> triangles;   ///< indices into the points; all within range
+    std::vector<std::array<std::uint32_t, 3>> triangles;   ///< point indices; all are within range
 };
 
-/// Result of checking how well a mesh encloses a volume.
+/// Result of checking whether a mesh encloses a volume.
 struct MeshCheck {
-    std::size_t openEdges = 0;   ///< edges with one triangle, on the border of a hole
-    std::size_t crowdedEdges = 0;   ///< edges with more than two triangles
-    bool isOriented = false;   ///< whether neighboring triangles agree on the outside
+    std::size_t openEdges = 0;   ///< number of edges with one triangle, which border a hole
+    std::size_t crowdedEdges = 0;   ///< number of edges with more than two triangles
+    bool isOriented = false;   ///< whether neighboring triangles have consistent orientation
 
     bool isClosed() const { return openEdges == 0 && crowdedEdges == 0; }
 };
 MeshCheck checkMesh(const SurfaceMesh& mesh);
 
-/// Returns the mesh with coincident points merged and triangles without area removed. Incomplete if `shouldContinue`,
-/// called from time to time, returns false.
+/// Returns the mesh with coincident points merged and zero-area triangles removed. Incomplete if `shouldContinue`,
+/// which is called regularly, returns false.
 SurfaceMesh welded(const SurfaceMesh& mesh, const std::function<bool()>& shouldContinue = {});
 
 }   // namespace angiopose::core

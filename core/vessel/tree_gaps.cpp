@@ -47,7 +47,7 @@ std::vector<std::size_t> piecesOf(const VesselTree& tree)
     return piece;
 }
 
-/// Returns the unit direction in which a branch leaves through its end.
+/// Returns the outward unit direction at an end of a branch.
 Eigen::Vector3d outwards(const VesselBranch& branch, bool atBack)
 {
     const auto& points = branch.pointsInPatient;
@@ -57,7 +57,7 @@ Eigen::Vector3d outwards(const VesselBranch& branch, bool atBack)
     return way.norm() > 1e-9 ? way.normalized().eval() : Eigen::Vector3d::Zero().eval();
 }
 
-/// Returns the plausibility of a gap: a short distance outweighs a change of direction.
+/// Returns the plausibility of a gap, in which a short distance outweighs a change of direction.
 double worthOf(const TreeGap& gap)
 {
     return (1.5 + gap.directionAgreement) / (touchingMm + gap.distanceMm);
@@ -101,7 +101,7 @@ double lengthOfPiece(const VesselTree& tree, const std::vector<std::size_t>& pie
 std::vector<TreeGap> findGaps(const VesselTree& tree, double longestMm)
 {
     const std::vector<std::size_t> piece = piecesOf(tree);
-    std::map<std::size_t, std::optional<TreeGap>> best;   // by component
+    std::map<std::size_t, std::optional<TreeGap>> best;   // best gap of each component
     for (const std::size_t which : piece) {
         best.try_emplace(which);
     }
@@ -112,7 +112,7 @@ std::vector<TreeGap> findGaps(const VesselTree& tree, double longestMm)
                     continue;
                 }
                 const TreeGap gap = gapBetween(tree.branches[a], atBack, tree.branches[b]);
-                for (const std::size_t which : {piece[a], piece[b]}) {   // a gap belongs to both components
+                for (const std::size_t which : {piece[a], piece[b]}) {   // a gap counts for both components
                     std::optional<TreeGap>& known = best[which];
                     if (gap.distanceMm <= longestMm && (!known || worthOf(gap) > worthOf(*known))) {
                         known = gap;
@@ -121,7 +121,7 @@ std::vector<TreeGap> findGaps(const VesselTree& tree, double longestMm)
             }
         }
     }
-    if (!best.empty()) {   // the others are joined to the largest component
+    if (!best.empty()) {   // the largest component needs no gap; the others connect to it
         best.erase(std::max_element(best.begin(), best.end(), [&](const auto& a, const auto& b) {
             return lengthOfPiece(tree, piece, a.first) < lengthOfPiece(tree, piece, b.first);
         }));

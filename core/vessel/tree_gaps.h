@@ -18,15 +18,15 @@ struct TreeGap {
     double directionAgreement = 0.0;   ///< 1: straight on from both sides, 0: perpendicular, -1: backward
 };
 
-/// Finds the gaps of a disconnected tree: for each component but the largest, the most plausible gap (near, and
-/// straight) to another one, sorted by plausibility. Gaps longer than `longestMm` are ignored.
+/// Finds the gaps of a disconnected tree. For each component except the largest, returns the most plausible gap (short
+/// and straight) to another component, sorted by plausibility. Gaps longer than `longestMm` are ignored.
 std::vector<TreeGap> findGaps(const VesselTree& tree, double longestMm = 25.0);
 
 /// Returns the number of connected components.
 int pieceCount(const VesselTree& tree);
 
-/// Closes a gap: the two branches become one if both end there (see `joinedOver`); otherwise one is extended to the
-/// side of the other.
+/// Closes a gap: the two branches become one if the gap lies at ends of both (see `joinedOver`); otherwise one branch
+/// is extended to the side of the other.
 Result<VesselTree> mended(const VesselTree& tree, const TreeGap& gap);
 
 }   // namespace angiopose::core

@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minLinkMm = 0.5;   // minimum length, because ends that meet need not touch
+constexpr double minLinkMm = 0.5;   // minimum length of a link; ends that meet may coincide or leave a gap
 
 struct KnotPair {
     std::size_t a = 0;
@@ -27,7 +27,7 @@ std::size_t nearestKnotOf(const TreeKnots& knots, std::size_t branch, const Eige
     return nearest;
 }
 
-/// Returns neighboring knots along the branches and where branches meet.
+/// Returns the pairs of neighboring knots, along the branches and where branches meet.
 std::vector<KnotPair> neighborPairs(const VesselTree& tree, const TreeKnots& knots)
 {
     std::vector<KnotPair> pairs;
@@ -49,7 +49,7 @@ std::vector<KnotPair> neighborPairs(const VesselTree& tree, const TreeKnots& kno
     return pairs;
 }
 
-/// Returns the pairs as a forest, directed away from the first knot of every component.
+/// Returns the links of a spanning forest, directed away from the first knot of each component.
 std::vector<KnotLink> linkForest(const TreeKnots& knots, const std::vector<KnotPair>& pairs)
 {
     std::vector<std::vector<std::size_t>> neighbors(knots.size());
@@ -101,7 +101,7 @@ void addBranch(const VesselBranch& branch, bool isUsed, double spacingMm, TreeKn
     knots.firstOfBranch.push_back(knots.size());
 }
 
-/// Returns the pairs that are not in the forest.
+/// Returns the pairs that are not links of the forest.
 std::vector<KnotLink> cutLinks(const TreeKnots& knots, const std::vector<KnotPair>& pairs)
 {
     std::vector<std::size_t> parents(knots.size(), knots.size());
@@ -131,7 +131,7 @@ Eigen::MatrixXd TreeKnots::distancesAlongTree() const
     const auto count = static_cast<Eigen::Index>(size());
     Eigen::MatrixXd distances = Eigen::MatrixXd::Constant(count, count, std::numeric_limits<double>::infinity());
     distances.diagonal().setZero();
-    // Parents come before their children, so all distances known for the parent apply to the child as well.
+    // Parents come before their children: all distances to the parent are known and give those to the child.
     for (std::size_t l = 0; l < links.size(); ++l) {
         const auto parent = static_cast<Eigen::Index>(links[l].parent);
         const auto child = static_cast<Eigen::Index>(links[l].child);

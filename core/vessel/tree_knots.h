@@ -9,21 +9,21 @@
 
 namespace angiopose::core {
 
-/// Two neighboring knots along the tree.
+/// A link between two neighboring knots of the tree.
 struct KnotLink {
     std::size_t parent = 0;
     std::size_t child = 0;
     double lengthMm = 0.0;
 };
 
-/// The tree as a forest of knots, a few millimeters apart along all branches and linked where branches meet. Each loop
-/// (circle of Willis) is cut at one place, listed in `cuts`.
+/// The tree as a forest of knots, which are a few millimeters apart along all branches and linked where branches meet.
+/// Each loop (such as the circle of Willis) is cut at one link, listed in `cuts`.
 struct TreeKnots {
-    std::vector<Eigen::Vector3d> places;   ///< patient LPS mm
+    std::vector<Eigen::Vector3d> places;   ///< patient LPS, mm
     std::vector<Eigen::Vector3d> tangents;   ///< unit vectors along the branch
     std::vector<double> radiusMm;   ///< 0 if unknown
     std::vector<double> lengthMm;   ///< length of the branch section that a knot represents
-    std::vector<std::uint8_t> isUsed;   ///< 0: knot of an excluded branch, not compared with any image
+    std::vector<std::uint8_t> isUsed;   ///< 0 for knots of excluded branches, which are not compared with any image
     std::vector<std::size_t> firstOfBranch;   ///< index per branch of the tree, plus the end index
     std::vector<KnotLink> links;   ///< each knot is a child at most once, before any link in which it is the parent
     std::vector<KnotLink> cuts;   ///< links that would each close a loop

@@ -10,15 +10,15 @@ namespace angiopose::core {
 
 enum class VesselMarkKind { TargetPoint, OstiumRing };
 
-/// A named mark on the vessels: a target point, for evaluating a pose, or the ring of an ostium.
+/// A named mark on the vessels: a target point for evaluating a pose, or the ring of an ostium.
 struct VesselMark {
-    int id = 0;   ///< unique among the marks of a case; sightings in the views refer to it
+    int id = 0;   ///< unique among the marks of a case; referenced by the sightings in the views
     VesselMarkKind kind = VesselMarkKind::TargetPoint;
     std::string name;
-    Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm; center of a ring
-    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   ///< ring only: unit vector along its branch
-    double radiusMm = 0.0;   ///< ring only
-    std::string extraKeys{};   ///< JSON object with the keys of the case file that this version does not recognize
+    Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm; the center if the mark is a ring
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   ///< for rings only: unit vector along the branch
+    double radiusMm = 0.0;   ///< for rings only
+    std::string extraKeys{};   ///< JSON object with the case-file keys that this version does not recognize
 
     bool operator==(const VesselMark&) const = default;
 };
@@ -29,8 +29,8 @@ int nextMarkId(const std::vector<VesselMark>& marks);
 /// Returns evenly spaced points around a ring, without repeating the first.
 std::vector<Eigen::Vector3d> ringPoints(const VesselMark& ring, std::size_t count);
 
-/// Moves a mark with deforming vessels; both trees must have the same branches and points. The mark keeps its offset to
-/// the nearest point of the vessels, and a ring rotates with its branch. Unchanged if the trees do not match.
+/// Moves a mark together with deforming vessels. Both trees must have the same branches and points; otherwise the mark
+/// stays unchanged. The mark keeps its offset to the nearest point of the vessels, and a ring rotates with its branch.
 VesselMark movedWith(const VesselTree& from, const VesselTree& to, VesselMark mark);
 
 }   // namespace angiopose::core

@@ -29,7 +29,7 @@ std::vector<EndOfBranch> endsOf(const VesselTree& tree)
     return ends;
 }
 
-/// A branch and its bounding box, which excludes most points quickly.
+/// A branch with its bounding box, used to rule out most points quickly.
 struct BoxedBranch {
     const VesselBranch* branch;
     Eigen::AlignedBox3d box;
@@ -170,8 +170,8 @@ double acrossMm(const VesselTree& tree)
 
 bool isUsualSize(const VesselTree& tree)
 {
-    constexpr double shortestMm = 10.0, longestMm = 2000.0;   // one short branch to a whole body
-    constexpr double thinnestMm = 0.15, widestMm = 60.0;   // half a CT voxel to an aneurysm
+    constexpr double shortestMm = 10.0, longestMm = 2000.0;   // from one short branch to the vessels of a whole body
+    constexpr double thinnestMm = 0.15, widestMm = 60.0;   // from half a CT voxel to an aneurysm
     const double across = acrossMm(tree);
     if (across < shortestMm || across > longestMm) {
         return false;

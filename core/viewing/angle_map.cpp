@@ -46,7 +46,7 @@ std::vector<double> gridOf(const AngleRange& range, double stepDeg)
     return grid;
 }
 
-/// Whether no neighbor in the grid is better.
+/// Whether no neighboring grid point has a lower cost.
 bool isLowest(const AngleMap& map, std::size_t column, std::size_t row)
 {
     const double cost = map.at(column, row).cost();

@@ -10,27 +10,27 @@
 
 namespace angiopose::core {
 
-/// Positioner angles in degrees: LAO and CRA positive.
+/// Positioner angles in degrees; LAO and CRA are positive.
 struct GantryAngles {
     double primaryDeg = 0.0;
     double secondaryDeg = 0.0;
 };
 
-/// Angles from `fromDeg` up to `toDeg`.
+/// Range of an angle, both limits included.
 struct AngleRange {
     double fromDeg = 0.0;
     double toDeg = 0.0;
 };
 
-/// Angle ranges of the gantry, and the grid step.
+/// Angle ranges of the gantry and grid step.
 struct AngleMapOptions {
     AngleRange primary{-90.0, 90.0};
     AngleRange secondary{-40.0, 40.0};
     double stepDeg = 2.5;
-    int threads = 0;   ///< 0: all processors
+    int threads = 0;   ///< 0 for all processors
 };
 
-/// Suggested gantry angles.
+/// Suggested gantry angles and the view quality they give.
 struct AngleSuggestion {
     GantryAngles angles;
     SightQuality quality;
@@ -40,8 +40,8 @@ struct AngleSuggestion {
 struct AngleMap {
     std::vector<double> primaryDeg;   ///< angles of the columns, ascending
     std::vector<double> secondaryDeg;   ///< angles of the rows, ascending
-    std::vector<SightQuality> qualities;   ///< row by row
-    std::vector<AngleSuggestion> best;   ///< at most three, at least 20° apart, best first
+    std::vector<SightQuality> qualities;   ///< one per grid point, row by row
+    std::vector<AngleSuggestion> best;   ///< at most three suggestions, at least 20° apart, best first
 
     const SightQuality& at(std::size_t column, std::size_t row) const
     {
@@ -49,16 +49,16 @@ struct AngleMap {
     }
 };
 
-/// Returns the pose of the vessels with the gantry at other angles.
+/// Returns the pose of the vessels for other gantry angles.
 using PoseAtAngles = std::function<RigidTransform(const GantryAngles&)>;
 
-/// Evaluates the part on a grid of angles, then refines the best angles to a tenth of a degree. `observe` receives the
-/// progress, 0…1, and can cancel. Fails for ranges that are empty, not finite or beyond ±180° and ±90°, and for steps
-/// below half a degree.
+/// Evaluates the view of the part on a grid of angles, then refines the best angles to a tenth of a degree. `observe`
+/// receives the progress, 0…1, and can cancel. Fails if a range is empty, not finite, or beyond ±180° (primary) or ±90°
+/// (secondary), or if the step is below half a degree.
 Result<AngleMap> mapAngles(const PartSight& sight, const PoseAtAngles& poseAt, const AngleMapOptions& options = {},
                            const std::function<Verdict(double)>& observe = {});
 
-/// Returns the gantry angles of a view at its frame; nothing if they are unknown.
+/// Returns the gantry angles of a view at its current frame; nothing if they are unknown.
 std::optional<GantryAngles> gantryAnglesOf(const View& view);
 
 /// Returns the pose of the vessels in the view as a function of the gantry angles, with rotation about the isocenter.

@@ -28,7 +28,7 @@ int CineClock::frameAt(double nowMs) const
     if (order_ == CineOrder::Loop || count < 2) {
         return range_.first + static_cast<int>(step % count);
     }
-    const long turn = 2 * (count - 1);   // period in which neither end is shown twice
+    const long turn = 2 * (count - 1);   // period of forward and backward playback, in which neither end is shown twice
     const long place = step % turn;
     return range_.first + static_cast<int>(std::min(place, turn - place));
 }
@@ -36,7 +36,7 @@ int CineClock::frameAt(double nowMs) const
 double CineClock::untilNextMs(double nowMs) const
 {
     const double next = startMs_ + static_cast<double>(stepsUntil(nowMs) + 1) * frameMs_;
-    return std::max(next - nowMs, 0.01 * frameMs_);   // rounding must not stop the playback
+    return std::max(next - nowMs, 0.01 * frameMs_);   // positive in spite of rounding, to keep the playback running
 }
 
 }   // namespace angiopose::core

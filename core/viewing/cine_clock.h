@@ -14,18 +14,18 @@ struct FrameRange {
 
 enum class CineOrder { Loop, BackAndForth };
 
-/// Determines the frame that is due in a playing run, from the time alone: if display is too slow, frames are skipped
-/// and none is late. Times in ms, of any monotonic clock.
+/// Determines from the time alone which frame of a playing run to show. If the display is too slow, frames are skipped,
+/// but none is shown late. Times in ms, from any monotonic clock.
 class CineClock {
 public:
     /// `frameMs` > 0 is the duration of each frame.
     CineClock(const FrameRange& range, CineOrder order, double frameMs);
 
-    /// Starts from `frame`, or from the first frame of the range if it lies outside.
+    /// Starts playback from `frame`, or from the first frame of the range if `frame` lies outside.
     void start(int frame, double nowMs);
 
     int frameAt(double nowMs) const;
-    double untilNextMs(double nowMs) const;   ///< always above 0
+    double untilNextMs(double nowMs) const;   ///< time until the next frame is due; always above 0
 
 private:
     long stepsUntil(double nowMs) const;

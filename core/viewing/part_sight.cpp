@@ -78,11 +78,11 @@ Result<std::vector<VesselPiece>> piecesOfTakeOff(const VesselTree& tree, int bra
     return found;
 }
 
-/// A piece projected to the plane one millimeter from the source: lengths there are angles, independent of the detector
-/// distance.
+/// A vessel segment projected to the plane one millimeter from the source, where lengths are independent of the
+/// detector distance.
 struct PartSight::Seen {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
-    double radius = 0.0;   ///< negative: not in front of the source
+    double radius = 0.0;   ///< negative if the segment is not in front of the source
     double sine = 0.0;   ///< sine of the angle between the vessel and the ray
 };
 
@@ -97,8 +97,8 @@ bool isTouching(const VesselPiece& a, const VesselPiece& b)
     return (a.middleInPatient - b.middleInPatient).squaredNorm() < reach * reach;
 }
 
-/// Returns the fraction of a vessel's width, of half-width `radius`, that another vessel covers at the lateral distance
-/// `apart`.
+/// Returns the fraction of a vessel's width (half-width `radius`) that is covered by another vessel of half-width
+/// `other` at the lateral distance `apart`.
 double coveredWidth(double radius, double other, double apart)
 {
     const double low = std::max(-radius, apart - other);
@@ -106,7 +106,7 @@ double coveredWidth(double radius, double other, double apart)
     return std::clamp((high - low) / (2.0 * radius), 0.0, 1.0);
 }
 
-/// Positions of a part in square cells, for skipping pieces that are too far away to overlap.
+/// Sorts positions into square cells, for skipping segments that are too far away to overlap.
 class PlaceCells {
 public:
     PlaceCells(const std::vector<Eigen::Vector2d>& places, double minCellSize)
@@ -127,7 +127,7 @@ public:
         }
     }
 
-    /// Calls `visit(i)` for every position within a cell size of `place`, and for some beyond.
+    /// Calls `visit(i)` for every position within one cell size of `place`, and for some positions beyond.
     template <class Visit>
     void near(const Eigen::Vector2d& place, const Visit& visit) const
     {

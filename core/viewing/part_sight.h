@@ -8,10 +8,10 @@
 
 namespace angiopose::core {
 
-/// A short straight piece of a vessel.
+/// A short straight segment of a vessel.
 struct VesselPiece {
-    Eigen::Vector3d middleInPatient;   ///< mm
-    Eigen::Vector3d alongMm;   ///< from its start to its end
+    Eigen::Vector3d middleInPatient;   ///< midpoint, LPS, mm
+    Eigen::Vector3d alongMm;   ///< vector from start to end
     double radiusMm = 0.0;
     int branchId = 0;
 };
@@ -19,10 +19,10 @@ struct VesselPiece {
 /// Radius assumed for vessels without radii in the tree, mm.
 inline constexpr double assumedRadiusMm = 1.0;
 
-/// Divides the tree into pieces of at most one millimeter.
+/// Divides the tree into segments of at most one millimeter.
 std::vector<VesselPiece> vesselPiecesOf(const VesselTree& tree);
 
-/// Returns the pieces of one branch.
+/// Returns the segments of one branch.
 std::vector<VesselPiece> piecesOfBranch(const std::vector<VesselPiece>& pieces, int branchId);
 
 /// Returns the side-branch takeoff: the pieces, of all branches that meet there, within `reachMm` of the bifurcation
@@ -31,20 +31,20 @@ Result<std::vector<VesselPiece>> piecesOfTakeOff(const VesselTree& tree, int bra
 
 /// Visibility of a part of the vessels from one direction (ALGORITHMS §5.9).
 struct SightQuality {
-    double foreshortening = 0.0;   ///< 0: seen at full length, 1: end-on
+    double foreshortening = 0.0;   ///< 0 if seen at full length, 1 if end-on
     double overlap = 0.0;   ///< fraction of its projected area overlapped by other vessels or itself, 0…1
 
     double cost() const { return foreshortening + overlap; }
 };
 
-/// Evaluates a part of the vessels from many viewing positions.
+/// Evaluates the view of a part of the vessels from many directions.
 class PartSight {
 public:
-    /// `part`: at least one piece of `all`. Vessels that touch a piece of the part in space do not count as covering
-    /// it.
+    /// `part` contains at least one segment of `all`. Vessels that touch a segment of the part in 3-D do not count as
+    /// overlapping that segment.
     PartSight(std::vector<VesselPiece> part, std::vector<VesselPiece> all);
 
-    /// Pieces at or behind the source count as end-on and covered.
+    /// Evaluates the view from this pose. Segments at or behind the source count as end-on and overlapped.
     SightQuality from(const RigidTransform& cameraFromPatient) const;
 
 private:
@@ -56,11 +56,11 @@ private:
     double partLengthMm_ = 0.0;
 };
 
-/// Part of a branch to be seen.
+/// Part of a branch whose view is evaluated.
 enum class SightOf { Branch, TakeOff };
 
-/// Returns a branch, or its takeoff (piecesOfTakeOff), among all vessels of the tree. Fails if the tree does not have
-/// the branch, or for the takeoff of a branch that meets no other.
+/// Prepares the evaluation of a branch, or of its takeoff (piecesOfTakeOff), among all vessels of the tree. Fails if
+/// the tree does not contain the branch, or for the takeoff of a branch that meets no other branch.
 Result<PartSight> sightOf(const VesselTree& tree, int branchId, SightOf what);
 
 }   // namespace angiopose::core

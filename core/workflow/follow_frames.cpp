@@ -26,7 +26,7 @@ Status checkCase(const Case& session)
     return Done{};
 }
 
-/// Tracks from the first frame in one direction.
+/// Tracks the vessels from the start frame in one direction.
 class Walk {
 public:
     Walk(const Case& session, RunFollower follower)
@@ -82,8 +82,8 @@ private:
     bool startsStill_ = false;
 };
 
-/// Only for a single view: a deformation from several views is known in 3-D, and one run does not determine how it
-/// continues.
+/// Returns the deformation to continue, only if it was found in a single view: a deformation from several views is
+/// known in 3-D, and a single run does not determine its further course.
 std::shared_ptr<const DeformableResult> deformationToFollow(const Case& session)
 {
     const auto deformed = knownDeformation(session.shown(), session.vessels, session.shown().cameraFromPatient);
@@ -101,7 +101,7 @@ FollowedFrame givenFrame(const Case& session)
     return given;
 }
 
-/// Smooths in time the deformations, which were found frame by frame.
+/// Smooths the deformations, which were found frame by frame, over time.
 void smoothBends(const VesselTree& tree, std::vector<FollowedFrame>& frames)
 {
     std::vector<DeformationInTime> deformations;
@@ -115,8 +115,8 @@ void smoothBends(const VesselTree& tree, std::vector<FollowedFrame>& frames)
     }
 }
 
-/// Gives frames without a deformation the one from the nearest frame that has it, because poses were found for deformed
-/// vessels.
+/// Gives unreliable frames without a deformation the deformation of the nearest frame that has one, because their poses
+/// are those of deformed vessels.
 void carryDeformation(std::vector<FollowedFrame>& frames)
 {
     const std::vector<FollowedFrame> found = frames;
@@ -166,7 +166,7 @@ Result<std::vector<FollowedFrame>> followFrames(const Case& session, const WorkO
             const double done = static_cast<double>(frames.size()) / count;
             FollowedFrame followed = walk.step(frame, [&](double) { return course.tell("following", done); });
             if (course.isStopped()) {
-                break;   // stopped within this frame
+                break;   // tracking was stopped during this frame
             }
             frames.push_back(std::move(followed));
             course.tell("following", static_cast<double>(frames.size()) / count);

@@ -16,8 +16,8 @@ namespace angiopose::core {
 /// of its frame is given instead of traced, or if the gantry rotates during the run.
 Result<std::vector<FollowedFrame>> followFrames(const Case& session, const WorkObserver& observe = {});
 
-/// Returns the respiratory and cardiac periods in the tracked frames, if the angiogram specifies the time between
-/// frames.
+/// Returns the respiratory and cardiac periods estimated from the tracked frames, if the angiogram specifies the time
+/// between frames.
 RunPeriods periodsOf(const Case& session, const std::vector<FollowedFrame>& frames);
 
 }   // namespace angiopose::core

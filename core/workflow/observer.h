@@ -9,30 +9,30 @@
 
 namespace angiopose::core {
 
-/// Progress of work on a case.
+/// Progress of an operation on a case.
 struct WorkReport {
     std::string_view stage;   ///< "tracing", "following", or a stage of the solver: "search", "refine", …
-    double fraction = 0.0;   ///< fraction of the whole work, 0…1, never decreasing
+    double fraction = 0.0;   ///< fraction of the whole operation, 0…1, never decreasing
     std::size_t view = 0;   ///< index into Case::views of the current view
     const IterationReport* iteration = nullptr;   ///< report of the solver in that view, valid during the call; or null
 };
 
-/// Observer of all work on a case. Called on the calling thread, several times a second; returning Stop ends the work,
-/// and useful intermediate results are kept.
+/// Observer of operations on a case. It is called on the calling thread, several times a second. Returning Stop cancels
+/// the operation, which keeps useful intermediate results.
 using WorkObserver = std::function<Verdict(const WorkReport&)>;
 
-/// Progress of one task, for its implementation: reports each part to the observer as a fraction of the whole, never
-/// decreasing, and records a stop request.
+/// Reports the progress of an operation to its observer, for use in the implementation. Converts the progress of each
+/// part to a never-decreasing fraction of the whole and records a stop request.
 class Course {
 public:
     explicit Course(const WorkObserver& observe) : observe_(observe) {}
     Course(const Course&) = delete;
     Course& operator=(const Course&) = delete;
 
-    /// Starts a part: subsequent reports are about `view` and range from `first` to `last` of the whole.
+    /// Starts a part: subsequent reports are about `view`, with progress from `first` to `last` of the whole.
     void enter(double first, double last, std::size_t view);
 
-    /// `fraction`: progress within the part.
+    /// Reports `fraction`, the progress within the part, and returns the observer's decision.
     Verdict tell(std::string_view stage, double fraction, const IterationReport* iteration = nullptr);
     bool isStopped() const { return isStopped_; }
 

@@ -16,8 +16,8 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double tracingShare = 0.1;   // share of the whole work, if anything must be traced
-constexpr int maxEstimates = 3;   // geometry estimates; most converge by the second
+constexpr double tracingShare = 0.1;   // fraction of the progress for tracing, if any view must be traced
+constexpr int maxEstimates = 3;   // maximum number of geometry estimates; most cases converge by the second
 constexpr double firstShare = 0.7;   // share of the rest for the first registration, often the only one
 
 Result<std::vector<std::size_t>> plannedViews(const Case& session, RegistrationPlan::Views views)
@@ -34,13 +34,13 @@ Result<std::vector<std::size_t>> plannedViews(const Case& session, RegistrationP
     return registeredViews(session);
 }
 
-/// With several views, adds the image file to the error.
+/// Names the image file in the error if there are several views.
 Error about(const Error& error, const View& view, std::size_t viewCount)
 {
     return viewCount > 1 && !error.isStop() ? error.about(view.imageFile.path) : error;
 }
 
-/// Targets of the registered views, and the tracing times (NaN if the target was known).
+/// Targets of the registered views and tracing times (NaN if the target was known).
 struct TracedViews {
     std::vector<Centerline2d> targets;
     std::vector<double> tookMs;
@@ -74,13 +74,13 @@ Result<TracedViews> traceViews(const Case& session, const std::vector<std::size_
     return traced;
 }
 
-/// A part of the progress, as fractions of the whole.
+/// A part of the progress, from `first` to `last` as fractions of the whole.
 struct Part {
     double first;
     double last;
 };
 
-/// Forwards the solver's reports on the views at `places` as one part of the progress.
+/// Returns an observer that forwards the solver's reports on the views at `places` as one part of the progress.
 IterationObserver solverObserver(Course& course, const std::vector<std::size_t>& places, const Part& part)
 {
     return [&course, &places, part](const IterationReport& report) {
@@ -89,8 +89,8 @@ IterationObserver solverObserver(Course& course, const std::vector<std::size_t>&
     };
 }
 
-/// Returns the result of one view. The joint uncertainty goes to the first view, whose depth is known from the others.
-/// If the joint result is unreliable, so is every single one.
+/// Returns the result of one view. The first view gets the joint uncertainty, because the other views determine its
+/// depth. If the joint result is unreliable, the result of every view is.
 RegistrationResult resultOfAll(const MultiViewResult& joint, std::size_t view)
 {
     RegistrationResult result = joint.views[view];
@@ -107,11 +107,11 @@ RegistrationResult resultOfAll(const MultiViewResult& joint, std::size_t view)
     return result;
 }
 
-/// Data that every result of a registration stores in addition to its findings.
+/// Data stored with every result of a registration in addition to the solver's output.
 struct RunNotes {
     Provenance provenance;
     double readMs;
-    std::vector<double> traceMs;   ///< per registered view
+    std::vector<double> traceMs;   ///< one per registered view
 
     void addTo(RegistrationResult& result, std::size_t number, const View& view) const
     {
@@ -168,7 +168,7 @@ Status registerTogether(RegisteredCase& run, const RunNotes& notes, std::span<co
     }
     run.joint = std::move(joint).value();
     run.joint->warnings.insert(run.joint->warnings.begin(), inputs.notes.begin(), inputs.notes.end());
-    const double totalMs = watch.lapMs();   // one registration found all of them
+    const double totalMs = watch.lapMs();   // common to all views, which were registered jointly
     for (std::size_t k = 0; k < run.places.size(); ++k) {
         RegistrationResult& result = run.joint->views[k];
         result.time.totalMs = totalMs;
@@ -192,7 +192,7 @@ Status registerPlanned(RegisteredCase& run, const RunNotes& notes, std::span<con
                                  : registerOne(run, notes, spreads, observe);
 }
 
-/// Original geometry of the planned views, and the corrections made since.
+/// Poses and camera uncertainties of the planned views before registration, and the camera corrections made since.
 class GivenGeometry {
 public:
     explicit GivenGeometry(const RegisteredCase& run)
@@ -206,8 +206,8 @@ public:
 
     const std::vector<CameraSpread>& spreads() const { return spreads_; }
 
-    /// Applies the cameras estimated from the images and resets the initial poses; returns false if the views already
-    /// have these cameras.
+    /// Applies the cameras estimated from the images and resets the poses to those before registration; returns false
+    /// if the views already have these cameras.
     bool correct(RegisteredCase& run)
     {
         bool isChanged = false;
@@ -223,7 +223,7 @@ public:
         return isChanged;
     }
 
-    /// Adds a note about the corrections to the results that depend on them.
+    /// Adds a note about the camera corrections to the results that depend on them.
     void tell(RegisteredCase& run) const
     {
         for (std::size_t k = 0; k < spreads_.size(); ++k) {

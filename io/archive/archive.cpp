@@ -19,15 +19,15 @@ StopQuestion stopQuestion(const ArchiveObserver& observe)
     return [&observe] { return observe && observe({}) == core::Verdict::Stop; };
 }
 
-/// Whether a file of a folder is to be sent: exports contain other files too, and a damaged DICOM file is recognized by
-/// its extension.
+/// Whether a file found in a folder should be sent. Export folders also contain other files; a damaged DICOM file is
+/// recognized by its extension and reported.
 bool isMeantToGo(const std::filesystem::path& path)
 {
     return !path.filename().string().starts_with('.') &&
            (extensionOf(path.string()) == ".dcm" || isDicomFile(path.string()));
 }
 
-/// Expands the paths to files; of a folder only the DICOM files, sorted by name.
+/// Expands the paths to files: each folder is replaced by its DICOM files, sorted by name.
 std::vector<std::string> filesOf(const std::vector<std::string>& paths)
 {
     namespace fs = std::filesystem;
@@ -83,7 +83,7 @@ public:
     }
 
 private:
-    /// Lists all objects before the first one is fetched, which gives the total for the progress.
+    /// Lists all objects before fetching the first one, so that the progress total is known.
     core::Status plan(const std::string& studyUid, const std::vector<std::string>& series)
     {
         std::size_t all = 0;
@@ -141,7 +141,7 @@ private:
     const ArchiveNode& node_;
     Arrivals& arrivals_;
     TransferReport& report_;
-    std::vector<std::vector<ArchiveObject>> objects_;   ///< one list per series
+    std::vector<std::vector<ArchiveObject>> objects_;   ///< objects of each requested series
 };
 
 std::optional<std::string> wrongUid(const RetrieveRequest& request)

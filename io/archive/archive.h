@@ -10,14 +10,14 @@
 
 namespace angiopose::io {
 
-/// The protocol used for an archive.
+/// Protocol used to access an archive.
 enum class ArchiveWay { Usual, Dimse, Web };
 
 /// Resolves `Usual` to the node's default protocol: DIMSE if it has a host, otherwise DICOMweb.
 ArchiveWay wayTo(const ArchiveNode& node, ArchiveWay requested);
 
-/// Verifies that the archive responds and accepts our requests. All functions of this file name the archive, the
-/// problem and the remedy in their errors.
+/// Verifies that the archive responds and accepts our requests. The errors of all functions in this file name the
+/// archive, the problem and the remedy.
 core::Status echoArchive(const ArchiveNode& node, ArchiveWay way, const ArchiveObserver& observe = {});
 
 core::Result<ArchiveMatches> findInArchive(const ArchiveNode& node, ArchiveWay way, const ArchiveQuery& query,
@@ -25,15 +25,15 @@ core::Result<ArchiveMatches> findInArchive(const ArchiveNode& node, ArchiveWay w
 
 struct RetrieveRequest {
     std::string studyUid;
-    std::vector<std::string> seriesUids;   ///< empty: all series of the study
+    std::vector<std::string> seriesUids;   ///< if empty, all series of the study
 };
 
-/// Retrieves series into a store within its `limit`. Skips series that are already complete there.
+/// Retrieves series into a store, up to its size `limit`. Skips series that are already complete in the store.
 TransferReport retrieveFromArchive(const ArchiveNode& node, ArchiveWay way, const RetrieveRequest& request,
                                    const ObjectStore& store, const StoreLimit& limit,
                                    const ArchiveObserver& observe = {});
 
-/// Sends files and the DICOM files of folders. Reports each file that is not sendable DICOM as a problem.
+/// Sends the given files and the DICOM files of the given folders. Reports each file that cannot be sent as a problem.
 TransferReport sendToArchive(const ArchiveNode& node, ArchiveWay way, const std::vector<std::string>& paths,
                              const ArchiveObserver& observe = {});
 

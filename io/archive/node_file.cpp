@@ -45,7 +45,7 @@ ArchiveNode nodeOf(const Json& json)
     return node;
 }
 
-/// Leaves out members with default values.
+/// Converts a node to JSON without the members that have default values.
 Json jsonOf(const ArchiveNode& node)
 {
     const ArchiveNode usual;

@@ -9,26 +9,26 @@
 
 namespace angiopose::io {
 
-/// The user's archive settings, shared by the window and the command line.
+/// The user's archive settings, shared by the GUI and the command line.
 struct ArchiveSettings {
     std::vector<ArchiveNode> nodes;
-    std::string cacheFolder;   ///< empty: `defaultCacheFolder`
+    std::string cacheFolder;   ///< if empty, `defaultCacheFolder`
     std::uint64_t cacheBytes = defaultCacheBytes;
 
     std::string cache() const { return cacheFolder.empty() ? defaultCacheFolder() : cacheFolder; }
 };
 
-/// The user's settings file: $XDG_CONFIG_HOME/AngioPose/archives.json, or the same path below ~/.config.
+/// Path of the user's settings file: $XDG_CONFIG_HOME/AngioPose/archives.json, or the same path below ~/.config.
 std::string defaultNodeFile();
 
-/// Reads the settings file (FORMATS §7.1). A missing file means no archives. Fails, naming the file, if its content is
-/// not valid.
+/// Reads the settings file (FORMATS §7.1). If the file is missing, there are no archives. If its content is invalid,
+/// fails and names the file.
 core::Result<ArchiveSettings> readArchiveSettings(const std::string& path);
 
-/// Writes the settings file and creates its folder if needed.
+/// Writes the settings file and creates its parent folder if needed.
 core::Status writeArchiveSettings(const ArchiveSettings& settings, const std::string& path);
 
-/// Finds an archive by name; fails with the list of known names.
+/// Finds an archive by name; the error for an unknown name lists the known names.
 core::Result<ArchiveNode> findNode(const ArchiveSettings& settings, const std::string& name, const std::string& path);
 
 }   // namespace angiopose::io

@@ -16,14 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path placeOfInputs =
-    "/angiopose-inputs";   // a folder that does not exist: real folder names may identify patients
+    "/angiopose-inputs";   // folder that does not exist, used because real folder names may identify patients
 
 fs::path nameAlone(const fs::path& path)
 {
     return path.has_filename() ? path.filename() : path.parent_path().filename();
 }
 
-/// Replaces the folders of all inputs; files of the same name remain distinct, for example "2/IM1.dcm".
+/// Replaces the folders of all input paths; files with the same name remain distinct, for example "2/IM1.dcm".
 void forgetFolders(core::Case& session)
 {
     std::vector<core::InputFile*> files{&session.vessels.file, &session.vessels.scanFile};
@@ -45,7 +45,7 @@ void forgetFolders(core::Case& session)
 
 void keepOnlyWhatIsAsked(core::View& view)
 {
-    view.caseFile = {};   // the view is stored in this case itself
+    view.caseFile = {};   // the view is stored in this case, not in a case file of its own
     view.result.reset();
     view.followed = {};
     view.snapshots.clear();

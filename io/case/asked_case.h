@@ -7,15 +7,15 @@
 
 namespace angiopose::io {
 
-/// The input of a registration as the text of a case file, for repeating the registration: poses, geometry, tracing
-/// settings and options; each input by file name (without folder) and content hash. Contains no results, notes or
-/// measurements. Empty if a file name cannot be written as JSON.
+/// Returns the input of a registration as the text of a case file, for repeating the registration: poses, geometry,
+/// tracing settings and options, with the file name (without folder) and content hash of each input. Contains no
+/// results, notes or measurements. Empty if a file name cannot be encoded as JSON.
 std::string askedCaseText(const core::Case& asked);
 
-/// The input of a registration that has just finished.
+/// Returns the input of a registration that has just finished.
 std::string askedCaseText(const core::RegisteredCase& registered);
 
-/// Reduces a case to the views that were registered together with the shown view, which has a result.
+/// Reduces a case to the shown view, which has a result, and the views registered together with it.
 core::Case viewsOfItsRun(core::Case session);
 
 /// The input of the registration that produced the results of such a case, as far as it is still known. Empty if no

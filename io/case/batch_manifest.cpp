@@ -14,7 +14,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t rowDigits = 4;   ///< makes folders sort like rows
+constexpr std::size_t rowDigits = 4;   ///< pads row numbers so that the folders sort in row order
 constexpr std::string_view settingPrefix = "set.";
 
 std::string cellOf(const CsvTable& table, std::size_t row, std::string_view column)
@@ -126,7 +126,7 @@ core::Result<BatchEntry> parseEntry(const CsvTable& table, std::size_t row)
         if (!entry.frame) {
             return fileError(table.path, messages::batchFrameNoNumber(line, frame));
         }
-        entry.frame = std::max(*entry.frame, 0) - 1;   // users count frames from 1
+        entry.frame = std::max(*entry.frame, 0) - 1;   // the manifest counts frames from 1
     }
     if (const auto read = readSettings(entry, table, row); !read) {
         return read.error();
@@ -134,7 +134,7 @@ core::Result<BatchEntry> parseEntry(const CsvTable& table, std::size_t row)
     return entry;
 }
 
-/// Checks the column names, including columns without any values.
+/// Checks the column names, also of columns without values.
 core::Status checkColumns(const CsvTable& table)
 {
     const bool hasCase = table.column("case").has_value();

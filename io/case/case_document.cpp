@@ -13,7 +13,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Keeps keys unknown to this version with the view they belong to.
+/// Stores the keys unknown to this version in the view to which they belong.
 void readUnknown(const Json& root, core::Case& values)
 {
     const std::string unknown = unknownKeys(root.dump(), knownCaseKeys(values.vessels.input.kind).dump());

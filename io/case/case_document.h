@@ -12,16 +12,16 @@ namespace angiopose::io {
 
 /// The content of a case file before its inputs are loaded.
 struct CaseDocument {
-    core::Case values;   ///< paths as written; the C-arms hold only the values of the file
+    core::Case values;   ///< values of the file; paths as written, C-arms without values from image headers
     std::vector<ViewNotes> notes;   ///< for each of `values.views`; empty for views with a case file of their own
-    std::size_t shownPlace = 0;   ///< index among the views of the shown view, `values.views.front()`
+    std::size_t shownPlace = 0;   ///< index of the shown view (`values.views.front()`) in the order of the views
     core::Messages problems;   ///< invalid values, each with key and remedy
 };
 
-/// Parses a JSON text that conforms to the schema; unknown keys go to `values`.
+/// Parses JSON that conforms to the schema; keeps unknown keys in `values`.
 CaseDocument parseCaseDocument(std::string_view json);
 
-/// The case as JSON with paths relative to `folder`, including unknown keys.
+/// Returns the case as JSON with paths relative to `folder`, including unknown keys.
 std::string caseDocumentText(const core::Case& session, const std::filesystem::path& folder);
 
 }   // namespace angiopose::io

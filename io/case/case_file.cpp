@@ -31,7 +31,7 @@ using core::Case;
 
 constexpr std::size_t maxCaseBytes = 16 << 20;
 
-/// Reads the text of a case file; fails if it is not JSON.
+/// Reads the text of a case file; fails if the text is not JSON.
 core::Result<std::string> readCaseText(const std::string& path)
 {
     const auto input = openInput(path);
@@ -52,7 +52,7 @@ core::Result<std::string> readCaseText(const std::string& path)
     return std::string(content);
 }
 
-/// Parses the text of a case at `path`; makes its paths absolute and lists all problems.
+/// Parses the text of a case at `path`, makes the paths in it absolute and lists all problems.
 CaseDocument examineText(const std::string& text, const std::string& path)
 {
     CaseDocument document;
@@ -64,14 +64,14 @@ CaseDocument examineText(const std::string& text, const std::string& path)
     return document;
 }
 
-/// Parses a case file and lists all problems; fails if it is not JSON.
+/// Parses a case file and lists all problems; fails if the file is not JSON.
 core::Result<CaseDocument> examine(const std::string& path)
 {
     const auto text = readCaseText(path);
     return text ? core::Result<CaseDocument>(examineText(text.value(), path)) : text.error();
 }
 
-/// Parses a case file; also fails if it is not a case or has problems.
+/// Parses a case file; fails if the file is not a case or has problems.
 core::Result<CaseDocument> readDocument(const std::string& path, const std::optional<std::string>& text = std::nullopt)
 {
     auto document = text ? core::Result<CaseDocument>(examineText(*text, path)) : examine(path);
@@ -81,7 +81,7 @@ core::Result<CaseDocument> readDocument(const std::string& path, const std::opti
     return document;
 }
 
-/// Reads a view that is stored in a case file of its own.
+/// Reads a view that is stored in its own case file.
 core::Status readViewOfCase(core::View& view, ViewNotes& notes)
 {
     auto read = readDocument(view.caseFile.path);
@@ -91,12 +91,12 @@ core::Status readViewOfCase(core::View& view, ViewNotes& notes)
     CaseDocument document = std::move(read).value();
     document.values.shown().caseFile = view.caseFile;
     view = std::move(document.values.shown());
-    view.sightings.clear();   // they refer to target points of the other case
+    view.sightings.clear();   // sightings refer to the target points of the other case
     notes = std::move(document.notes.front());
     return core::Done{};
 }
 
-/// Loads the other views; one that cannot be loaded is left out with a warning.
+/// Loads the other views; omits a view that cannot be loaded and adds a warning.
 void loadOtherViews(Case& loaded, std::vector<ViewNotes> notes, const std::string& path, core::Messages& warnings,
                     PeakFrame peak)
 {
@@ -117,7 +117,7 @@ void loadOtherViews(Case& loaded, std::vector<ViewNotes> notes, const std::strin
     }
 }
 
-/// Returns which input of the case `path` is, if any.
+/// Returns the input of the case that is stored at `path`; empty if there is none.
 std::string inputAt(const Case& session, const std::string& path)
 {
     std::vector<const core::InputFile*> files{&session.vessels.file, &session.vessels.scanFile};
@@ -134,7 +134,7 @@ std::string inputAt(const Case& session, const std::string& path)
     return {};
 }
 
-/// Moves the shown view, which is read first, to its position among the views.
+/// Moves the shown view, which is read first, to its stored position among the views.
 void putInPlace(Case& session, std::size_t place)
 {
     const auto first = session.views.begin();
@@ -173,14 +173,14 @@ core::Result<Case> loadCaseWith(const CaseRequest& request, const std::string& p
         }
         Case values = std::move(loaded).value();
         loadOtherViews(values, notes, path, warnings, request.peak);
-        request.settings.applyTo(values);   // applies also to views with case files of their own
+        request.settings.applyTo(values);   // settings also apply to views with their own case files
         dropStaleResults(noted, notes, values, warnings);
         readDeformationOfRuns(values, warnings);
         putInPlace(values, shownPlace);
         const core::Messages mismatch = core::findMismatch(values);
         warnings.insert(warnings.end(), mismatch.begin(), mismatch.end());
         return values;
-    } catch (const std::exception&) {   // a value that the schema does not catch
+    } catch (const std::exception&) {   // the schema does not catch every invalid value
         return fileError(path, messages::caseWrongKind());
     }
 }
@@ -218,7 +218,7 @@ std::vector<std::string> filesNamedIn(const std::string& casePath)
                 paths.push_back(file->path);
             }
         }
-    } catch (const std::exception&) {   // names no readable inputs
+    } catch (const std::exception&) {   // the file names no readable inputs
     }
     return paths;
 }
@@ -231,7 +231,7 @@ std::vector<core::InputFile> filesNamedBy(const std::string& text, const std::st
         for (const core::InputFile* file : inputsOf(document)) {
             files.push_back(*file);
         }
-    } catch (const std::exception&) {   // names no readable inputs
+    } catch (const std::exception&) {   // the text names no readable inputs
     }
     return files;
 }
@@ -305,7 +305,7 @@ std::optional<core::Message> findUnsavable(const Case& session)
         return messages::caseScanAlone();
     }
     const bool hasMask =
-        session.vessels.isLumenEdited && session.vessels.lumen;   // the mask is written beside the case file
+        session.vessels.isLumenEdited && session.vessels.lumen;   // an edited mask is saved next to the case file
     if ((session.vessels.file.path.empty() && !hasMask) || session.shown().imageFile.path.empty()) {
         return messages::caseIncomplete();
     }

@@ -23,15 +23,15 @@ core::Result<core::Case> loadCase(const std::string& path, core::Messages& warni
 /// Validates schema and values without loading the inputs. Returns all problems; empty if the case is valid.
 core::Result<core::Messages> validateCase(const std::string& path);
 
-/// Checks a case's geometry together with the header of its image, which is read. Returns missing or implausible
-/// values, none of which prevents loading. Fails if the case or the image cannot be read.
+/// Checks a case's geometry together with the header of its image, which is read. Returns warnings about missing or
+/// implausible values, none of which prevents loading. Fails if the case or the image cannot be read.
 core::Result<core::Messages> doubtsOfCase(const std::string& path);
 
-/// Returns what the case lacks for saving a file that can be reopened.
+/// Explains why the case cannot be saved to a file that can be reopened; returns nothing if it can.
 std::optional<core::Message> findUnsavable(const core::Case& session);
 
-/// Writes atomically (temporary file, flush, rename), with paths relative to the case file, hashes of the inputs and
-/// the keys unknown to this version.
+/// Writes the case atomically (temporary file, flush, rename), with paths relative to the case file, hashes of the
+/// inputs and the keys unknown to this version.
 core::Status saveCase(const core::Case& session, const std::string& path);
 
 }   // namespace angiopose::io

@@ -39,7 +39,7 @@ void readScan(Vessels& vessels, core::Messages& warnings)
     }
 }
 
-/// Reads the manually edited mask, even if the tree was edited too; otherwise the next save would lose it.
+/// Reads the manually edited mask even if the tree was edited as well; otherwise the next save would lose the mask.
 void readEditedLumen(Vessels& vessels, core::Messages& warnings, const ReadObserver& observe)
 {
     auto read = readLabels(vessels.file.path, observe);
@@ -53,8 +53,8 @@ void readEditedLumen(Vessels& vessels, core::Messages& warnings, const ReadObser
     vessels.lumen = std::move(lumen);
 }
 
-/// Reads the source of an edited tree; its scan is needed for the slices. The tree itself is stored in the case, so
-/// failures are only warnings.
+/// Reads the input from which an edited tree was traced, because the slice views need its scan. The case stores the
+/// tree itself, so a failure only causes a warning.
 void readOrigin(Vessels& vessels, core::Messages& warnings, const ReadObserver& observe)
 {
     const std::string& path = vessels.file.path;

@@ -10,15 +10,15 @@
 
 namespace angiopose::io {
 
-/// All files that the case refers to: vessels, scan, image, target, and the other views with their files.
+/// Returns all files to which the case refers: vessels, scan, image, target, and the other views with their files.
 std::vector<core::InputFile*> inputsOf(CaseDocument& document);
 
-/// Resolves the paths of a case file relative to its folder.
+/// Makes the paths of a case file absolute; relative paths are relative to the folder of the case file.
 void makePathsAbsolute(CaseDocument& document, const std::string& casePath);
 
-/// Reads the inputs of a case (absolute paths) and checks them against its content: frame, camera size, branches,
-/// hashes, initial pose. Does not read other views. Need not search for the peak-opacification frame if the case gives
-/// the frame.
+/// Reads the inputs of a case (absolute paths) and checks them against the values of the case: frame, camera size,
+/// branches, hashes, initial pose. Does not read other views. `peak` may skip the search for the peak-opacification
+/// frame if the case specifies the frame.
 core::Result<core::Case> loadInputs(CaseDocument document, const std::string& casePath, core::Messages& warnings,
                                     const ReadObserver& observe, PeakFrame peak = PeakFrame::Sought);
 

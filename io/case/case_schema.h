@@ -6,7 +6,7 @@
 
 namespace angiopose::io {
 
-/// Lists the violations of the published schema in a JSON text; empty if there are none.
+/// Lists the violations of the published schema in a JSON text; empty if the text conforms.
 core::Messages findSchemaProblems(std::string_view json);
 
 }   // namespace angiopose::io

@@ -34,7 +34,7 @@ std::string lastPartOf(const std::string& name)
     return name.substr(name.rfind('.') + 1);
 }
 
-/// Returns the name as spelled in case files; nothing if there is no such name.
+/// Returns the setting name as spelled in case files; nothing if there is no setting of that name.
 std::optional<std::string> nameLike(const std::string& word)
 {
     for (const std::string& name : caseSettingNames()) {
@@ -45,8 +45,8 @@ std::optional<std::string> nameLike(const std::string& word)
     return std::nullopt;
 }
 
-/// Finds similar setting names, comparing full names and last components, which also finds names entered without
-/// "vessel.tracing.".
+/// Finds setting names similar to `word`. Compares full names and last components, so that names entered without
+/// "vessel.tracing." are found as well.
 std::vector<std::string> namesNear(const std::string& word)
 {
     std::map<std::string, std::vector<std::string>> namesByWord;
@@ -72,8 +72,7 @@ std::vector<std::string> namesNear(const std::string& word)
     return near.empty() ? caseSettingNames() : near;
 }
 
-/// Converts a text to the type that a schema requires; an unsuitable text remains a string, which the schema then
-/// rejects.
+/// Converts a text to the type that a schema requires; unsuitable text remains a string, which the schema then rejects.
 Json valueAsWanted(const std::string& text, const Json& schema)
 {
     const std::string type = schema.contains("type") && schema["type"].is_string() ? schema["type"] : Json("string");
@@ -87,7 +86,7 @@ Json valueAsWanted(const std::string& text, const Json& schema)
     return parsed.is_discarded() ? Json(text) : parsed;
 }
 
-/// Validates a value by building the smallest case that contains it and checking that against the schema.
+/// Validates a value by checking the smallest case that contains it against the schema.
 core::Messages problemsOf(const std::string& name, const Json& value)
 {
     Json root{{"format", "angiopose-case"}, {"version", 1}};

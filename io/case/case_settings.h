@@ -9,18 +9,18 @@
 
 namespace angiopose::io {
 
-/// Settings that override the values of a case file, by their names in case files: options by key ("preset"), frame
-/// tracing ("angiogram.trace.sensitivity") and vessel tracing ("vessel.tracing.threshold").
+/// Settings that override values of a case file, named as in case files: options by key ("preset"), frame tracing
+/// ("angiogram.trace.sensitivity") and vessel tracing ("vessel.tracing.threshold").
 class CaseSettings {
 public:
-    /// Adds "name=value"; a later assignment replaces an earlier one of the same name. Names are case-insensitive.
-    /// Errors list the nearest names or the permitted values.
+    /// Adds "name=value"; replaces an earlier assignment to the same name. Names are case-insensitive. Errors list
+    /// similar names or the permitted values.
     core::Status add(const std::string& assignment);
     core::Status add(const std::vector<std::string>& assignments);
 
     bool isEmpty() const { return settings_.empty(); }
 
-    /// The assignments with names as spelled in case files, in alphabetical order.
+    /// Returns the assignments with names as spelled in case files, in alphabetical order.
     std::vector<std::string> assignments() const;
 
     /// Applies the settings to a case; frame tracing settings apply to all views.
@@ -35,7 +35,6 @@ private:
     std::vector<Setting> settings_;   ///< sorted by name
 };
 
-/// All setting names.
 std::vector<std::string> caseSettingNames();
 
 }   // namespace angiopose::io

@@ -5,20 +5,20 @@
 
 namespace angiopose::io {
 
-/// Facts that identify an input again: a file, or a folder by its files.
+/// Properties by which an unchanged input is recognized. The input is a file or a folder of files.
 struct InputFacts {
     std::string path;
     bool isThere = false;
     std::uint64_t size = 0;   ///< total size of all files, bytes
     std::int64_t modified = 0;   ///< modification time of the newest file, in file-system ticks
-    std::string sha256;   ///< content hash of a file; empty: unknown
+    std::string sha256;   ///< content hash of a file; empty if unknown
 
     bool operator==(const InputFacts&) const = default;
 };
 
 InputFacts factsOfInput(const std::string& path, const std::string& sha256 = {});
 
-/// Whether the input is unchanged. If only its time differs, the content hash decides, if known.
+/// Whether the input is unchanged. If only the modification time differs, the content hash decides, if known.
 bool isUnchanged(const InputFacts& known);
 
 }   // namespace angiopose::io

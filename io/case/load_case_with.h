@@ -6,12 +6,12 @@
 
 namespace angiopose::io {
 
-/// Options for loading a case without displaying it.
+/// Options for loading a case outside the GUI.
 struct CaseRequest {
-    CaseSettings settings;   ///< overrides of the file's values, including tracing settings
+    CaseSettings settings;   ///< settings that override the values of the file, including tracing settings
     PeakFrame peak = PeakFrame::Sought;   ///< for cine runs whose frame the case gives
     std::optional<std::string> text =
-        std::nullopt;   ///< replaces the content of the file, which then need not be a case
+        std::nullopt;   ///< if set, replaces the content of the file, which then need not be a case
 };
 
 /// Loads a case like loadCase, with the options of `request`.
@@ -21,10 +21,10 @@ core::Result<core::Case> loadCaseWith(const CaseRequest& request, const std::str
 /// Absolute paths of all files named in a case file, whether they exist or not; empty if it is not a case.
 std::vector<std::string> filesNamedIn(const std::string& casePath);
 
-/// The files named in the text of a case that would be stored at `casePath`, with their stored content hashes.
+/// Returns the files that the text of a case at `casePath` names, with their stored content hashes.
 std::vector<core::InputFile> filesNamedBy(const std::string& text, const std::string& casePath);
 
-/// The files that a loaded case was read from, with their content hashes.
+/// Returns the files from which a loaded case was read, with their content hashes.
 std::vector<core::InputFile> filesOf(const core::Case& session);
 
 }   // namespace angiopose::io

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int maxEntries = 5000;   // per folder, including its subfolders
+constexpr int maxEntries = 5000;   // maximum number of entries to search per folder, including subfolders
 constexpr int deepest = 5;
 constexpr std::uintmax_t maxHashedBytes = std::uintmax_t{2} << 30U;
 
@@ -36,7 +36,7 @@ std::vector<fs::path> entriesOf(const fs::path& folder)
     return entries;
 }
 
-/// Searches one list of entries; hashing counts toward a common limit.
+/// Searches one list of directory entries; the hashed bytes of all inputs count toward a common limit.
 class Search {
 public:
     explicit Search(const ReadObserver& observe) : observe_(observe) {}

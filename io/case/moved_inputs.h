@@ -9,24 +9,24 @@
 
 namespace angiopose::io {
 
-/// An input that does not exist at the path in its case.
+/// Input that does not exist at the path stored in its case.
 struct MissingInput {
-    std::string path;   ///< absolute path from the case
-    std::string sha256;   ///< hash of the original content; empty: unknown
+    std::string path;   ///< absolute path stored in the case
+    std::string sha256;   ///< hash of the original content; empty if unknown
     bool isOptional = false;   ///< the case opens without it: a scan in addition to the vessels, another view
 
     bool operator==(const MissingInput&) const = default;
 };
 
-/// New locations of inputs by their paths in the case.
+/// New locations of inputs, keyed by their paths in the case.
 using MovedInputs = std::map<std::string, std::string>;
 
-/// The inputs of a case file that do not exist. Fails like loadCase if the file is not a case.
+/// Returns the inputs of a case file that do not exist. Fails like loadCase if the file is not a case.
 core::Result<std::vector<MissingInput>> missingInputs(const std::string& casePath);
 
 /// Searches folders and their subfolders for inputs, first by name, then under any name with the same extension. A
-/// known hash must match; without a hash the name decides. Finds a folder (a DICOM series) by its name. Gives up a
-/// folder after some thousand entries. Can be canceled.
+/// known hash must match; without a hash, the name decides. Finds a folder (a DICOM series) by its name. Stops
+/// searching a folder after some thousand entries. Can be canceled.
 MovedInputs findMovedInputs(const std::vector<MissingInput>& missing, const std::vector<std::string>& folders,
                             const ReadObserver& observe = {});
 

@@ -7,7 +7,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Removes texts and counts them.
+/// Removes user-entered texts and counts them.
 class Eraser {
 public:
     void operator()(std::string& text, const std::string& instead = {})
@@ -22,7 +22,7 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Returns the number from 1 as text: "1" for the first.
+/// Converts an index to its 1-based number as text: 0 becomes "1".
 std::string place(std::size_t index)
 {
     return std::to_string(index + 1);
@@ -65,7 +65,7 @@ void clearView(core::View& view, Eraser& erase)
     }
 }
 
-/// Replaces the file name, for example by "angiogram.dcm"; a folder gets only the word.
+/// Replaces the file name by a neutral one, for example "angiogram.dcm"; a folder gets `word` without an extension.
 void forgetName(core::InputFile& file, const std::string& word)
 {
     if (!file.path.empty()) {

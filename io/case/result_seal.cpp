@@ -17,10 +17,10 @@ constexpr const char* sealKey = "savedWith";
 constexpr const char* resultKey = "result";
 constexpr const char* followedKey = "followed";
 constexpr std::array sealedKeys{
-    resultKey, followedKey};   // sealed with digests of their own, because a file may keep an older result
+    resultKey, followedKey};   // the results have digests of their own, because a file may keep an older result
 constexpr std::size_t digestLength = 16;
 
-/// Returns the member of `json` at the path `keys`; null if it is absent.
+/// Returns the member of `json` at the path `keys`; null if the member is absent.
 Json memberAt(const Json& json, std::initializer_list<const char*> keys)
 {
     const Json* found = &json;
@@ -44,8 +44,8 @@ Json withoutMembers(Json json, std::initializer_list<const char*> keys)
     return json;
 }
 
-/// Canonical form of a JSON value: keys sorted, every number a double, file paths left out because a location is not
-/// content.
+/// Returns the canonical form of a JSON value: keys are sorted, numbers are doubles, and file paths are omitted because
+/// a file's location is not part of its content.
 nlohmann::json canonicalJson(const Json& json)
 {
     if (json.is_number()) {
@@ -71,7 +71,7 @@ std::string partDigest(const Json& json)
     return hash ? hash.value().substr(0, digestLength) : std::string();
 }
 
-/// A part of the case that a result depends on.
+/// Part of a case on which a result depends.
 struct SealedPart {
     const char* key;
     core::Message name;

@@ -8,18 +8,18 @@
 
 namespace angiopose::io {
 
-/// Adds digests to every stored result and tracking result in a case's JSON, for what the result depends on (FORMATS
-/// §2.9): vessels, image, curves, geometry, initial pose, locks, method and options.
+/// Adds to every stored result and tracking result in a case's JSON the digests of everything on which it depends
+/// (FORMATS §2.9): vessels, image, curves, geometry, initial pose, locks, method and options.
 std::string withSealedResults(std::string_view caseJson);
 
-/// Names of the parts that changed in the file since the result was saved. Empty if nothing changed, and for files
-/// without digests.
+/// Names of the parts that changed in the file since a result was saved. Empty if nothing changed or the file has no
+/// digests.
 struct ChangedParts {
     core::Messages besideResult;
     core::Messages besideFollowed;
 };
 
-/// The changed parts of each view: first the view stored in the case itself, then those of `views`.
+/// Returns the changed parts of each view: first the view stored in the case itself, then those of `views`.
 std::vector<ChangedParts> changedBesideResults(std::string_view caseJson);
 
 }   // namespace angiopose::io

@@ -25,7 +25,7 @@ core::Result<std::string> saveCaseOver(const core::Case& session, const std::str
 {
     const FolderTurn turn(std::filesystem::absolute(path).parent_path().string());
     const std::string there = knownSha256.empty() ? std::string() : contentOfCaseFile(path);
-    if (!there.empty() && there != knownSha256) {   // a deleted file is written again
+    if (!there.empty() && there != knownSha256) {   // a deleted file is simply written again
         return fileError(path, messages::caseChangedElsewhere());
     }
     if (const auto saved = saveCase(session, path); !saved) {

@@ -7,13 +7,13 @@
 
 namespace angiopose::io {
 
-/// SHA-256 of the case file currently on disk; empty if it cannot be read.
+/// Returns the SHA-256 of the case file currently on disk; empty if the file cannot be read.
 std::string contentOfCaseFile(const std::string& path);
 
-/// Writes a case (`saveCase`) over the file that was opened or saved before. `knownSha256` is the earlier result of
-/// `contentOfCaseFile`; if empty, nothing is compared. Fails with `case.changed-elsewhere` and writes nothing if
-/// another program has changed the file; programs that save into the same folder wait for each other. Returns the new
-/// hash.
+/// Overwrites a case file that was opened or saved before (`saveCase`). `knownSha256` is the earlier result of
+/// `contentOfCaseFile`; if empty, nothing is compared. If another program has changed the file, fails with
+/// `case.changed-elsewhere` and writes nothing; programs that save into the same folder wait for each other. Returns
+/// the new hash.
 core::Result<std::string> saveCaseOver(const core::Case& session, const std::string& path,
                                        const std::string& knownSha256);
 

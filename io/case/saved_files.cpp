@@ -15,7 +15,7 @@ namespace angiopose::io {
 
 namespace {
 
-/// Stores the hash, by which the file can be found after it was moved.
+/// Stores the hash, which identifies the file after it has been moved.
 void noteHash(core::InputFile& file, core::Result<std::string> hash)
 {
     if (hash) {

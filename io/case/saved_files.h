@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// Completes the file references of a case and its other views before saving to `path`: writes files beside the case
-/// for edited curves and tracked deformations and computes missing hashes. Drops blank views; the shown view comes
+/// Completes the file references of a case and its other views before saving to `path`: writes edited curves and
+/// tracked deformations to files next to the case and computes missing hashes. Drops blank views; puts the shown view
 /// first.
 core::Status completeFiles(core::Case& hashed, const std::string& path);
 

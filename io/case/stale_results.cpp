@@ -11,7 +11,7 @@
 namespace angiopose::io {
 namespace {
 
-/// A file without a stored hash counts as changed.
+/// Whether a file is unchanged; a file without a stored hash counts as changed.
 bool isAsNoted(const core::InputFile& noted, const core::InputFile& read)
 {
     return noted.path.empty() || (!noted.sha256.empty() && noted.sha256 == read.sha256);
@@ -30,14 +30,14 @@ bool isAsNoted(const core::View& noted, const core::View& read)
            isAsNoted(noted.target.file, read.target.file);
 }
 
-/// A deformation of another tree would be drawn in the wrong place.
+/// Whether the view's deformation belongs to this tree; that of another tree would be drawn in the wrong place.
 bool isOfTree(const core::View& view, const core::Vessels& vessels)
 {
     const core::DeformableResult* const deformed = view.result ? view.result->deformed.get() : nullptr;
     return !deformed || !vessels.tree || core::isOf(*vessels.tree, *deformed);
 }
 
-/// Explains why a view's result is no longer valid; nothing if it is.
+/// Explains why a view's result is no longer valid; returns nothing if it is valid.
 std::optional<core::Message> whyStale(bool haveInputsChanged, const core::Messages& changedBeside)
 {
     if (haveInputsChanged) {
@@ -49,8 +49,8 @@ std::optional<core::Message> whyStale(bool haveInputsChanged, const core::Messag
     return {};
 }
 
-/// Whether the tracked frames are distinct frames of the view's cine run, and the pose of the view's own frame agrees
-/// with the case.
+/// Whether the tracked frames are distinct frames of the view's cine run, and the tracked pose of the view's current
+/// frame equals the pose in the case.
 bool fitsItsView(const core::FollowedRun& run, const core::View& view)
 {
     const auto& frames = core::framesOf(run);
@@ -62,8 +62,8 @@ bool fitsItsView(const core::FollowedRun& run, const core::View& view)
            (!shown || shown->tracked.cameraFromPatient.matrix() == view.cameraFromPatient.matrix());
 }
 
-/// Explains why a view's tracking result is no longer valid, independently of the result, which may belong to another
-/// frame or be absent.
+/// Explains why a view's tracking result is no longer valid. Does not consider the view's registration result, which
+/// may be absent or belong to another frame.
 std::optional<core::Message> whyFollowedStale(bool haveInputsChanged, const ViewNotes& notes, const core::View& view)
 {
     auto why = whyStale(haveInputsChanged, notes.changedBesideFollowed);

@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// Removes results and tracking results whose inputs have changed, and warns with the changes. `noted`: the case as
-/// stored, with `notes` for its views, in order; `read`: the case with its current inputs.
+/// Removes results and tracking results whose inputs have changed, and adds warnings that name the changes. `noted` is
+/// the case as stored, with `notes` for its views, in order; `read` is the case with its current inputs.
 void dropStaleResults(const core::Case& noted, std::span<const ViewNotes> notes, core::Case& read,
                       core::Messages& warnings);
 

@@ -29,7 +29,7 @@ using core::BranchMotion;
 using core::FollowedFrame;
 using core::FollowedRun;
 
-constexpr std::size_t numbersOfPoint = 9;   // x, y, z; xx, xy, xz, yy, yz, zz
+constexpr std::size_t numbersOfPoint = 9;   // displacement x, y, z; covariance xx, xy, xz, yy, yz, zz
 constexpr std::size_t bytesOfNumber = 4;
 
 std::vector<const FollowedFrame*> framesWithDeformation(const FollowedRun& run)
@@ -43,7 +43,7 @@ std::vector<const FollowedFrame*> framesWithDeformation(const FollowedRun& run)
     return frames;
 }
 
-/// The file header, which is identical for equal numbers of points and deformations.
+/// Returns the file header, which depends only on the numbers of points and deformations.
 std::string deformationsHeader(std::size_t points, std::size_t deformations)
 {
     return "NRRD0004\n"
@@ -95,7 +95,7 @@ std::string deformationsContent(const std::vector<const FollowedFrame*>& frames)
     return bytes;
 }
 
-/// The file that the case file on disk names for the deformations of a view; empty if it names none.
+/// Returns the deformation file that the existing case file names for a view; empty if it names none.
 fs::path namedDeformation(const fs::path& casePath, std::optional<std::size_t> otherView)
 {
     const auto input = openInput(casePath.string());
@@ -108,7 +108,7 @@ fs::path namedDeformation(const fs::path& casePath, std::optional<std::size_t> o
     return (casePath.parent_path() / root[place].get<std::string>()).lexically_normal();
 }
 
-/// Reads the numbers of one point after another.
+/// Reads displacement and covariance point by point.
 class BendNumbers {
 public:
     explicit BendNumbers(std::string_view bytes) : bytes_(bytes) {}
@@ -134,7 +134,7 @@ public:
                 }
             }
         }
-        core::roundMotion(motion);   // restores the written values, which were rounded to single precision
+        core::roundMotion(motion);   // restores the values as rounded before writing (single precision)
     }
 
     bool areFinite() const { return areFinite_; }
@@ -144,7 +144,7 @@ private:
     bool areFinite_ = true;
 };
 
-/// Whether the case file lists exactly the branches of this tree.
+/// Whether the deformation contains exactly the branches of this tree.
 bool namesBranchesOf(const core::VesselTree& tree, const core::DeformableResult& deformed)
 {
     return deformed.branches.size() == tree.branches.size() &&
@@ -153,7 +153,7 @@ bool namesBranchesOf(const core::VesselTree& tree, const core::DeformableResult&
            });
 }
 
-/// Returns the content after the header, if it holds this number of deformations of this tree.
+/// Returns the content after the header; fails unless it holds this number of deformations of this tree.
 core::Result<std::string_view> deformationNumbersIn(std::string_view content, const core::VesselTree& tree,
                                                     std::size_t deformations)
 {
@@ -189,7 +189,7 @@ core::Result<InputBytes> openDeformation(const core::InputFile& file)
     return input;
 }
 
-/// Reads all deformations of a cine run, or none on failure.
+/// Reads all deformations of a cine run; reads none on failure.
 core::Status readDeformation(FollowedRun& run, const core::VesselTree& tree)
 {
     const std::vector<const FollowedFrame*> deformed = framesWithDeformation(run);

@@ -9,10 +9,10 @@
 
 namespace angiopose::io {
 
-/// Writes the deformations of a tracked cine run to `<case>.bends.nrrd` beside the case (FORMATS §2.12) and returns the
-/// file with its hash. Replaces the file of an earlier save of the same case; another existing file stays, and the name
-/// gets a number. `otherView`: writes `<case>.view-2.bends.nrrd` and so on for that view. The path is empty if no frame
-/// is deformed.
+/// Writes the deformations of a tracked cine run to `<case>.bends.nrrd` next to the case (FORMATS §2.12) and returns
+/// the file with its hash. Overwrites the file that an earlier save of the same case created; if another file of that
+/// name exists, appends a number to the name. If `otherView` is set, the file is `<case>.view-2.bends.nrrd` and so on.
+/// The returned path is empty if no frame is deformed.
 core::Result<core::InputFile> keepFollowedDeformation(const core::FollowedRun& run, const std::string& casePath,
                                                       std::optional<std::size_t> otherView = std::nullopt);
 

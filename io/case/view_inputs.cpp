@@ -18,7 +18,7 @@ namespace {
 
 using core::View;
 
-/// Completes the subtraction plan; keys of the case override the header's values.
+/// Applies the subtraction settings of the case to the plan from the image header.
 core::SubtractionPlan completed(const SubtractionKeys& keys, core::SubtractionPlan plan)
 {
     if (keys.maskFrames || keys.interval) {
@@ -52,7 +52,7 @@ core::Status treatRun(View& view, const ViewNotes& notes)
     return core::Done{};
 }
 
-/// Reads the target of the registration and the catheters and guidewires excluded from it.
+/// Reads the registration target and the catheters and guidewires that are excluded from it.
 core::Status readTarget(View& view, const ViewNotes& notes)
 {
     auto read = readCenterline2d(view.target.file.path);
@@ -99,7 +99,7 @@ void fillFrom(core::Sourced<Value>& value, const core::Sourced<Value>& header)
     }
 }
 
-/// Returns an inconsistency that becomes apparent only once the inputs are loaded.
+/// Returns an inconsistency that can be detected only once the inputs are loaded; nothing if there is none.
 std::optional<core::Message> findMisfit(const View& view)
 {
     const core::Angiogram& angiogram = *view.angiogram;
@@ -114,12 +114,12 @@ std::optional<core::Message> findMisfit(const View& view)
     return {};
 }
 
-/// Completes frame, geometry and initial pose.
+/// Sets the frame, the geometry and the initial pose of a view once its image is loaded.
 core::Status complete(View& view, const ViewNotes& notes, const core::Vessels& vessels, core::Messages& warnings)
 {
     const core::Angiogram& angiogram = *view.angiogram;
     view.frame = notes.hasFrame ? view.frame : angiogram.suggestedFrame;
-    if (view.result && !view.result->provenance.frame) {   // older files did not store it
+    if (view.result && !view.result->provenance.frame) {   // older case files do not store the frame of the result
         view.result->provenance.frame = view.frame;
     }
     if (const auto misfit = findMisfit(view)) {

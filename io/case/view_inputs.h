@@ -8,8 +8,8 @@
 
 namespace angiopose::io {
 
-/// Reads the inputs of a view of these vessels: image, given centerline and subtraction; completes frame, geometry and
-/// pose. Fails, naming the file.
+/// Reads the inputs of a view of these vessels: image, stored centerline and subtraction; sets frame, geometry and
+/// pose. If an input cannot be read, fails and names the file.
 core::Status loadView(core::View& view, const ViewNotes& notes, const core::Vessels& vessels,
                       const std::string& casePath, core::Messages& warnings, PeakFrame peak);
 
@@ -21,7 +21,7 @@ void loadOtherView(core::View& view, const ViewNotes& notes, const core::Vessels
 /// Fills in missing values of `cArm` from the header.
 void fillFromHeader(core::CArm& cArm, const core::CArm& header);
 
-/// Stores the hash of the file read; warns if the case expected another.
+/// Stores the hash of the file that was read; warns if the case stores a different hash.
 core::Status checkHash(core::InputFile& file, core::Result<std::string> hash, core::Messages& warnings);
 
 }   // namespace angiopose::io

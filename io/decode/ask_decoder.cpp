@@ -15,7 +15,7 @@ namespace {
 
 constexpr int askedEveryMs = 30;   // interval between checks for cancellation
 constexpr std::uintmax_t usualReply = 1 << 20, repliedPerByte = 64;   // bytes
-constexpr double decodedShare = 0.9;   // share of decoding in the progress; the rest is the transfer
+constexpr double decodedShare = 0.9;   // fraction of the progress due to decoding; the rest is the transfer
 
 /// Collects the reply from the pipe. A reply of more than `largestContent` bytes is invalid.
 class Listening {
@@ -23,7 +23,7 @@ public:
     explicit Listening(std::uintmax_t largestContent) : largestContent_(largestContent) {}
 
     void hear(std::string_view bytes);
-    double fraction() const;   ///< progress of the whole task
+    double fraction() const;   ///< progress of decoding and transfer together
     bool isWhole() const { return heard_.size() >= headSize && heard_.size() == headSize + contentSize(); }
     bool isAstray() const
     {
@@ -44,7 +44,7 @@ private:
 
     std::uintmax_t largestContent_;
     double decoded_ = 0.0;
-    std::string heard_;   ///< the reply, beginning with the byte for its kind
+    std::string heard_;   ///< the reply, starting with the byte for its kind
 };
 
 void Listening::hear(std::string_view bytes)
@@ -94,7 +94,7 @@ core::Result<DecoderReply> askDecoder(const std::string& program, const std::vec
     if (!helper.isStarted()) {
         return fileError(path, messages::decoderMissing(file));
     }
-    std::error_code isNew;   // set if the file does not exist yet because it is an output
+    std::error_code isNew;   // set if the file does not exist yet because the helper writes it
     const std::uintmax_t size = std::filesystem::file_size(path, isNew);
     Listening listening(isNew ? usualReply : usualReply + repliedPerByte * size);
     const Ending ending = listen(helper, listening, observe);
@@ -106,7 +106,7 @@ core::Result<DecoderReply> askDecoder(const std::string& program, const std::vec
         return reply.kind == ReplyKind::TooLarge ? fileError(path, messages::decoderTooLarge())
                                                  : core::Result<DecoderReply>(std::move(reply));
     }
-    // A helper that sends too much is killed.
+    // A helper whose reply is too large is killed as well; that is not a timeout.
     const bool isTooLong = ending == Ending::Silent && helper.waitForEnd() == ChildProcess::Ending::OutOfTime;
     return fileError(path, isTooLong ? messages::decoderTooLong() : messages::decoderDied());
 }
@@ -114,7 +114,7 @@ core::Result<DecoderReply> askDecoder(const std::string& program, const std::vec
 std::string helperProgram(const std::string& name)
 {
     namespace fs = std::filesystem;
-    // PREFIX/bin/angiopose, PREFIX/lib/libangiopose.so or PREFIX/lib/x86_64-linux-gnu/libangiopose.so.
+    // The binary is PREFIX/bin/angiopose, PREFIX/lib/libangiopose.so or PREFIX/lib/x86_64-linux-gnu/libangiopose.so.
     const fs::path folder = ownBinary().parent_path();
     for (const fs::path& prefix : {folder.parent_path(), folder.parent_path().parent_path()}) {
         const fs::path candidate = prefix / ANGIOPOSE_HELPER_FOLDER / name;
@@ -122,7 +122,7 @@ std::string helperProgram(const std::string& name)
             return candidate;
         }
     }
-    // A library-only package has its helpers beside the library.
+    // A library-only package installs the helpers next to the library.
     const fs::path beside = folder / "angiopose" / name;
     return isExecutable(beside) ? beside : fs::path(ANGIOPOSE_INSTALLED_HELPERS) / name;
 }

@@ -12,19 +12,19 @@
 #include <type_traits>
 #include <vector>
 
-// Protocol of a helper program's standard output: progress as single bytes of percent, then one byte for the kind of
-// reply, the length of the content and the content. Both programs run on the same machine, so numbers have native byte
+// Protocol of a helper program's standard output: the progress as single bytes (percent), then one byte for the kind of
+// reply, the content length and the content. Both programs run on the same machine, so numbers are in native byte
 // order.
 
 namespace angiopose::io {
 
 constexpr unsigned char largestPercent = 100;
 
-/// The kind of content after the progress.
+/// Kind of the content that follows the progress.
 enum class ReplyKind : unsigned char {
     Result = 201,
-    Refusal = 202,   ///< the library found the file damaged; the content gives the position, or is empty
-    TooLarge = 203,   ///< it needed more memory than permitted
+    Refusal = 202,   ///< the library found the file damaged; the content gives the position, if known
+    TooLarge = 203,   ///< the library needed more memory than permitted
 };
 
 struct DecoderReply {
@@ -32,7 +32,7 @@ struct DecoderReply {
     std::string content;
 };
 
-/// Serializes values to bytes: numbers (and arrays of numbers), texts, and vectors and maps of them.
+/// Serializes values to bytes: numbers, arrays of numbers, strings, and vectors and maps of these.
 class ReplyWriter {
 public:
     template <class Value>
@@ -81,8 +81,8 @@ private:
     std::string bytes_;
 };
 
-/// Deserializes them. Never allocates more than the bytes can hold; once a value is missing, all later ones are missing
-/// too.
+/// Deserializes the values written by ReplyWriter. Never allocates more than the available bytes can fill. After a
+/// missing value, all later values are missing as well.
 class ReplyReader {
 public:
     explicit ReplyReader(std::string_view bytes) : rest_(bytes) {}
@@ -124,7 +124,7 @@ public:
         }
     }
 
-    /// True if all values were present and no bytes are left.
+    /// Whether all values were present and no bytes are left over.
     bool isDone() const { return isSound_ && rest_.empty(); }
 
 private:
@@ -133,7 +133,7 @@ private:
         isSound_ = isSound_ && size <= rest_.size();
         return isSound_;
     }
-    /// Reads the number of elements of at least `size` bytes each.
+    /// Reads an element count; each element takes at least `size` bytes.
     std::size_t takeCount(std::size_t size)
     {
         std::uint64_t count = 0;

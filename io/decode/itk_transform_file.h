@@ -8,10 +8,10 @@
 
 namespace angiopose::io {
 
-/// Reads the single rigid transform of an ITK HDF5 file (`.h5`) through ITK; merges the transforms of a composite.
+/// Reads the single rigid transform of an ITK HDF5 file (`.h5`) through ITK; combines the transforms of a composite.
 core::Result<core::RigidTransform> poseFromItkHdf5(const std::string& path, const ReadObserver& observe = {});
 
-/// Writes the pose as an affine transform, with all bits of every double.
+/// Writes the pose as an affine transform with full double precision.
 core::Status writeItkHdf5(const core::RigidTransform& cameraFromPatient, const std::string& path);
 
 }   // namespace angiopose::io

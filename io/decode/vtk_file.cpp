@@ -13,7 +13,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Reads a file through VTK; `saysDamaged` creates the format's message for a damaged file.
+/// Reads a file through VTK; `saysDamaged` creates the error message of the format for a damaged file.
 template <class SaysDamaged>
 core::Result<VtkLines> readByVtk(const std::string& format, const std::string& path, const ReadObserver& observe,
                                  const SaysDamaged& saysDamaged)

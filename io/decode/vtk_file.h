@@ -9,12 +9,12 @@
 
 namespace angiopose::io {
 
-/// Reads legacy VTK (ASCII or binary, up to format 5.1), poly-data or unstructured grid, through VTK in a separate
-/// process. `content`: of the file.
+/// Reads a legacy VTK file (ASCII or binary, up to format 5.1; PolyData or UnstructuredGrid) through VTK in a separate
+/// process. `content` is the content of the file.
 core::Result<VtkLines> readLegacyVtk(std::string_view content, const std::string& path,
                                      const ReadObserver& observe = {});
 
-/// Reads VTK XML, PolyData (.vtp) or UnstructuredGrid (.vtu), through VTK in a separate process.
+/// Reads a VTK XML file, PolyData (.vtp) or UnstructuredGrid (.vtu), through VTK in a separate process.
 core::Result<VtkLines> readXmlVtk(std::string_view content, const std::string& path, const ReadObserver& observe = {});
 
 /// Reads a PLY surface through VTK in a separate process; points have single precision.

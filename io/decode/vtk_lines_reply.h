@@ -5,7 +5,7 @@
 
 namespace angiopose::io {
 
-/// Visits the members sent through the pipe, in this order.
+/// Visits the members that are sent through the pipe, in the order of transmission.
 template <class Lines, class Use>
 void eachField(Lines& lines, const Use& use)
 {
@@ -27,7 +27,7 @@ inline std::string toReply(const VtkLines& lines)
     return std::move(writer).bytes();
 }
 
-/// Decodes the reply; nothing if it is incomplete.
+/// Decodes the reply; returns nothing if the reply is incomplete.
 inline std::optional<VtkLines> linesFromReply(std::string_view bytes)
 {
     VtkLines lines;

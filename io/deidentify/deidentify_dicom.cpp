@@ -35,7 +35,7 @@ core::Result<FreedClass> classOf(const DicomDataset& data, const std::string& pa
     if (kind == segmentClass) {
         return FreedClass::Segmentation;
     }
-    if (kind == grayState) {   // other kinds need a color profile, which contains text
+    if (kind == grayState) {   // other presentation states require an ICC profile, which contains text
         return FreedClass::PresentationState;
     }
     if (kind == spatialClass) {
@@ -60,9 +60,9 @@ bool hasPixels(FreedClass freed)
     return freed == FreedClass::Image || freed == FreedClass::Segmentation;
 }
 
-/// Determines the kind of object by its SOP class; an image if nothing else is indicated. Fails, naming the file, if
-/// the texts or pages of the object cannot be cleared reliably, or if it holds pixels unusual for its class, which
-/// would be lost.
+/// Determines the kind of object from its SOP class; an image if the SOP class does not indicate otherwise. Fails,
+/// naming the file, if the texts or pages of the object cannot be cleared reliably, or if the object holds pixels
+/// unusual for its class, which would be lost.
 core::Result<FreedClass> freedClassOf(const DicomFile& file, const std::string& path)
 {
     const auto freed = classOf(file.dataset, path);
@@ -72,7 +72,7 @@ core::Result<FreedClass> freedClassOf(const DicomFile& file, const std::string& 
     return freed;
 }
 
-/// A code of PS3.16 CID 7050.
+/// Code from PS3.16 CID 7050, De-identification Method.
 struct Method {
     const char* value;
     const char* meaning;
@@ -84,7 +84,7 @@ constexpr Method cleanStructure{"113104", "Clean Structured Content Option"};
 constexpr Method cleanDescriptors{"113105", "Clean Descriptors Option"};
 constexpr Method modifiedDates{"113107", "Retain Longitudinal Temporal Information Modified Dates Option"};
 
-/// Elements written empty if unknown, as image modules require (type 2).
+/// Type 2 elements of the image modules, which are written empty if unknown.
 constexpr std::array<std::pair<DicomTag, const char*>, 8> emptyWhereAbsent{{{0x00080020, "DA"},
                                                                             {0x00080030, "TM"},
                                                                             {0x00080050, "SH"},
@@ -119,7 +119,7 @@ void sayWhatWasDone(DicomItem& root, const Deidentification& requested)
     root.text(0x00280303, "CS", areShifted ? "MODIFIED" : "REMOVED");
 }
 
-/// Limits a text to one value of at most 64 characters, as names and IDs require.
+/// Limits a text to a single value of at most 64 characters, as required for names and IDs.
 std::string asOneValue(const std::string& requested)
 {
     std::string value = shortened(requested, 64);
@@ -127,14 +127,14 @@ std::string asOneValue(const std::string& requested)
     return value;
 }
 
-/// Identifies a patient by the ID or, without one, by the name.
+/// Returns what identifies the patient: the ID or, if there is no ID, the name.
 std::string patientOf(const DicomDataset& data)
 {
     const std::string_view id = data.text(0x00100020);
     return std::string(id.empty() ? data.text(0x00100010) : id);
 }
 
-/// Adds missing instance, study and series UIDs; files without them form one series per patient.
+/// Adds missing instance, study and series UIDs; files without series UID form one series per patient.
 void addPlaces(const DicomDataset& data, const std::string& path, const Replacements& replacements, DicomItem& root)
 {
     const Pseudonyms& pseudonyms = replacements.pseudonyms;

@@ -8,18 +8,18 @@
 
 namespace angiopose::io {
 
-/// Options of a de-identification.
+/// Options for de-identification.
 struct Deidentification {
     DatePolicy dates = DatePolicy::None;
     DrawnLetters letters = DrawnLetters::Reported;
-    std::string patientName{};   ///< also used as the ID; empty: a pseudonym
+    std::string patientName{};   ///< also used as the patient ID; if empty, a pseudonym is used
 };
 
 /// A de-identified DICOM object.
 struct NamelessDicom {
-    std::string content;   ///< file content
-    std::string seriesUid;   ///< replaced by a new UID
-    int instanceNumber = 0;   ///< unchanged; 0: absent
+    std::string content;   ///< bytes of the DICOM file
+    std::string seriesUid;   ///< new UID that replaces the original
+    int instanceNumber = 0;   ///< unchanged instance number; 0 if absent
     core::Messages warnings;
 };
 

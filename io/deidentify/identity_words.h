@@ -8,8 +8,8 @@
 
 namespace angiopose::io {
 
-/// Words in a data set that identify the patient: names, numbers and addresses of the patient, the request, staff and
-/// the institution. Codes that are normally kept are checked for these words.
+/// Words in a data set that identify the patient: names, numbers and addresses of the patient, the request, the staff
+/// and the institution. Used to check codes that would otherwise be kept.
 class IdentityWords {
 public:
     explicit IdentityWords(const DicomDataset& data);
@@ -20,7 +20,7 @@ public:
 private:
     void collect(const DicomDataset& data, int depth);
 
-    std::set<std::string> words_;   ///< in upper case
+    std::set<std::string> words_;   ///< upper-case words
 };
 
 }   // namespace angiopose::io

@@ -13,7 +13,7 @@ namespace {
 
 constexpr CodedTerm takenOut{"AP0", "99ANGIOPOSE", "Term that was taken out"};
 
-/// Terms used in this program's own objects; a test compares them.
+/// Terms in the objects that AngioPose creates; a test verifies that the list is complete.
 constexpr std::array knownTerms{
     CodedTerm{"111028", "DCM", "Image Library"},
     CodedTerm{"112039", "DCM", "Tracking Identifier"},
@@ -57,7 +57,7 @@ constexpr std::array knownTerms{
     CodedTerm{"AP9", "99ANGIOPOSE", "Judgement of the registration"},
 };
 
-/// Permitted units: a unit in braces could be any text, and a name could pass for a unit.
+/// Permitted units. The list is closed because a unit in braces may be any text, and a name may look like a unit.
 constexpr std::array<std::string_view, 32> knownUnits{
     "%",  "1",   "cm",  "cm2", "cm3", "deg",      "g",         "Gy",      "Gy.m2",    "Gy.cm2", "dGy.m2",
     "h",  "Hz",  "keV", "kg",  "kV",  "m",        "mA",        "mAs",     "mGy",      "mL",     "ml",
@@ -73,7 +73,7 @@ bool isNumberOf(std::string_view value, std::size_t least, std::size_t most)
     return value.size() >= least && value.size() <= most && std::ranges::all_of(value, isCodeDigit);
 }
 
-/// For example "T-D0050" or "R-10241".
+/// Whether `value` has the format of a SNOMED 3 code, for example "T-D0050" or "R-10241".
 bool isSnomedThree(std::string_view value)
 {
     const bool isHex = std::ranges::all_of(value.substr(std::min<std::size_t>(value.size(), 2)),
@@ -81,14 +81,14 @@ bool isSnomedThree(std::string_view value)
     return value.size() >= 6 && value.size() <= 8 && value[0] >= 'A' && value[0] <= 'Z' && value[1] == '-' && isHex;
 }
 
-/// For example "18745-0".
+/// Whether `value` has the format of a LOINC code, for example "18745-0".
 bool isLoinc(std::string_view value)
 {
     return value.size() >= 4 && value.size() <= 8 && value[value.size() - 2] == '-' && isCodeDigit(value.back()) &&
            isNumberOf(value.substr(0, value.size() - 2), 2, 6);
 }
 
-/// For example "en" or "en-US".
+/// Whether `value` has the format of a language code, for example "en" or "en-US".
 bool isLanguage(std::string_view value)
 {
     const auto areBetween = [](std::string_view letters, char first, char last) {
@@ -104,7 +104,7 @@ bool isUnit(std::string_view value)
     return std::ranges::find(knownUnits, value) != knownUnits.end();
 }
 
-/// A public coding scheme and the format of its values.
+/// Public coding scheme and the format of its code values.
 struct PublicScheme {
     std::string_view name;
     bool (*isValue)(std::string_view value);
@@ -129,7 +129,7 @@ const CodedTerm* knownTerm(const ReadTerm& term)
 }
 
 enum class ContentRule {
-    AsUsual,   ///< by the general rules: sequences, numbers, codes, UIDs
+    AsUsual,   ///< general rules apply: sequences, numbers, codes, UIDs
     Empty,
     Label,
     Layer,
@@ -148,7 +148,7 @@ struct ContentElement {
 };
 
 constexpr std::array contentElements{
-    // Creation time; references.
+    // Creation time and references.
     ContentElement{0x00080023, ContentRule::Time}, ContentElement{0x00080033, ContentRule::Time},
     ContentElement{0x00081115}, ContentElement{0x0008114a}, ContentElement{0x00081160}, ContentElement{0x00081199},
     ContentElement{0x00089124}, ContentElement{0x00089215}, ContentElement{0x0040a170},
@@ -158,7 +158,7 @@ constexpr std::array contentElements{
     ContentElement{0x00620009, ContentRule::Algorithm}, ContentElement{0x0062000a}, ContentElement{0x0062000b},
     ContentElement{0x0062000d}, ContentElement{0x0062000e}, ContentElement{0x0062000f}, ContentElement{0x00620010},
     ContentElement{0x00620011}, ContentElement{0x00620013}, ContentElement{0x00620021},
-    // Graphics, displayed area, layers (C.10.4 to C.10.7), registration (C.20.2).
+    // Graphics, displayed area and layers (C.10.4 to C.10.7), registration (C.20.2).
     ContentElement{0x00700001}, ContentElement{0x00700002, ContentRule::Layer}, ContentElement{0x00700003},
     ContentElement{0x00700004}, ContentElement{0x00700005}, ContentElement{0x00700006, ContentRule::Words},
     ContentElement{0x00700008}, ContentElement{0x00700009}, ContentElement{0x00700010}, ContentElement{0x00700011},
@@ -185,7 +185,7 @@ constexpr std::array contentElements{
     ContentElement{0x0040a730}, ContentElement{0x0040db00, ContentRule::Template}, ContentElement{0x0040db73},
     ContentElement{0x30060024}};
 
-/// Labels that this program writes into elements with free text.
+/// Labels that AngioPose writes into free-text elements.
 constexpr std::array<std::string_view, 2> ownLabels{"ANGIOPOSE", "VESSELS"};
 constexpr std::array<std::string_view, 4> ownWords{"AngioPose", "Arteries", "trustworthy", "not trustworthy"};
 constexpr std::string_view programWord = "AngioPose ";
@@ -202,7 +202,7 @@ bool isAmong(const std::array<std::string_view, Count>& known, std::string_view 
     return std::ranges::find(known, value) != known.end();
 }
 
-/// Whether a text is a program name with a version, for example "AngioPose 1.2.0".
+/// Whether `text` is AngioPose's name with a version, for example "AngioPose 1.2.0".
 bool isProgramWithVersion(std::string_view text)
 {
     return text.starts_with(programWord) && text.size() <= programWord.size() + 12 &&

@@ -11,7 +11,7 @@
 
 namespace angiopose::io {
 
-/// Value, scheme and meaning of a coded term (PS3.3 8.8), as read.
+/// Coded term as read: value, scheme and meaning (PS3.3 8.8).
 struct ReadTerm {
     std::string value;
     std::string scheme;
@@ -21,7 +21,7 @@ struct ReadTerm {
 /// A coded term after de-identification.
 struct KeptTerm {
     ReadTerm term;
-    bool isReplaced = false;   ///< replaced by a term that states the removal
+    bool isReplaced = false;   ///< whether the term was replaced by one that states the removal
 };
 
 /// De-identifies a coded term. Keeps values of public schemes that have the scheme's format; among units and this
@@ -29,20 +29,20 @@ struct KeptTerm {
 KeptTerm keptTerm(const ReadTerm& term, const IdentityWords& words);
 
 /// De-identifies the content specific to objects other than images: segments, graphics, matrices, references, report
-/// trees (PS3.15 E.3.6, clean structured content; E.3.3, clean graphics). Keeps codes, numbers and structure, and
-/// replaces words, which preserves required elements and positions. One instance per object.
+/// trees (PS3.15 E.3.6, clean structured content; E.3.3, clean graphics). Keeps codes, numbers and structure but
+/// replaces words, so that required elements and item positions are preserved. Use one instance per object.
 class KeptContent {
 public:
     explicit KeptContent(const IdentityWords& words) : words_(words) {}
 
-    /// Whether an element is copied; its numbers and codes follow the general rules.
+    /// Whether an element is copied; numbers and codes in it follow the general rules.
     static bool has(DicomTag tag);
 
-    /// Whether a text must be replaced by `insteadOf`.
+    /// Whether the text of an element must be replaced by `insteadOf`.
     static bool isReplaced(DicomTag tag);
     std::string insteadOf(DicomTag tag, const std::vector<std::string>& values);
 
-    /// Replacement for a removed date or time that must be present; nothing if it is optional.
+    /// Returns the replacement for a removed date or time that must be present; nothing if the element is optional.
     static std::optional<std::string> insteadOfTime(DicomTag tag, const std::string& vr);
 
     ReadTerm term(const ReadTerm& term);

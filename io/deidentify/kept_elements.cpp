@@ -34,20 +34,20 @@ unsigned numberOf(std::string_view bytes)
     return number;
 }
 
-/// Groups that describe the image: acquisition, relationship of images, image, nuclear medicine and rotation, display,
-/// functional groups.
+/// Groups that describe the image: acquisition, relationship, image, nuclear medicine and rotation, display, functional
+/// groups.
 constexpr std::array<DicomTag, 6> describingGroups{0x0018, 0x0020, 0x0028, 0x0054, 0x2050, 0x5200};
 
-/// Elements kept of group 0008: kind of image, creation time, referenced images, playback of a cine run.
+/// Elements of group 0008 that are kept: image type, creation time, referenced images, cine playback.
 constexpr std::array<DicomTag, 24> keptOfIdentification{
     0x00080008, 0x00080016, 0x00080018, 0x00080020, 0x00080021, 0x00080022, 0x00080023, 0x0008002a,
     0x00080030, 0x00080031, 0x00080032, 0x00080033, 0x00080060, 0x00080064, 0x00080068, 0x00081140,
     0x00081150, 0x00081155, 0x00082112, 0x00082142, 0x00082143, 0x00082144, 0x00089007, 0x00089205};
 
-/// Short texts that readers need: the stack of an image; manufacturer and model, which determine the angle convention.
+/// Short texts that are kept: the stack ID of an image; manufacturer and model, which determine the angle convention.
 constexpr DicomTag stackTag = 0x00209056;
 constexpr std::array<DicomTag, 2> keptNames{0x00080070, 0x00081090};
-constexpr DicomTag rescaleTypeTag = 0x00281054;   ///< a defined term, although its VR permits other text
+constexpr DicomTag rescaleTypeTag = 0x00281054;   ///< value is a defined term, although the VR permits free text
 constexpr DicomTag lookUpTableTag = 0x00283006;
 constexpr std::size_t maxNameLetters = 64;
 
@@ -189,7 +189,7 @@ private:
             } else {
                 copyAll(*sequence.getItem(n), *item);
             }
-            kept->append(item.release());   // append empty items too, because items are counted
+            kept->append(item.release());   // append empty items as well, because references count items
         }
         const bool isEmpty = [&] {
             for (unsigned long n = 0; n < kept->card(); ++n) {
@@ -233,7 +233,7 @@ private:
         }
     }
 
-    /// Returns the new value; nothing if the element is removed.
+    /// Returns the de-identified value; nothing if the element must be removed.
     std::optional<std::string> kept(DcmElement& element, const std::vector<std::string>& values) const
     {
         const auto as = [&](bool mayStay) {
@@ -264,7 +264,7 @@ private:
         }
     }
 
-    /// Shifts dates and keeps times of day (PS3.15, retain longitudinal temporal information with modified dates).
+    /// Shifts dates and keeps times of day (PS3.15, Retain Longitudinal Temporal Information with Modified Dates).
     std::optional<std::string> shifted(DcmEVR vr, const std::vector<std::string>& values) const
     {
         const std::string text = joined(values, [&](const std::string& value) -> std::string {

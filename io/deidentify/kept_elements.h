@@ -10,24 +10,24 @@
 
 namespace angiopose::io {
 
-/// Replacements for names, UIDs and dates. Equal originals get equal replacements, which keeps the files of an export
-/// consistent; without the key they cannot be reversed (keyed hashes, HMAC-SHA-256).
+/// Creates replacements for names, UIDs and dates. Equal originals get equal replacements, which keeps the files of an
+/// export consistent. The replacements are keyed hashes (HMAC-SHA-256) and cannot be reversed without the key.
 class Pseudonyms {
 public:
-    /// Creates pseudonyms with a random key, which makes separate exports unlinkable. Fails if the system provides no
+    /// Creates pseudonyms with a random key, so that separate exports cannot be linked. Fails if the system provides no
     /// random bytes.
     static core::Result<Pseudonyms> create();
     /// Exports with the same key are linkable; anyone who has the key can test guesses.
     explicit Pseudonyms(std::string key) : key_(std::move(key)) {}
 
-    /// Replaces a UID by "2.25." and a number; keeps UIDs defined by DICOM.
+    /// Replaces a UID by "2.25." and a number; keeps UIDs that the DICOM standard defines.
     std::string uid(std::string_view original) const;
 
-    /// Replaces a patient ID, or a name without an ID, by "P-" and ten digits.
+    /// Replaces a patient ID, or the name if there is no ID, by "P-" and ten digits.
     std::string patient(std::string_view original) const;
 
-    /// Shifts a date (yyyymmdd) by one to ten years into the past, by whole weeks and by the same number of days for
-    /// all dates of a patient. Returns "" for an invalid date.
+    /// Shifts a date (yyyymmdd) into the past by a whole number of weeks, one to ten years in total. All dates of a
+    /// patient are shifted by the same number of days. Returns "" for an invalid date.
     std::string date(std::string_view original, std::string_view patient) const;
 
 private:
@@ -38,13 +38,13 @@ private:
 
 enum class DatePolicy { None, Shifted };
 
-/// Replacements for names, UIDs and dates in one data set.
+/// Replacements for the names, UIDs and dates of one data set.
 struct Replacements {
     const Pseudonyms& pseudonyms;
     const IdentityWords& words;
-    std::string patient;   ///< determines the shift of the dates
+    std::string patient;   ///< patient ID or name, which determines the date shift
     DatePolicy dates = DatePolicy::None;
-    KeptContent* content = nullptr;   ///< for objects other than images
+    KeptContent* content = nullptr;   ///< required for objects other than images
 };
 
 /// Copies the elements that describe the image: numbers, codes and flags of acquisition, geometry and display, UIDs

@@ -20,7 +20,7 @@ constexpr DicomTag positionTag = 0x00200032;
 constexpr DicomTag sharedGroupsTag = 0x52009229;
 constexpr DicomTag burnedInTag = 0x00280301;
 
-/// Mask of burned-in text in any of the sampled frames.
+/// Returns the mask of burned-in text found in any of the sampled frames.
 core::Mask2d lettersIn(const std::vector<core::ImageF>& frames)
 {
     const int count = static_cast<int>(frames.size());
@@ -77,8 +77,8 @@ void treatLetters(std::vector<core::ImageF>& frames, const DicomDataset& data, D
     to.text(burnedInTag, "CS", "NO");
 }
 
-/// Packs the frames into 16-bit little-endian words for DCMTK: values of at most 16 bits, negative ones in two's
-/// complement; 8-bit values two per word.
+/// Packs the frames into 16-bit little-endian words for DCMTK: one value of at most 16 bits per word (negative values
+/// in two's complement), or two 8-bit values per word.
 std::vector<std::uint16_t> wordsOf(const std::vector<core::ImageF>& frames, int bitsAllocated)
 {
     std::vector<std::uint16_t> words;
@@ -103,7 +103,7 @@ std::vector<std::uint16_t> wordsOf(const std::vector<core::ImageF>& frames, int 
 void describePixels(const PixelLayout& layout, DicomItem& to)
 {
     to.unsignedShort(0x00280002, 1);
-    to.remove(0x00280006);   // planar configuration, for color images only
+    to.remove(0x00280006);   // planar configuration applies only to color images
     to.text(0x00280004, "CS", layout.photometric == "MONOCHROME1" ? "MONOCHROME1" : "MONOCHROME2");
     to.unsignedShort(0x00280010, layout.rows);
     to.unsignedShort(0x00280011, layout.columns);
@@ -134,7 +134,7 @@ core::Status copyWide(const DicomPixels& pixels, const PixelLayout& layout, cons
     return core::Done{};
 }
 
-constexpr std::size_t maxVoxels = std::size_t{1} << 34;   // 2 GB of bits
+constexpr std::size_t maxVoxels = std::size_t{1} << 34;   // corresponds to 2 GB of single-bit voxels
 
 }   // namespace
 

@@ -12,12 +12,12 @@
 
 namespace angiopose::io {
 
-/// Returns the neutral file name of an image in a series, for example "00001.dcm", because original names can identify
-/// patients.
+/// Returns a neutral file name for an image in a series, for example "00001.dcm", because original file names can
+/// identify patients.
 std::string instanceFileName(std::size_t number);
 
-/// The new or empty output folder of a de-identification: `series-1/00001.dcm`, `picture-1.png`. The destructor deletes
-/// its content unless `keep` was called.
+/// New or empty output folder of a de-identification, with files named `series-1/00001.dcm` and `picture-1.png`. The
+/// destructor deletes the content of the folder unless `keep` was called.
 class OutputFolder {
 public:
     explicit OutputFolder(std::string path) : path_(std::move(path)) {}

@@ -7,9 +7,9 @@
 
 namespace angiopose::io {
 
-/// Returns a PNG or JPEG with its pixels as stored, or a TIFF with its visible pixels (`strippedTiff`), without
-/// metadata: texts, times, Exif, profiles, thumbnails, trailing data. Keeps the print size and, in a JPEG, the color
-/// marker. Fails for other formats.
+/// Returns the image without metadata (texts, times, Exif, profiles, thumbnails, trailing data): PNG and JPEG with the
+/// stored pixel data, TIFF with the visible pixels (`strippedTiff`). Keeps the print size and, in a JPEG, the marker
+/// for the color space. Fails for other formats.
 core::Result<std::string> strippedPicture(std::string_view picture, const std::string& path);
 
 }   // namespace angiopose::io

@@ -7,12 +7,12 @@
 
 namespace angiopose::io {
 
-/// True if the content begins like a TIFF.
+/// Whether the content starts like a TIFF file.
 bool looksLikeTiff(std::string_view content);
 
-/// Returns a TIFF with the decoded pixels of its pages, bit by bit, and only the tags needed to show them: no texts,
+/// Returns a TIFF with the decoded pixels of all pages, bit for bit, and only the tags required for display: no texts,
 /// times, Exif, GPS, XMP, profiles, private tags, thumbnails or unreferenced data. Compresses pages losslessly if they
-/// were compressed. Fails for the kinds that `readTiff` rejects.
+/// were compressed before. Fails for the kinds of TIFF that `readTiff` rejects.
 core::Result<std::string> strippedTiff(std::string_view tiff, const std::string& path);
 
 }   // namespace angiopose::io

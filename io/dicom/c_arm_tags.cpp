@@ -37,7 +37,7 @@ core::Quantity millimeters(double value)
     return {std::round(value * 1e4) / 1e4, core::Quantity::asNeeded, "mm"};
 }
 
-/// Copies tags missing at the top level from the functional group sequences, two levels down.
+/// Copies tags that are missing at the top level from the functional group sequences, down to two levels.
 void addFromGroups(DicomDataset& data, DicomTag groupsTag)
 {
     const std::vector<DicomDataset> groups = data.items(groupsTag);
@@ -69,9 +69,9 @@ std::optional<double> privateIsocenterMm(const DicomDataset& data, const CArm& c
     return isOne ? value : std::nullopt;
 }
 
-/// Reads the source distances. The isocenter has tags of its own; (0018,1111) gives the plane where the device assumes
-/// the object, at some height above its table (PS3.3 C.8.19.6.9.1): the isocenter in older systems, often another plane
-/// in current ones.
+/// Reads the distances from the source. The isocenter has its own tags. (0018,1111) gives the distance to the plane in
+/// which the system assumes the object, at some height above the table (PS3.3 C.8.19.6.9.1): the isocenter in older
+/// systems, often another plane in current ones.
 void readDistances(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
 {
     if (isPositive(data.number(sidTag))) {
@@ -127,8 +127,8 @@ std::optional<Eigen::Vector2d> fieldSpacing(const DicomDataset& data)
     return isPlausible && std::abs(spacing.x() / spacing.y() - 1.0) < 0.01 ? std::optional(spacing) : std::nullopt;
 }
 
-/// Reads the pixel spacing in the order of ALGORITHMS §5.2: imager spacing, calibrated pixel spacing, field of view;
-/// otherwise it stays missing.
+/// Reads the pixel spacing from the first available of (ALGORITHMS §5.2): imager pixel spacing, calibrated pixel
+/// spacing, field of view. Otherwise the spacing remains unset.
 void readSpacing(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
 {
     if (const auto imager = positivePair(data, imagerSpacingTag)) {
@@ -169,12 +169,12 @@ void readAngles(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
     }
 }
 
-/// Computes the principal point in the stored image from the position of the field of view on the detector; rotation
-/// first, then flip (ALGORITHMS §5.2).
+/// Computes the principal point in the stored image from the position of the field of view on the detector; applies the
+/// rotation first, then the flip (ALGORITHMS §5.2).
 void readPrincipalPoint(const DicomDataset& data, CArm& cArm)
 {
-    const auto element = positivePair(data, 0x00187022);   // detector element spacing, mm
-    const auto active = positivePair(data, 0x00187026);   // active dimensions, mm
+    const auto element = positivePair(data, 0x00187022);   // spacing of the detector elements, mm
+    const auto active = positivePair(data, 0x00187026);   // active dimensions of the detector, mm
     const auto originRow = data.number(0x00187030, 0), originColumn = data.number(0x00187030, 1);
     const auto rows = data.number(rowsTag), columns = data.number(columnsTag);
     if (!element || !active || !originRow || !originColumn || !rows || !columns || !cArm.rowSpacingMm.value) {
@@ -186,9 +186,9 @@ void readPrincipalPoint(const DicomDataset& data, CArm& cArm)
     double width = *columns, height = *rows;
     const int turns = static_cast<int>(std::lround(data.number(0x00187032).value_or(0.0) / 90.0)) & 3;
     if (turns % 2 == 1) {
-        std::swap(width, height);   // size before rotation
+        std::swap(width, height);   // image size before the rotation
     }
-    for (int i = 0; i < turns; ++i) {   // clockwise: (u, v) becomes (height − 1 − v, u)
+    for (int i = 0; i < turns; ++i) {   // a clockwise quarter turn maps (u, v) to (height − 1 − v, u)
         const double u = height - 1.0 - cy;
         cy = cx;
         cx = u;
@@ -202,8 +202,8 @@ void readPrincipalPoint(const DicomDataset& data, CArm& cArm)
     }
 }
 
-/// The direction given by letters of Patient Orientation, the dominant one first: "LA". Zero if the letters are
-/// invalid.
+/// Returns the direction given by the letters of Patient Orientation, dominant direction first, for example "LA". Zero
+/// if a letter is invalid.
 Eigen::Vector3d directionOf(std::string_view letters)
 {
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();
@@ -212,7 +212,7 @@ Eigen::Vector3d directionOf(std::string_view letters)
         constexpr std::string_view positive = "LPH", negative = "RAF";
         const auto axis = std::min(positive.find(letter), negative.find(letter));
         if (axis == std::string_view::npos) {
-            return Eigen::Vector3d::Zero();   // of a limb, or of another species
+            return Eigen::Vector3d::Zero();   // direction of a limb or of another species
         }
         direction[static_cast<Eigen::Index>(axis)] += positive.find(letter) == axis ? weight : -weight;
         weight *= 0.6;
@@ -225,7 +225,7 @@ Eigen::Vector3d directionOf(std::string_view letters)
 void readOrientation(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
 {
     constexpr DicomTag orientationTag = 0x00200020;
-    constexpr double minLikeness = 0.45;   // minimum agreement; the letters are coarse, but not that coarse
+    constexpr double minLikeness = 0.45;   // minimum agreement; the letters give only coarse directions
     const Eigen::Vector3d row = directionOf(data.text(orientationTag, 0));
     const Eigen::Vector3d column = directionOf(data.text(orientationTag, 1));
     CArm likeliest = cArm;

@@ -9,17 +9,17 @@
 
 namespace angiopose::io {
 
-/// C-arm geometry of an XA header (ALGORITHMS §5.1, §5.2), each value with its origin. A missing value stays missing
-/// unless other tags determine it; a derived value comes with a warning. Enhanced XA: uses the functional groups of the
-/// first frame.
+/// Returns the C-arm geometry of an XA header (ALGORITHMS §5.1, §5.2), each value with its origin. A missing value
+/// remains missing unless other tags determine it; each derived value causes a warning. For enhanced XA, uses the
+/// functional groups of the first frame.
 core::CArm cArmOf(const DicomDataset& data, core::Messages& warnings);
 
-/// Returns the data set with the elements of its functional groups (those of the first frame, then the shared ones)
-/// added at the top level.
+/// Returns the data set with the elements of its functional groups copied to the top level: those of the first frame,
+/// then the shared ones.
 DicomDataset withFunctionalGroups(const DicomDataset& data);
 
-/// True for the warning of `cArmOf` about missing pixel spacing, which is irrelevant if the spacing is known from
-/// another source.
+/// Whether a message is the warning of `cArmOf` about missing pixel spacing, which is irrelevant if the spacing is
+/// known from another source.
 bool isAboutMissingSpacing(const core::Message& warning);
 
 }   // namespace angiopose::io

@@ -5,7 +5,7 @@
 #include "io/support/quiet_libraries.h"
 
 #include <dcmtk/config/osconfig.h>
-// DCMTK headers come first because of their macros.
+// DCMTK headers must come first because of their macros.
 #include <dcmtk/dcmdata/dcpixel.h>
 #include <dcmtk/dcmdata/dcpixseq.h>
 #include <dcmtk/dcmdata/dcpxitem.h>
@@ -53,8 +53,8 @@ std::optional<DecodedPixels> decodeBaseline(std::string_view compressed, PixelLa
     return DecodedPixels{std::move(bytes), raster->isFlawed};
 }
 
-/// Whether a stream is complete, that is, has its end marker, possibly followed by padding; DCMTK would fill missing
-/// parts with gray.
+/// Whether a stream is complete, that is, contains its end marker, possibly followed by padding; DCMTK would fill
+/// missing parts with gray.
 bool isWhole(std::string_view compressed)
 {
     return !compressed.starts_with("\xff\xd8") || compressed.rfind("\xff\xd9") != std::string_view::npos;
@@ -89,8 +89,8 @@ std::unique_ptr<DcmDataset> datasetOf(std::string_view compressed, E_TransferSyn
     }
     data->putAndInsertString(DCM_PhotometricInterpretation, layout.photometric.c_str());
     data->putAndInsertString(DCM_NumberOfFrames, "1");
-    auto* sequence = new DcmPixelSequence(DCM_PixelSequenceTag);   // DCMTK takes ownership
-    sequence->insert(new DcmPixelItem(DCM_PixelItemTag));   // the offset table
+    auto* sequence = new DcmPixelSequence(DCM_PixelSequenceTag);   // owned by the pixel data element below
+    sequence->insert(new DcmPixelItem(DCM_PixelItemTag));   // basic offset table (empty)
     auto* frame = new DcmPixelItem(DCM_PixelItemTag);
     std::string padded(compressed);
     padded.resize(padded.size() + padded.size() % 2);

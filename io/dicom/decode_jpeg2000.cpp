@@ -1,6 +1,6 @@
 #include "io/dicom/decode_jpeg2000.h"
 
-#include <openjpeg-2.5/openjpeg.h>   // ITK contains an older, renamed copy
+#include <openjpeg-2.5/openjpeg.h>   // versioned path, because ITK contains an older, renamed copy
 #include <algorithm>
 #include <cstring>
 #include <memory>

@@ -4,7 +4,7 @@
 #include "io/support/quiet_libraries.h"
 
 #include <dcmtk/config/osconfig.h>
-// DCMTK headers come first because of their macros.
+// DCMTK headers must come first because of their macros.
 #include <dcmtk/dcmdata/dcistrmb.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <array>
@@ -27,7 +27,7 @@ E_TransferSyntax syntaxOf(DicomEncoding encoding)
     return encoding.order == ByteOrder::Big ? EXS_BigEndianExplicit : EXS_LittleEndianExplicit;
 }
 
-/// Reads a number through one of DCMTK's getters; nothing beyond the last value.
+/// Reads a number through one of DCMTK's getters; returns nothing if `index` is past the last value.
 template <class Number>
 std::optional<double> valueBy(OFCondition (DcmElement::*get)(Number&, unsigned long), DcmElement& element,
                               std::size_t index)
@@ -44,7 +44,7 @@ std::optional<double> binaryNumber(DcmElement& element, std::size_t index)
         case EVR_SS:
             return valueBy(&DcmElement::getSint16, element, index);
         case EVR_UL:
-        case EVR_up:   // an offset within a DICOMDIR
+        case EVR_up:   // offset within a DICOMDIR
             return valueBy(&DcmElement::getUint32, element, index);
         case EVR_SL:
             return valueBy(&DcmElement::getSint32, element, index);
@@ -63,7 +63,7 @@ std::optional<double> binaryNumber(DcmElement& element, std::size_t index)
     }
 }
 
-/// Returns one of several values separated by `\`; empty beyond the last.
+/// Returns one of several values separated by `\`; empty if `index` is past the last value.
 std::string_view valueAt(std::string_view values, std::size_t index)
 {
     for (; index > 0; --index) {
@@ -76,8 +76,8 @@ std::string_view valueAt(std::string_view values, std::size_t index)
     return trimmed(values.substr(0, values.find('\\')));
 }
 
-/// Reads a private element of unknown VR: as text, or as the type that its length suggests (little endian, PS3.5
-/// §6.2.2).
+/// Reads a number from a private element of unknown VR: as text, or as the binary type that its length suggests (little
+/// endian, PS3.5 §6.2.2).
 std::optional<double> unknownNumber(DcmElement& element, std::size_t index)
 {
     Uint8* bytes = nullptr;
@@ -105,7 +105,7 @@ bool isBinaryVr(DcmEVR vr)
     return vr == EVR_US || vr == EVR_SS || vr == EVR_UL || vr == EVR_up || vr == EVR_SL || vr == EVR_FL || vr == EVR_FD;
 }
 
-/// Appends the items of a sequence; each keeps its data set alive.
+/// Appends the items of a sequence; each appended item keeps the data set alive.
 void appendItems(DcmElement& element, const std::shared_ptr<DcmItem>& owner, std::vector<DicomDataset>& items)
 {
     if (element.ident() != EVR_SQ) {
@@ -212,7 +212,7 @@ DicomDataset readElements(std::string_view elements, DicomEncoding encoding)
     stream.setBuffer(elements.data(), static_cast<offile_off_t>(elements.size()));
     stream.setEos();
     data->transferInit();
-    data->read(stream, syntaxOf(encoding));   // keeps the elements before an error
+    data->read(stream, syntaxOf(encoding));   // keeps the elements read before an error
     data->transferEnd();
     return DicomDataset(data);
 }

@@ -14,18 +14,18 @@ class DcmItem;
 
 namespace angiopose::io {
 
-using DicomTag = std::uint32_t;   ///< group number in the upper 16 bits: 0x00281053
+using DicomTag = std::uint32_t;   ///< group number in the upper 16 bits, for example 0x00281053
 
 std::string tagText(DicomTag tag);   ///< for example "(0028,1053)"
 
-/// The encoding of elements, which the transfer syntax determines.
+/// Encoding of elements as determined by the transfer syntax.
 struct DicomEncoding {
     bool isExplicit = true;
     ByteOrder order = ByteOrder::Little;
 };
 
-/// Elements of a data set or a sequence item, as read by DCMTK. Cheap to copy; texts stay valid as long as any copy
-/// exists. Not thread-safe: values are converted on first access.
+/// Elements of a data set or a sequence item, as read by DCMTK. Cheap to copy; string views remain valid as long as any
+/// copy exists. Not thread-safe, because values are converted on first access.
 class DicomDataset {
 public:
     DicomDataset() = default;
@@ -39,14 +39,14 @@ public:
         std::size_t index = 0) const;   ///< finite; interpreted by VR, for unknown private elements by content
     std::optional<int> integer(DicomTag tag, std::size_t index = 0) const;
     bool isBinaryNumber(DicomTag tag) const;
-    std::vector<DicomDataset> items(DicomTag tag) const;   ///< of a sequence; empty if absent
+    std::vector<DicomDataset> items(DicomTag tag) const;   ///< items of a sequence; empty if absent
     std::vector<DicomDataset> itemsOfAllSequences() const;
 
-    /// The underlying DCMTK items, for copying elements unchanged; the first one that contains an element takes
-    /// precedence.
+    /// Returns the underlying DCMTK items, for copying elements unchanged; the first item that contains an element
+    /// takes precedence.
     const std::vector<std::shared_ptr<DcmItem>>& layers() const { return layers_; }
 
-    /// Adds `other` as a fallback for elements missing here.
+    /// Adds `other` as a fallback for elements that are missing in this data set.
     void addMissingFrom(const DicomDataset& other);
 
 private:
@@ -55,7 +55,7 @@ private:
     std::vector<std::shared_ptr<DcmItem>> layers_;   ///< the first one that contains an element takes precedence
 };
 
-/// Reads complete elements filtered by `passElements`. Omits those that DCMTK cannot read.
+/// Reads complete elements that `passElements` has filtered. Omits elements that DCMTK cannot read.
 DicomDataset readElements(std::string_view elements, DicomEncoding encoding);
 
 }   // namespace angiopose::io

@@ -16,7 +16,7 @@ constexpr std::string_view bigEndianSyntax = "1.2.840.10008.1.2.2";
 constexpr std::size_t maxDatasetBytes = std::size_t{128} << 20;   // uncompressed, as is the next
 constexpr std::size_t maxFileBytes = std::size_t{256} << 20;
 constexpr std::size_t packedStart =
-    4096;   // bytes decompressed for recognition, so that a large scan is not decompressed entirely
+    4096;   // bytes to decompress for recognizing DICOM, so that large scans are not decompressed entirely
 constexpr DicomTag transferSyntaxTag = 0x00020010;
 
 bool hasPreamble(std::string_view content)
@@ -24,7 +24,7 @@ bool hasPreamble(std::string_view content)
     return content.size() > preambleSize + magic.size() && content.substr(preambleSize).starts_with(magic);
 }
 
-/// Whether a data set begins here: its first element has a small group number in one of the byte orders.
+/// Whether `bytes` start with a data set: the first element has a small group number in one of the byte orders.
 bool startsLikeDataset(std::string_view bytes)
 {
     if (bytes.size() < 8) {
@@ -38,7 +38,7 @@ bool startsLikeDataset(std::string_view bytes)
     return isPlausible(ByteOrder::Little) || isPlausible(ByteOrder::Big);
 }
 
-/// Determines the encoding. The letters of a VR are more reliable than a wrong or missing transfer syntax.
+/// Determines the encoding of the data set. The presence of VR letters overrides a wrong or missing transfer syntax.
 DicomEncoding encodingOf(std::string_view bytes, std::string_view transferSyntax)
 {
     DicomEncoding encoding;
@@ -52,7 +52,7 @@ DicomEncoding encodingOf(std::string_view bytes, std::string_view transferSyntax
     return encoding;
 }
 
-/// Reads the file meta information (always explicit, little endian) and advances `rest` to the data set.
+/// Reads the file meta information (always explicit VR little endian) and advances `rest` to the data set.
 std::string readMeta(std::string_view& rest)
 {
     constexpr DicomEncoding encoding;

@@ -11,23 +11,23 @@ namespace angiopose::io {
 
 /// A parsed DICOM file. Its pixels refer to the bytes it was parsed from, or to `unpacked` for deflated files.
 struct DicomFile {
-    std::string transferSyntax;   ///< UID; "" if the file does not give one
+    std::string transferSyntax;   ///< UID; empty if the file does not specify one
     DicomDataset dataset;
     std::map<DicomTag, DicomPixels> pixels;
-    std::optional<core::Message> damage;   ///< the problem after the last intact element
+    std::optional<core::Message> damage;   ///< problem found after the last intact element
     InputBytes unpacked;
 };
 
-/// True for a part-10 file, and for a bare data set that begins like one.
+/// Whether the content starts like a Part 10 file or a bare DICOM data set.
 bool looksLikeDicom(std::string_view content);
 
-/// True for a gzip archive whose content begins like DICOM; decompresses only the beginning.
+/// Whether the content is gzip-compressed DICOM; decompresses only the beginning.
 bool holdsPackedDicom(std::string_view content);
 
-/// Opens a DICOM file, also inside a gzip archive. Fails like `openInput`, and if the content is not DICOM.
+/// Opens a DICOM file, which may be gzip-compressed. Fails like `openInput`, and if the content is not DICOM.
 core::Result<InputBytes> openDicom(const std::string& path);
 
-/// True for files that begin like DICOM, see `openDicom`.
+/// Whether a file starts like DICOM (see `openDicom`).
 bool isDicomFile(const std::string& path);
 
 /// Parses a DICOM file: filters it by `passElements`, then reads it through DCMTK. Fails if no element is readable.

@@ -18,7 +18,7 @@ constexpr std::size_t maxDepth = 32;
 constexpr std::size_t maxValueBytes = std::size_t{1} << 20;   // longer than any field that is read
 constexpr std::size_t maxPrivateBytes = 64;   // enough for numbers and names of private blocks
 
-// PS3.5 §7.1.2: these VRs have a 32-bit length, the following ones a 16-bit length.
+// VRs with a 32-bit length field, followed by those with a 16-bit length field (PS3.5 §7.1.2).
 constexpr std::string_view longVrs = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
 constexpr std::string_view shortVrs = "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US";
 
@@ -39,14 +39,14 @@ bool isPixelTag(DicomTag tag)
     return tag == pixelDataTag || tag == floatPixelsTag || tag == doublePixelsTag;
 }
 
-/// Whether the element is the record sequence of a DICOMDIR, which is read elsewhere record by record: DCMTK 3.6.7
-/// corrects record types during reading and throws at two values that are too long.
+/// Whether the element is the Directory Record Sequence of a DICOMDIR. Its records are read one by one elsewhere,
+/// because DCMTK 3.6.7 corrects record types while reading and throws an exception for two values that are too long.
 bool isDirectory(const ElementHead& head)
 {
     return head.tag == 0x00041220;
 }
 
-/// Whether DCMTK interprets the element as intended.
+/// Whether DCMTK interprets the encoding of the element correctly.
 bool isReadable(const ElementHead& head, DicomEncoding encoding)
 {
     const bool isVrKnown =
@@ -54,17 +54,17 @@ bool isReadable(const ElementHead& head, DicomEncoding encoding)
     return encoding.isExplicit ? !head.vr.empty() && isVrKnown : head.vr.empty();
 }
 
-/// A sequence or an item whose end has not been reached.
+/// Sequence or item whose end has not been reached yet.
 struct OpenLevel {
-    std::size_t end;   ///< not beyond the end of the enclosing level
-    bool isDelimited;   ///< undefined length: a delimiter closes it before its end
+    std::size_t end;   ///< upper bound of the level's end, within the enclosing level
+    bool isDelimited;   ///< whether the length is undefined, so that a delimiter before `end` closes the level
     DicomEncoding encoding;
     bool holdsItems;
-    bool isOpaque;   ///< its items are pixel fragments
+    bool isOpaque;   ///< whether the items are pixel fragments
 };
 
-/// Returns the nested level that the value of an element opens; nothing if the value is plain bytes. The value begins
-/// at the start of `rest`; `rest` ends at `end`, with the enclosing level.
+/// Returns the nested level that an element's value opens; nothing if the value has no nested elements. The value is at
+/// the start of `rest`; `rest` ends at `end`, where the enclosing level ends.
 std::optional<OpenLevel> levelOf(const ElementHead& head, std::string_view rest, std::size_t end,
                                  DicomEncoding encoding)
 {
@@ -81,13 +81,13 @@ std::optional<OpenLevel> levelOf(const ElementHead& head, std::string_view rest,
                      !isSequence || isPixelTag(head.tag)};
 }
 
-/// The size of an element's value, and whether it is safe to pass to DCMTK.
+/// Size of an element's value, and whether the value is safe to pass to DCMTK.
 struct ValueWalk {
-    std::optional<std::size_t> size;   ///< nothing: extends beyond the available bytes
+    std::optional<std::size_t> size;   ///< nothing if the value extends past the available bytes
     bool isClean = true;
 };
 
-/// Walks through a sequence of any content to its end.
+/// Walks to the end of a sequence, including all nested levels.
 ValueWalk walkThrough(const OpenLevel& sequence, std::string_view bytes)
 {
     ValueWalk walk;
@@ -148,7 +148,7 @@ ValueWalk walkValue(const ElementHead& head, std::string_view rest, DicomEncodin
     return walk;
 }
 
-/// Adds one element of the data set to the result.
+/// Adds one element of the data set to `passed` if it is safe.
 void pass(const ElementHead& head, std::string_view whole, bool isClean, DicomEncoding encoding, PassedElements& passed)
 {
     const std::string_view value = whole.substr(head.size);
@@ -242,7 +242,7 @@ std::optional<std::vector<std::string_view>> fragmentsOf(const DicomPixels& pixe
         fragments.push_back(rest.substr(0, head->length));
         rest.remove_prefix(head->length);
     }
-    return fragments;   // no delimiter: the complete fragments up to the end of the file
+    return fragments;   // without a delimiter, all complete fragments up to the end of the file
 }
 
 }   // namespace angiopose::io

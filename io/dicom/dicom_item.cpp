@@ -5,7 +5,7 @@
 #include "io/support/quiet_libraries.h"
 
 #include <dcmtk/config/osconfig.h>
-// DCMTK headers come first because of their macros.
+// DCMTK headers must come first because of their macros.
 #include <dcmtk/dcmdata/dcostrmb.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -149,7 +149,7 @@ core::Result<std::string> DicomObject::content()
     DcmOutputBufferStream stream(buffer.data(), static_cast<offile_off_t>(buffer.size()));
     file_->transferInit();
     OFCondition state = EC_StreamNotifyClient;
-    while (state == EC_StreamNotifyClient) {   // the output buffer is full
+    while (state == EC_StreamNotifyClient) {   // repeat while the output buffer is full
         state = file_->write(stream, EXS_LittleEndianExplicit, EET_ExplicitLength, nullptr);
         void* bytes = nullptr;
         offile_off_t size = 0;

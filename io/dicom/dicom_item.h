@@ -13,8 +13,8 @@ class DcmFileFormat;
 
 namespace angiopose::io {
 
-/// Writes elements into a DICOM object or a sequence item and replaces existing ones. The caller gives each VR by its
-/// two letters, so no dictionary is needed. Valid as long as the object.
+/// Writes elements into a DICOM object or a sequence item, replacing existing ones. The caller specifies each VR by its
+/// two letters, so no data dictionary is required. Valid as long as the object exists.
 class DicomItem {
 public:
     explicit DicomItem(DcmItem& item) : item_(&item) {}
@@ -29,17 +29,17 @@ public:
     void unsignedLongs(DicomTag tag, const std::vector<std::uint32_t>& values);
     void floats(DicomTag tag, const std::vector<float>& values);
     void doubles(DicomTag tag, const std::vector<double>& values);
-    void attribute(DicomTag tag, DicomTag pointedTo);   ///< AT
-    void words(DicomTag tag, const std::vector<std::uint16_t>& values);   ///< OW
-    void bytes(DicomTag tag, std::string_view content);   ///< OB, padded to even length
-    void floatPixels(const std::vector<float>& values);   ///< OF
+    void attribute(DicomTag tag, DicomTag pointedTo);   ///< VR AT
+    void words(DicomTag tag, const std::vector<std::uint16_t>& values);   ///< VR OW
+    void bytes(DicomTag tag, std::string_view content);   ///< VR OB, padded to even length
+    void floatPixels(const std::vector<float>& values);   ///< VR OF
 
     void remove(DicomTag tag);
 
     DicomItem addItem(DicomTag sequence);
     void emptySequence(DicomTag sequence);
 
-    DcmItem& element() const { return *item_; }   ///< for copying elements unchanged
+    DcmItem& element() const { return *item_; }   ///< underlying DCMTK item, for copying elements unchanged
 
 private:
     DcmItem* item_;
@@ -55,14 +55,14 @@ public:
 
     DicomItem root();
 
-    /// Returns the complete file content, explicit VR little endian. Fails if an element is invalid.
+    /// Returns the complete file content as explicit VR little endian. Fails if an element is invalid.
     core::Result<std::string> content();
 
 private:
     std::unique_ptr<DcmFileFormat> file_;
 };
 
-/// Truncates a text to `characters`, each of which may take several bytes.
+/// Truncates a UTF-8 string to the given number of characters (not bytes).
 std::string shortened(std::string_view utf8, std::size_t characters);
 
 }   // namespace angiopose::io

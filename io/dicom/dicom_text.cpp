@@ -12,9 +12,9 @@ namespace angiopose::io {
 namespace {
 
 struct CharacterSet {
-    std::string_view term;   ///< defined term of (0008,0005), also with "ISO 2022" instead of "ISO_"
+    std::string_view term;   ///< defined term of (0008,0005); also valid with "ISO 2022" instead of "ISO_"
     const char* iconvName;
-    std::string_view escape;   ///< escape sequence after ESC that selects the set within a text (PS3.3 C.12.1.1.2)
+    std::string_view escape;   ///< characters after ESC that switch to this set within a string (PS3.3 C.12.1.1.2)
 };
 
 constexpr std::array characterSets = {
@@ -39,7 +39,7 @@ constexpr std::array characterSets = {
     CharacterSet{"GBK", "GBK", {}},
 };
 
-/// Finds a character set by its term; nothing for ASCII and unknown terms.
+/// Finds a character set by its defined term; returns null for ASCII and unknown terms.
 const CharacterSet* setCalled(std::string_view term)
 {
     const auto* found = std::ranges::find_if(
@@ -65,7 +65,7 @@ std::string converted(std::string_view text, const char* from, std::string_view 
         std::size_t room = block.size();
         const bool failed = iconv(converter, &in, &left, &out, &room) == static_cast<std::size_t>(-1);
         result.append(block.data(), block.size() - room);
-        if (failed && room > 8 && left > 0) {   // not a full buffer: skip the unconvertible byte
+        if (failed && room > 8 && left > 0) {   // the buffer is not full, so the byte cannot be converted: skip it
             result += unreadable;
             ++in;
             --left;
@@ -88,20 +88,20 @@ bool isUtf8(std::string_view text)
     return converted(text, "UTF-8", "\xff").find('\xff') == std::string::npos;
 }
 
-/// Converts bytes of one set. If the set is unknown, tries UTF-8, then Latin-1.
+/// Converts bytes from one character set. If the set is unknown, tries UTF-8, then Latin-1.
 std::string ofSet(std::string_view bytes, const CharacterSet* set)
 {
     const bool isGuess = !set || set->term == "IR 192" || isOfPairs(*set);
     return converted(bytes, isGuess ? isUtf8(bytes) ? "UTF-8" : "ISO-8859-1" : set->iconvName);
 }
 
-/// Converts a text that switches sets by escape sequences (PS3.5 6.1.2.5). After a delimiter the first set applies
-/// again; if it has no characters beyond ASCII, non-ASCII bytes belong to the previous set.
+/// Converts a string that switches character sets by escape sequences (PS3.5 6.1.2.5). After a delimiter the first set
+/// applies again; if that set is ASCII only, non-ASCII bytes belong to the previous set.
 std::string ofSeveralSets(std::string_view text, const CharacterSet* first)
 {
     std::string result;
-    const CharacterSet* upper = first;   // set of bytes from 0x80
-    const CharacterSet* pairs = nullptr;   // two-byte set of bytes below 0x80
+    const CharacterSet* upper = first;   // character set for bytes from 0x80
+    const CharacterSet* pairs = nullptr;   // active two-byte set for bytes below 0x80
     std::size_t begin = 0;
     const auto flush = [&](std::size_t end) {
         const std::string_view bytes = text.substr(begin, end - begin);
@@ -142,7 +142,7 @@ std::string ofSeveralSets(std::string_view text, const CharacterSet* first)
     return result;
 }
 
-/// Converts "19700413" to "1970-04-13"; empty for anything else.
+/// Converts "19700413" to "1970-04-13"; returns an empty string for anything else.
 std::string dateText(std::string_view date)
 {
     const bool isDate =

@@ -11,7 +11,7 @@ namespace angiopose::io {
 /// any, from UTF-8 if valid, otherwise from Latin-1. Replaces unconvertible characters by "?".
 std::string utf8Text(const DicomDataset& data, DicomTag tag, std::string_view declared = {});
 
-/// Patient and study data for the corners of the window.
+/// Returns the patient and study data that the window displays in its corners.
 core::StudyIdentity identityOf(const DicomDataset& data);
 
 }   // namespace angiopose::io

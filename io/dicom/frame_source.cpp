@@ -13,9 +13,9 @@ namespace {
 
 using core::ImageF;
 
-constexpr std::string_view runLengthSyntax = "1.2.840.10008.1.2.5";   // one fragment per frame (PS3.5 A.4.2)
+constexpr std::string_view runLengthSyntax = "1.2.840.10008.1.2.5";   // RLE has one fragment per frame (PS3.5 A.4.2)
 
-/// Reads stored value number `index` of a frame, sign-extended from its high bit.
+/// Reads stored values of a frame by index, sign-extended from the high bit.
 class SampleReader {
 public:
     SampleReader(std::string_view bytes, const PixelLayout& layout, ByteOrder order)
@@ -56,7 +56,7 @@ private:
     ByteOrder order_;
 };
 
-/// Bits of one native frame; color subsampled 4:2:2 has two samples per pixel (PS3.5 §8.2).
+/// Returns the number of bits of one native frame; 4:2:2 subsampled color has two samples per pixel (PS3.5 §8.2).
 std::size_t bitsPerFrame(const PixelLayout& layout)
 {
     const bool isHalved = layout.samples == 3 && layout.photometric == "YBR_FULL_422";
@@ -64,7 +64,7 @@ std::size_t bitsPerFrame(const PixelLayout& layout)
            static_cast<std::size_t>(layout.bitsAllocated);
 }
 
-/// Converts samples to an image: gray unchanged, color as luminance (Rec. 601), YBR by its Y.
+/// Converts samples to an image: grayscale unchanged, RGB to luminance (Rec. 601), YBR to its Y component.
 ImageF imageFrom(const SampleReader& sample, const PixelLayout& layout, bool isSubsampled, std::size_t firstSample)
 {
     ImageF image(layout.columns, layout.rows);
@@ -72,7 +72,7 @@ ImageF imageFrom(const SampleReader& sample, const PixelLayout& layout, bool isS
     for (std::size_t i = 0; i < count; ++i) {
         if (layout.samples == 1) {
             image.pixels[i] = sample(firstSample + i);
-        } else if (isSubsampled) {   // Y Y Cb Cr
+        } else if (isSubsampled) {   // sample order Y Y Cb Cr
             image.pixels[i] = sample(4 * (i / 2) + i % 2);
         } else {
             const std::size_t step = layout.isPlanar ? count : 1;

@@ -10,25 +10,25 @@
 
 namespace angiopose::io {
 
-/// A frame, decoded as far as possible.
+/// Frame decoded as far as possible.
 struct DecodedFrame {
     core::ImageF image;
-    bool isFlawed = false;   ///< partly damaged
+    bool isFlawed = false;   ///< whether the frame is partly damaged
 };
 
-/// Decodes the frames of a DICOM file one at a time, as stored values (color as luminance). The file must outlive the
+/// Decodes the frames of a DICOM file one at a time to stored values (color to luminance). The file must outlive the
 /// reader.
 class FrameReader {
 public:
-    /// Opens the frames of a file; fails if there is no complete frame.
+    /// Opens the frames of a file; fails if the file contains no complete frame.
     static core::Result<FrameReader> open(const DicomFile& file, const PixelLayout& layout, const std::string& path);
 
-    /// Number of frames present, regardless of the header.
+    /// Number of frames actually present, regardless of the header.
     int frameCount() const { return frameCount_; }
 
-    /// Decodes frame `index`; fails if it is absent or cannot be decoded completely.
+    /// Decodes frame `index`; fails if the frame is absent or cannot be decoded completely.
     core::Result<core::ImageF> frame(int index) const;
-    /// Decodes frame `index`; accepts a partly decoded frame.
+    /// Decodes frame `index`; also returns a frame that can be decoded only partly.
     core::Result<DecodedFrame> wholeOrPart(int index) const;
 
 private:
@@ -45,10 +45,10 @@ private:
     std::vector<std::vector<std::string_view>> streams_;   ///< fragments of each compressed frame
 };
 
-/// All frames present of a cine run.
+/// Decoded frames of a cine run, as many as are present.
 struct DecodedRun {
     std::vector<core::ImageF> frames;
-    std::vector<int> flawedFrames;   ///< partly damaged frames
+    std::vector<int> flawedFrames;   ///< indices of partly damaged frames
     std::vector<int> lostFrames;   ///< undecodable frames, replaced by copies of a neighboring frame
 };
 

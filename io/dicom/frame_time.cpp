@@ -19,7 +19,7 @@ double positiveOrZero(const DicomDataset& data, DicomTag tag)
     return std::max(data.number(tag).value_or(0.0), 0.0);
 }
 
-/// Median of the intervals between frames; skips the first entry, which precedes the first frame.
+/// Returns the median interval of Frame Time Vector; skips the first value, which precedes the first frame.
 double medianOfVector(const DicomDataset& data)
 {
     std::vector<double> steps;

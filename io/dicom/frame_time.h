@@ -7,14 +7,14 @@
 
 namespace angiopose::io {
 
-/// The time between frames.
+/// Time between frames, as stated in the header.
 struct FrameTime {
-    double ms = 0.0;   ///< 0: unknown
+    double ms = 0.0;   ///< frame interval, ms; 0 if unknown
     std::optional<core::Message> contradiction;   ///< a different value elsewhere in the header
 };
 
-/// Reads the frame time from the element that the Frame Increment Pointer names, otherwise from Frame Time, the median
-/// of Frame Time Vector, or the acquisition or recommended display rate.
+/// Reads the frame time from the element named by Frame Increment Pointer; otherwise from Frame Time, the median of
+/// Frame Time Vector, or the acquisition or recommended display frame rate.
 FrameTime frameTimeOf(const DicomDataset& data);
 
 }   // namespace angiopose::io

@@ -4,7 +4,7 @@
 
 namespace angiopose::io {
 
-/// Functional groups of a multi-frame DICOM object: shared by all frames, and one item per frame.
+/// Functional group sequences of a multi-frame DICOM object: shared by all frames, and with one item per frame.
 inline constexpr DicomTag sharedGroupsTag = 0x52009229;
 inline constexpr DicomTag perFrameGroupsTag = 0x52009230;
 

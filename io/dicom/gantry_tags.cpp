@@ -22,7 +22,7 @@ constexpr std::size_t maxValuesShown = 6;
 
 struct GeometryTag {
     DicomTag tag;
-    const char* name;   ///< from PS3.6
+    const char* name;   ///< attribute name according to PS3.6
 };
 
 constexpr std::array geometryTags{
@@ -76,7 +76,7 @@ constexpr std::array siemensGeometryTags{
     GeometryTag{siemensTable, "Siemens, Table Position"},
 };
 
-/// Formats the values for users: "200, 200"; a long list ends with its length.
+/// Formats the values for display, for example "200, 200"; a long list is truncated and ends with its length.
 std::string valueText(const DicomDataset& data, DicomTag tag)
 {
     const bool isBinary = data.isBinaryNumber(tag) || tag >> 16U == siemensBlock >> 16U;
@@ -123,9 +123,9 @@ std::optional<Eigen::Vector2d> positivePairIn(const DicomDataset& data, DicomTag
     return first && second ? std::optional(Eigen::Vector2d(*first, *second)) : std::nullopt;
 }
 
-/// Reads the field of view. PS3.3 C.8.7.3.1.3: rectangle: row then column dimension, the first along a row; round: the
-/// diameter. A round field appears in a square image, which may be cropped from it; the extent of a cropped image is
-/// then unknown.
+/// Reads the field of view (PS3.3 C.8.7.3.1.3). If rectangular, the values are the row and column dimensions, the first
+/// along a row; if round, the value is the diameter. The image may be cropped from a round field of view, so the
+/// diameter does not determine the image's extent.
 void readFieldOfView(const DicomDataset& data, GantryHeader& header)
 {
     if (data.text(0x00181147) == "RECTANGLE") {
@@ -141,7 +141,7 @@ void readFieldOfView(const DicomDataset& data, GantryHeader& header)
 void readSpacings(const DicomDataset& data, GantryHeader& header)
 {
     if (const auto active = positivePairIn(data, 0x00187026)) {
-        header.detectorMm = Eigen::Vector2d(active->y(), active->x());   // stored row, column
+        header.detectorMm = Eigen::Vector2d(active->y(), active->x());   // the element stores row, column
         if (std::lround(data.number(0x00187032).value_or(0.0) / 90.0) % 2 != 0) {
             std::swap(header.detectorMm->x(), header.detectorMm->y());
         }
@@ -151,11 +151,11 @@ void readSpacings(const DicomDataset& data, GantryHeader& header)
         header.isPixelSpacingCalibrated = !data.text(0x00280a02).empty();
     }
     if (const auto aspect = positivePairIn(data, 0x00280034)) {
-        header.pixelAspect = aspect->x() / aspect->y();   // vertical over horizontal
+        header.pixelAspect = aspect->x() / aspect->y();   // vertical divided by horizontal pixel size
     }
 }
 
-/// Angles of each frame of Enhanced XA.
+/// Returns the gantry angles of each frame of an Enhanced XA object.
 std::vector<Eigen::Vector2d> frameAngles(const DicomDataset& data)
 {
     std::vector<Eigen::Vector2d> angles;
@@ -220,7 +220,7 @@ void readIncrements(const DicomDataset& data, int frameCount, GantryHeader& head
     }
 }
 
-/// Reads the patient position (PS3.3 C.7.3.1.1.2) and warns unless it is head first, supine.
+/// Reads the patient position (PS3.3 C.7.3.1.1.2) and warns unless it is head first-supine (HFS).
 void readPatientPosition(const DicomDataset& data, GantryHeader& header, core::Messages& warnings)
 {
     const std::string position(data.text(0x00185100));
@@ -268,8 +268,8 @@ std::optional<Eigen::Vector3d> tableNumbers(const DicomDataset& data, const std:
     return numbers;
 }
 
-/// Computes the isocenter in patient coordinates from the table position (PS3.3 C.8.19.6.13.1.3: the table's axes are
-/// the LPS axes of a patient head first and supine). Ignores a rotated or tilted table.
+/// Computes the isocenter in patient coordinates from the table position: the table axes equal the LPS axes of a head
+/// first-supine patient (PS3.3 C.8.19.6.13.1.3). Ignores a rotated or tilted table.
 void readTable(const DicomDataset& data, GantryHeader& header)
 {
     constexpr double maxTurnDeg = 0.1;
@@ -279,7 +279,7 @@ void readTable(const DicomDataset& data, GantryHeader& header)
         }
     }
     if (!header.patientPosition && !data.text(0x00185100).empty()) {
-        return;   // unsupported patient position
+        return;   // patient position not supported
     }
     const Eigen::Matrix3d patientFromTable =
         core::patientFromTable(header.patientPosition.value_or(core::PatientPosition::HFS));
@@ -301,7 +301,7 @@ double secondsOf(std::string_view time)
     return 3600.0 * hours + 60.0 * minutes + std::fmod(number, 100.0);
 }
 
-/// Recognizes the planes of a biplane acquisition by the image type.
+/// Determines the plane of a biplane acquisition from the image type.
 void readBiplane(const DicomDataset& data, GantryHeader& header)
 {
     const std::string_view type = data.text(0x00080008, 2);

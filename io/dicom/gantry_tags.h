@@ -9,9 +9,9 @@
 
 namespace angiopose::io {
 
-/// Gantry data of an X-ray header in addition to the values of cArmOf (ALGORITHMS §5.1): data for checking them, angles
-/// of each frame relative to the first, and all geometry elements for display. Warns if the gantry moved and the header
-/// does not give the motion.
+/// Returns the gantry data of an X-ray header that cArmOf does not read (ALGORITHMS §5.1): data for plausibility
+/// checks, the angles of each frame relative to the first, and all geometry elements for display. Warns if the gantry
+/// moved and the header does not give its motion.
 core::GantryHeader gantryHeaderOf(const DicomDataset& data, int frameCount, core::Messages& warnings);
 
 }   // namespace angiopose::io

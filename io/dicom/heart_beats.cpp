@@ -10,9 +10,9 @@ namespace {
 constexpr DicomTag frameTimeVector = 0x00181065;
 constexpr DicomTag rWaveTimeVector = 0x00186060;
 constexpr DicomTag rWavePointer = 0x00286040;
-constexpr std::size_t maxBeats = 10000;   // limit for damaged headers
+constexpr std::size_t maxBeats = 10000;   // limit that protects against damaged headers
 
-/// Start time of each frame, ms after the first; empty if unknown.
+/// Returns the start time of each frame relative to the first frame, ms; empty if unknown.
 std::vector<double> frameStartsMs(const DicomDataset& data, int frameCount, double frameTimeMs)
 {
     const bool isListed = data.number(frameTimeVector, static_cast<std::size_t>(frameCount) - 1).has_value();

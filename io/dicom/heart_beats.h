@@ -6,8 +6,8 @@
 
 namespace angiopose::io {
 
-/// Frames at the R waves of the ECG, counted from 0 and ascending: those the header gives (R Wave Pointer), otherwise
-/// those nearest to its times (R Wave Time Vector). Omits positions outside the cine run.
+/// Returns the frames at the R waves of the ECG, counted from 0 in ascending order: those in the header (R Wave
+/// Pointer), otherwise the frames nearest to the R-wave times (R Wave Time Vector). Omits R waves outside the cine run.
 std::vector<int> rWaveFramesOf(const DicomDataset& data, int frameCount, double frameTimeMs);
 
 }   // namespace angiopose::io

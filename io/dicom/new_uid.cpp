@@ -12,14 +12,14 @@ namespace {
 
 using UuidBytes = std::array<std::uint8_t, 16>;
 
-/// Sets the version bits of a UUID (RFC 9562): 4 random, 8 custom.
+/// Sets version and variant bits of a UUID (RFC 9562). Version 4 is random, version 8 custom.
 void markUuid(UuidBytes& uuid, std::uint8_t version)
 {
     uuid[6] = static_cast<std::uint8_t>((uuid[6] & 0x0fU) | static_cast<unsigned>(version << 4U));
     uuid[8] = static_cast<std::uint8_t>((uuid[8] & 0x3fU) | 0x80U);
 }
 
-/// Converts a 128-bit number to decimal by repeated division by ten; the remainders are the digits from the last.
+/// Converts a 128-bit number to decimal by repeated division by ten; the remainders are the digits from last to first.
 std::string decimalOf(UuidBytes number)
 {
     std::string digits;
@@ -46,7 +46,7 @@ std::string uidOf(UuidBytes uuid, std::uint8_t version)
 
 bool isUid(std::string_view text)
 {
-    bool isStart = true;   // at the start of a number
+    bool isStart = true;   // whether the next character starts a number
     for (std::size_t i = 0; i < text.size(); ++i) {
         const bool isDigit = text[i] >= '0' && text[i] <= '9';
         const bool isLeadingZero = isStart && text[i] == '0' && i + 1 < text.size() && text[i + 1] != '.';

@@ -8,11 +8,11 @@ namespace angiopose::io {
 /// Creates a UID: the root 2.25, which anyone may use, and 128 random bits as a decimal number (a UUID, PS3.5 B.2).
 std::string newUid();
 
-/// Creates a UID of the same form from a hash of the content: equal content gives the same UID, different content a
-/// different one.
+/// Creates a UID of the same form from a hash of the content: equal contents have equal UIDs, different contents have
+/// different UIDs.
 std::string uidOfContent(std::string_view content);
 
-/// Whether a text is a valid UID: numbers separated by dots.
+/// Whether `text` is a valid UID: numbers separated by dots.
 bool isUid(std::string_view text);
 
 /// Returns the UID of a file, or one derived from it if it is invalid; equal invalid UIDs give equal results.

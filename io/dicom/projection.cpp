@@ -30,7 +30,7 @@ bool isClassOfProjections(std::string_view sopClass)
            sopClass.starts_with("1.2.840.10008.5.1.4.1.1.1.") || sopClass == "1.2.840.10008.5.1.4.1.1.1";
 }
 
-/// The positions of a file's frames in the patient, as written in the header.
+/// Returns the distinct positions of a file's frames in the patient, as written in the header.
 std::set<std::string> placesOf(const DicomDataset& data)
 {
     std::set<std::string> places;

@@ -4,8 +4,8 @@
 
 namespace angiopose::io {
 
-/// Whether a DICOM image is an X-ray projection: by modality, unless its SOP class has slices or its images have
-/// several positions in the patient, as in reconstructed rotational angiograms.
+/// Whether a DICOM image is an X-ray projection. The modality decides, unless the images of the SOP class are slices or
+/// the frames have several positions in the patient, as in reconstructed rotational angiograms.
 bool isProjection(const DicomDataset& data);
 
 }   // namespace angiopose::io

@@ -57,7 +57,7 @@ bool showBright(const DicomDataset& data, const PixelLayout& layout, std::vector
     return true;
 }
 
-/// Frame numbers as DICOM counts them, from 1.
+/// Formats frame numbers as DICOM counts them, starting at 1.
 std::vector<std::string> namesOf(const std::vector<int>& frames)
 {
     std::vector<std::string> names;
@@ -65,8 +65,8 @@ std::vector<std::string> namesOf(const std::vector<int>& frames)
     return names;
 }
 
-/// Blanks lost frames like frames without contrast agent, so that nothing is detected in them and they do not disturb
-/// other frames.
+/// Fills lost frames with the background level, as in frames without contrast agent: nothing is detected in them, and
+/// they do not affect other frames.
 void blank(const std::vector<int>& lostFrames, Angiogram& angiogram)
 {
     const bool isDark = angiogram.polarity == core::Polarity::VesselsDark;
@@ -118,7 +118,7 @@ void describe(const DicomFile& file, const PixelLayout& layout, Angiogram& angio
     }
 }
 
-/// Reads the layout and rejects images of a few pixels, in which nothing can be traced.
+/// Reads the layout and rejects images that are only a few pixels wide or high, in which nothing can be traced.
 core::Result<PixelLayout> runLayout(const DicomFile& file, const std::string& path)
 {
     auto layout = pixelLayoutOf(file, path);

@@ -56,7 +56,7 @@ Mask2d inCircle(const DicomDataset& data, int columns, int rows)
     });
 }
 
-/// Coordinates as alternating (row, column); empty if one is not a number.
+/// Returns coordinates as alternating row and column; empty if a value is not a number.
 std::vector<double> coordinatesOf(const DicomDataset& data)
 {
     std::vector<double> coordinates;
@@ -73,8 +73,8 @@ std::vector<double> coordinatesOf(const DicomDataset& data)
     return rest.empty() && coordinates.size() % 2 == 0 ? coordinates : std::vector<double>();
 }
 
-/// Columns at which a row crosses the sides of the polygon, ascending. `isAbove` determines whether the upper or the
-/// lower end of a side is excluded.
+/// Returns the columns at which a row crosses the sides of the polygon, in ascending order. `isAbove` determines
+/// whether the upper or the lower end of a side is excluded.
 template <class Above>
 std::vector<double> crossings(const std::vector<double>& coordinates, double row, const Above& isAbove)
 {
@@ -112,7 +112,7 @@ Mask2d inPolygon(const DicomDataset& data, int columns, int rows)
 }
 
 struct ShutterShape {
-    std::string_view name;   ///< as written in the header
+    std::string_view name;   ///< shape as spelled in the header
     Mask2d (*openField)(const DicomDataset&, int columns, int rows);
     std::vector<DicomTag> tags;
 };

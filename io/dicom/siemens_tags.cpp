@@ -7,7 +7,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Collapses double spaces, as some archives do in the creator's name.
+/// Replaces double spaces by single ones, as some PACS do in the private creator.
 std::string withSingleSpaces(std::string_view text)
 {
     std::string single(text);

@@ -6,14 +6,14 @@
 
 namespace angiopose::io {
 
-/// The creator of the private block in which Siemens systems store table and gantry positions, and its first slot for
-/// writing.
+/// Private creator of the block in which Siemens systems store table and gantry positions, and the element that
+/// reserves this block when writing.
 inline constexpr const char* siemensCreator = "SIEMENS SMS-AX  ACQ 1.0";
 inline constexpr DicomTag siemensBlock = 0x00210010;
 
-inline constexpr DicomTag siemensIsocenter = 0x17;   ///< mm
-inline constexpr DicomTag siemensTableMoves = 0x24;   ///< 1: moves during the cine run
-inline constexpr DicomTag siemensTable = 0x57;   ///< longitudinal, lateral, vertical, 0.1 mm
+inline constexpr DicomTag siemensIsocenter = 0x17;   ///< source-to-isocenter distance, mm
+inline constexpr DicomTag siemensTableMoves = 0x24;   ///< 1 if the table moves during the cine run
+inline constexpr DicomTag siemensTable = 0x57;   ///< table position: longitudinal, lateral, vertical, in 0.1 mm
 
 /// The element (0021,xx`number`) of that block, wherever the block is located; nothing if the header has none.
 std::optional<DicomTag> siemensTag(const DicomDataset& data, DicomTag number);

@@ -13,11 +13,11 @@ namespace {
 struct TakenOver {
     DicomTag tag;
     const char* vr;
-    bool isType2;   ///< required, even if empty
+    bool isType2;   ///< type 2: must be present, but may be empty
 };
 
-/// Elements of the Patient, General Study and Patient Study modules (PS3.3 C.7.1.1, C.7.2.1, C.7.2.2), without
-/// comments.
+/// Elements of the Patient, General Study and Patient Study modules (PS3.3 C.7.1.1, C.7.2.1, C.7.2.2) to copy; comments
+/// are omitted.
 constexpr auto patientAndStudyElements = std::to_array<TakenOver>({
     {0x00080020, "DA", true},
     {0x00080030, "TM", true},

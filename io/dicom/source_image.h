@@ -8,14 +8,14 @@
 
 namespace angiopose::io {
 
-/// Header data that derived objects copy from a DICOM image, and the identifiers by which they refer to it.
+/// Header data that derived objects copy from a DICOM image, and the identifiers with which they reference the image.
 struct SourceImage {
     struct Text {
         DicomTag tag = 0;
         const char* vr = "";
         std::string value;   ///< UTF-8
     };
-    bool isDicom = false;   ///< false: not DICOM or unreadable, all else is empty
+    bool isDicom = false;   ///< false if the file is unreadable or not DICOM; all other members are then empty
     std::vector<Text> patientAndStudy;   ///< without the study UID; values that the standard does not permit are empty
     std::string sopClassUid, sopInstanceUid;
     std::string studyUid, seriesUid;
@@ -23,20 +23,20 @@ struct SourceImage {
     std::string modality, laterality;
     int rows = 0, columns = 0, frames = 1;
     std::vector<Text> modalityLut;   ///< rescale slope and intercept, if present
-    std::vector<Text> lossyCompression;   ///< earlier lossy compression, if any
+    std::vector<Text> lossyCompression;   ///< lossy compression history, if any
     bool isShownInverted = false;
-    bool isAnnotated = false;   ///< declares burned-in text that identifies the patient
+    bool isAnnotated = false;   ///< whether the header declares burned-in text that identifies the patient
 
     bool canBeReferredTo() const { return !sopClassUid.empty() && !sopInstanceUid.empty() && !seriesUid.empty(); }
-    std::string patientText(DicomTag tag) const;   ///< one of `patientAndStudy`
+    std::string patientText(DicomTag tag) const;   ///< value of one element of `patientAndStudy`
 };
 
-/// Reads the header of a file; files other than DICOM give an empty one. Fails if the file cannot be read.
+/// Reads the header of a file; empty if the file is not DICOM. Fails if the file cannot be read.
 core::Result<SourceImage> readSourceImage(const std::string& path);
 
 SourceImage sourceImageOf(const DicomDataset& data);
 
-/// Adds an item that references an instance to a sequence.
+/// Adds an item to `sequence` that references an instance.
 DicomItem addReference(DicomItem& item, DicomTag sequence, const std::string& sopClassUid,
                        const std::string& sopInstanceUid);
 

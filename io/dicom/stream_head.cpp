@@ -5,7 +5,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::string_view codestreamStart("\xff\x4f\xff\x51", 4);   // SOC, SIZ (ISO 15444-1)
+constexpr std::string_view codestreamStart("\xff\x4f\xff\x51", 4);   // markers SOC and SIZ (ISO 15444-1)
 
 std::optional<StreamHead> jpeg2000Head(std::string_view stream)
 {
@@ -21,7 +21,7 @@ std::optional<StreamHead> jpeg2000Head(std::string_view stream)
     return StreamHead{static_cast<int>(columns), static_cast<int>(rows), components, bits, false};
 }
 
-/// True for the markers that start a frame: SOF0…SOF15 without DHT, JPG, DAC, and JPEG-LS's SOF55.
+/// Whether a marker starts a frame: SOF0…SOF15 except DHT, JPG and DAC, and SOF55 of JPEG-LS.
 bool isFrameStart(unsigned char marker)
 {
     const bool isSof = marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
@@ -40,7 +40,7 @@ std::optional<StreamHead> streamHeadOf(std::string_view stream)
             return std::nullopt;
         }
         const auto marker = static_cast<unsigned char>(stream[at + 1]);
-        if (marker == 0xff) {   // fill byte
+        if (marker == 0xff) {   // skip a fill byte
             ++at;
             continue;
         }

@@ -73,7 +73,7 @@ std::string digitsOf(std::string text)
     return text;
 }
 
-/// The pixels as bytes, for hashing.
+/// Returns the pixels as bytes, for hashing.
 std::string_view bytesOf(const StoredValues& stored)
 {
     return {reinterpret_cast<const char*>(stored.pixels.data()), 2 * stored.pixels.size()};
@@ -106,10 +106,10 @@ void addIdentity(DicomItem& out, const core::StudyIdentity& identity, const Stor
     out.text(0x00200010, "SH", "1");
     out.text(0x00200011, "IS", "1");
     out.text(0x00200013, "IS", "1");
-    out.text(0x00200060, "CS", identity.laterality);   // empty if unknown (type 2C)
+    out.text(0x00200060, "CS", identity.laterality);   // type 2C, empty if unknown
 }
 
-/// The anatomical letters of a direction in LPS, the dominant one first: "LA".
+/// Returns the anatomical letters of an LPS direction, dominant direction first, for example "LA".
 std::string lettersOf(const Eigen::Vector3d& direction)
 {
     constexpr double minShare = 0.2;
@@ -124,14 +124,14 @@ std::string lettersOf(const Eigen::Vector3d& direction)
     return letters;
 }
 
-/// Adds the anatomical directions of rows and columns, which encode mirroring and quarter turns.
+/// Adds Patient Orientation, whose row and column directions encode mirroring and quarter turns.
 void addOrientation(DicomItem& out, const CArm& cArm)
 {
     const core::ImageAxes axes = imageAxesOf(cArm);
     out.text(0x00200020, "CS", cArm.mirrored.value ? lettersOf(axes.right) + "\\" + lettersOf(axes.down) : "");
 }
 
-/// Adds isocenter and table position, if known, in the tags they were read from.
+/// Adds isocenter and table position, if known, in the same tags from which they are read.
 void addTable(DicomItem& out, const Angiogram& angiogram)
 {
     const core::GantryHeader& gantry = angiogram.gantry;
@@ -245,7 +245,7 @@ void addPixelHeader(DicomItem& out, const Angiogram& angiogram, const StoredValu
     out.unsignedShort(0x00280103, 0);
     out.text(0x00281040, "CS", "LOG");
     if (angiogram.polarity == core::Polarity::VesselsBright) {
-        out.signedShort(0x00281041, -1);   // values fall with increasing X-ray intensity
+        out.signedShort(0x00281041, -1);   // values decrease with increasing X-ray intensity
     }
     out.text(0x00281052, "DS", stored.intercept);
     out.text(0x00281053, "DS", stored.slope);
@@ -253,7 +253,7 @@ void addPixelHeader(DicomItem& out, const Angiogram& angiogram, const StoredValu
     out.text(0x00282110, "CS", "00");
 }
 
-/// Adds the source image, if it is a DICOM instance.
+/// Adds the derivation description and, if the source is a DICOM instance, a reference to it.
 void addDerivation(DicomItem& out, const SourceImage* source)
 {
     out.text(0x00082111, "ST", derivation);
@@ -278,7 +278,7 @@ void addHeader(DicomItem& out, const Angiogram& angiogram, const StoredValues& s
     addPixelHeader(out, angiogram, stored);
 }
 
-/// Derives the instance UID from header and pixels, so that any difference gives another instance.
+/// Derives the instance UID from header and pixels, so that different images have different UIDs.
 std::string instanceUidOf(const Angiogram& angiogram, const StoredValues& stored, const SourceImage* source)
 {
     DicomObject header;

@@ -51,7 +51,7 @@ std::string htmlTable(const core::ResultTable& table)
     return text;
 }
 
-/// The SVG drawing without the header of a separate file.
+/// Returns the SVG drawing without the XML header of a separate file.
 std::string inlineSvg(const core::Plot& plot)
 {
     const std::string svg = toSvg(plot);

@@ -25,7 +25,7 @@ std::string markdownLine(const std::vector<std::string>& cells, const std::strin
     return text + "\n";
 }
 
-/// Number of displayed characters; UTF-8 continuation bytes do not count.
+/// Returns the number of displayed characters, that is, bytes that are not UTF-8 continuation bytes.
 std::size_t shownWidth(const std::string& text)
 {
     return static_cast<std::size_t>(std::count_if(

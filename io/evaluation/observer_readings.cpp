@@ -8,7 +8,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Accesses the columns of one log row by name.
+/// Accesses the cells of one log row by column name.
 class ReadingRow {
 public:
     ReadingRow(const CsvTable& table, std::size_t row) : table_(table), row_(row) {}

@@ -8,8 +8,8 @@
 
 namespace angiopose::io {
 
-/// Reads the finished trials from a log of blind trials (observer_log.h). Fails if it is not such a log, or if it was
-/// started by a version that did not store the tree's centroid.
+/// Reads the finished trials from a log of blind trials (observer_log.h). Fails if the file is not such a log or was
+/// started by a version that did not store the centroid of the tree.
 core::Result<std::vector<core::ObserverReading>> readObserverReadings(const std::string& path);
 
 }   // namespace angiopose::io

@@ -16,7 +16,7 @@ namespace {
 
 using Rows = std::vector<std::vector<double>>;
 
-/// Reads the numbers of the given columns, row by row.
+/// Reads the numbers in the given columns, row by row.
 core::Result<Rows> parsePointRows(const CsvTable& table, std::initializer_list<std::string_view> wanted)
 {
     std::vector<std::size_t> columns;

@@ -9,27 +9,27 @@
 
 namespace angiopose::io {
 
-/// Reads landmarks from CSV with the columns x, y, z (patient LPS, mm; other columns are ignored), or from Slicer's
+/// Reads landmarks from CSV with the columns x, y, z (patient LPS, mm; other columns are ignored) or from Slicer
 /// fiducials (`.fcsv`, `.mrk.json`).
 core::Result<std::vector<Eigen::Vector3d>> readLandmarks(const std::string& path);
 
-/// Reads point pairs from a table with x, y, z (patient LPS, mm) and u, v (px; (0, 0) is the center of the first
-/// pixel).
+/// Reads point pairs from a table with the columns x, y, z (patient LPS, mm) and u, v (px; (0, 0) is the center of the
+/// first pixel).
 core::Result<std::vector<core::PointPair>> readPointPairs(const std::string& path);
 
-/// A user's own case with its reference data. Paths are absolute or resolved relative to the manifest's folder; empty:
-/// not given.
+/// The user's own case with its reference data. Paths are absolute, or resolved relative to the manifest's folder;
+/// empty if not specified.
 struct OwnEntry {
     int line = 0;   ///< line number in the manifest
     std::string casePath;
-    std::string referencePath;   ///< a pose file
-    std::string deformedPath;   ///< a vessel file with the true position of deformed vessels
-    std::string landmarksPath;   ///< target points for mTRE and mRPD
+    std::string referencePath;   ///< pose file with the reference pose
+    std::string deformedPath;   ///< vessel file with the true deformed vessels
+    std::string landmarksPath;   ///< file with the target points for mTRE and mRPD
     std::string pairsPath;
-    std::string startPath;   ///< a pose file; empty: the case's pose
+    std::string startPath;   ///< pose file with the initial pose; if empty, the pose of the case
     std::string condition = "all";
-    int patient = 0;   ///< number of the patient, by first appearance
-    std::map<std::string, std::string> foundPaths;   ///< pose files by the name of the method that produced them
+    int patient = 0;   ///< patient number, in order of first appearance
+    std::map<std::string, std::string> foundPaths;   ///< pose files, keyed by the name of the method that produced them
 };
 
 /// Reads a table with a header row: `case`, and one of `reference` and `pairs` in each row; optionally `bent`,

@@ -18,7 +18,7 @@ namespace {
 using Key = std::tuple<std::string, std::string, std::uint64_t>;   ///< condition, method, trial
 using RunByKey = std::map<Key, core::RunRecord*>;
 
-/// Accesses columns by name and converts the cells of one row.
+/// Accesses cells by row and column name and converts them to numbers.
 class RowReader {
 public:
     explicit RowReader(const CsvTable& table) : table_(table) {}
@@ -147,7 +147,7 @@ core::Result<core::RunSet> parseRuns(const CsvTable& table)
     return runs;
 }
 
-/// The run that a row of another file refers to, or null.
+/// Returns the run to which a row of another file refers; null if there is none.
 core::RunRecord* runOf(const RowReader& reader, std::size_t row, const RunByKey& runs)
 {
     const auto trial = reader.count(row, "trial");
@@ -193,7 +193,7 @@ core::Status addHistories(const CsvTable& table, const RunByKey& runs)
     return core::Done{};
 }
 
-/// Reads an optional table and passes its rows on.
+/// Reads a table, if the file exists, and adds its rows to the runs.
 core::Status addOptional(const std::filesystem::path& path, const RunByKey& runs,
                          core::Status (*add)(const CsvTable&, const RunByKey&))
 {
@@ -211,7 +211,7 @@ core::Status addOptional(const std::filesystem::path& path, const RunByKey& runs
 
 std::string cell(double value)
 {
-    return std::isnan(value) ? "nan" : toText(value);   // without the sign bit of a NaN
+    return std::isnan(value) ? "nan" : toText(value);   // omits the sign of a NaN
 }
 
 std::string keyOf(const core::RunRecord& run)

@@ -7,13 +7,13 @@
 
 namespace angiopose::io {
 
-/// Title, table and notes as Markdown (GitHub tables); published rows in italics.
+/// Formats title, table and notes as Markdown (GitHub tables); published rows are in italics.
 std::string toMarkdown(const core::ResultTable& table);
 
 /// The table as LaTeX for \input (packages booktabs and graphicx); first column left-aligned, numbers right-aligned.
 std::string toLatex(const core::ResultTable& table);
 
-/// The table as plain text for a terminal, with aligned columns.
+/// Formats the table as plain text with aligned columns, for a terminal.
 std::string toPlainText(const core::ResultTable& table);
 
 }   // namespace angiopose::io

@@ -6,7 +6,7 @@
 
 namespace angiopose::io {
 
-/// All messages of this layer, for translations and tests.
+/// Returns all messages of this layer, for translations and tests.
 std::span<const core::MessageEntry* const> messageCatalog();
 
 }   // namespace angiopose::io

@@ -2,7 +2,7 @@
 
 #include "core/support/message.h"
 
-/// Messages about reading and writing, by name; see core/messages/messages.h.
+/// Messages about reading and writing files; see core/messages/messages.h.
 namespace angiopose::io::messages {
 
 #define MESSAGE(name, id, english) inline constexpr core::MessageKind<core::placesIn(english)> name{{id, english}};

@@ -15,16 +15,16 @@ namespace angiopose::io {
 namespace {
 
 constexpr double ticksPerSecond = 100.0;
-constexpr std::int64_t minDelay = 2;   // viewers replace shorter delays by a tenth of a second
+constexpr std::int64_t minDelay = 2;   // viewers replace shorter delays by 0.1 s
 constexpr std::int64_t maxDelay = 65535;
 constexpr int paletteSize = 256;
 
-/// Rectangle of an image that differs from the previous image, px.
+/// Rectangle that differs from the previous image, px.
 struct Part {
     int left = 0, top = 0, width = 0, height = 0;
 };
 
-/// Closes a giflib file that writes to one of our streams.
+/// Closes a GIF file that giflib writes through a callback.
 struct GifCloser {
     void operator()(GifFileType* file) const { EGifCloseFile(file, nullptr); }
 };
@@ -94,12 +94,12 @@ private:
     AtomicFile file_;
     std::string path_;
     MovieSize size_;
-    core::Status written_ = core::Done{};   ///< status of writing giflib's output to the file
+    core::Status written_ = core::Done{};   ///< status of the writes of giflib's output to the file
     MovieClock clock_{ticksPerSecond};
     std::int64_t waitingFrom_ = 0;
-    core::ColorImage waiting_;   ///< its delay is known only when the next image arrives
-    core::ColorImage before_;   ///< last image in the file
-    core::ColorImage late_;   ///< arrived too soon after the waiting image
+    core::ColorImage waiting_;   ///< image not written yet, because its delay is known only when the next image arrives
+    core::ColorImage before_;   ///< last image written to the file
+    core::ColorImage late_;   ///< image that arrived less than the minimum delay after the waiting image
     std::unique_ptr<GifFileType, GifCloser> gif_;   ///< destroyed first, since that writes the trailer
 };
 
@@ -145,7 +145,7 @@ core::Status GifMovie::add(const core::ColorImage& picture, double ms)
     }
     if (waiting_.rgb == picture.rgb) {
         late_ = {};
-        return core::Done{};   // the waiting image is shown longer
+        return core::Done{};   // identical to the waiting image, which is shown longer instead
     }
     if (from - waitingFrom_ < minDelay) {
         late_ = picture;   // written only if no other image follows
@@ -199,7 +199,7 @@ core::Status GifMovie::finish()
     if (waiting_.rgb.empty()) {
         return fileError(path_, messages::movieNotMade());
     }
-    if (!late_.rgb.empty()) {   // the last image must not be dropped
+    if (!late_.rgb.empty()) {   // never drop the last image
         const std::int64_t from = waitingFrom_ + minDelay;
         if (!putWaiting(from)) {
             return statusOf(false);

@@ -12,8 +12,8 @@ namespace {
 using Color = GifPalette::Color;
 
 constexpr std::size_t maxColors = 255;
-constexpr std::size_t minGrays = 127;   // at most 2 levels apart over the full range: no banding
-constexpr int grayTolerance = 8;   // difference between channels that still looks gray
+constexpr std::size_t minGrays = 127;   // covers the full range in steps of at most 2 levels, which prevents banding
+constexpr int grayTolerance = 8;   // maximum difference between channels of a color that looks gray
 constexpr std::uint16_t unknown = 0xFFFF;
 constexpr int cellBits = 5;   // bits per channel of the histogram cells
 constexpr int keyBits = 6;   // bits per channel of the nearest-color cache
@@ -33,7 +33,7 @@ std::size_t keyOf(const Color& color, int bits)
     return key;
 }
 
-/// Sum and count of the colors in one cell of the color cube.
+/// Sum and number of the colors in one cell of the color cube.
 struct Cell {
     std::array<double, 3> sum{};
     double count = 0.0;
@@ -44,12 +44,12 @@ struct Cell {
 /// A part of the color cube that gets one palette entry.
 struct Box {
     std::size_t first = 0;
-    std::size_t last = 0;   ///< one past the end
+    std::size_t last = 0;   ///< index past the last cell
     std::size_t widest = 0;   ///< channel with the largest spread
-    double spread = 0.0;   ///< sum of squares along that channel
+    double spread = 0.0;   ///< sum of squared deviations along that channel
 };
 
-/// Damps counts, so that small objects of a distinct color weigh as much as long lines.
+/// Returns the square root of the count, so that long lines do not outweigh small objects of a distinct color.
 double weightOf(const Cell& cell)
 {
     return std::sqrt(cell.count);
@@ -121,7 +121,7 @@ std::vector<Color> chosenColors(std::vector<Cell> cells, std::size_t most)
     return colors;
 }
 
-/// Returns all gray levels that occur, or evenly spaced ones if there are too many.
+/// Returns all gray levels that occur, or evenly spaced ones if more than `most` occur.
 std::vector<int> chosenGrays(const std::array<std::size_t, 256>& counts, std::size_t most)
 {
     std::vector<int> grays;

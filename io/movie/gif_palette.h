@@ -8,8 +8,8 @@
 
 namespace angiopose::io {
 
-/// The palette of one GIF image: at most 255 colors, since one entry is reserved for "unchanged". Gray levels of the
-/// image and colors of the overlay have separate entries: gray levels are exact or at most 2 off, and lines keep their
+/// Palette of one GIF image: at most 255 colors, because one entry is reserved for "unchanged". Gray levels of the
+/// image and colors of the overlay have separate entries: gray levels are off by at most 2, and lines keep their
 /// colors.
 class GifPalette {
 public:
@@ -23,7 +23,7 @@ public:
 
 private:
     std::vector<Color> colors_;
-    std::vector<std::uint16_t> nearest_;   ///< cache by coarse color, filled on demand
+    std::vector<std::uint16_t> nearest_;   ///< cache of palette indices by coarse color, filled on demand
     std::array<std::uint8_t, 256> nearestGray_{};
     bool hasGrays_ = false;
 };

@@ -14,7 +14,7 @@ namespace angiopose::io {
 
 enum class MovieKind { Mp4, Gif };
 
-/// Returns the movie kind for the extension of the path; nullopt for other extensions.
+/// Returns the movie kind that the file extension indicates; nullopt for other extensions.
 std::optional<MovieKind> movieKindOf(const std::string& path);
 
 struct MovieSize {
@@ -24,7 +24,7 @@ struct MovieSize {
     bool operator==(const MovieSize&) const = default;
 };
 
-/// Returns why a movie of this kind cannot have this size; nullopt if it can.
+/// Explains why a movie of this kind cannot have this size; returns nullopt if it can.
 std::optional<core::Message> findProblem(MovieKind kind, const MovieSize& size);
 
 /// Title and provenance stored in a movie file.
@@ -33,11 +33,10 @@ struct MovieFacts {
     std::map<std::string, std::string> texts;   ///< provenance, with the same keys as PNG text chunks
 };
 
-/// Writes a movie image by image. The file appears under its path only after `finish`; without it nothing is left
-/// behind.
+/// Writes a movie image by image. The file appears at its path only after `finish`; otherwise no file is left behind.
 class MovieWriter {
 public:
-    /// Creates an MP4 or GIF writer, depending on the extension. All images have the same size.
+    /// Creates a writer for MP4 or GIF, depending on the extension. All images must have the same size.
     static core::Result<std::unique_ptr<MovieWriter>> create(const std::string& path, const MovieSize& size,
                                                              const MovieFacts& facts);
     virtual ~MovieWriter() = default;
@@ -46,13 +45,13 @@ public:
 
     /// Adds an image shown for `ms`. Rounding errors do not accumulate: the n-th image appears on time.
     virtual core::Status add(const core::ColorImage& picture, double ms) = 0;
-    virtual core::Status finish() = 0;   ///< to be called once, after at least one image
+    virtual core::Status finish() = 0;   ///< must be called once, after at least one image was added
 
 protected:
     MovieWriter() = default;
 };
 
-/// Converts the times of consecutive images to whole ticks; each time is rounded separately, so errors do not
+/// Converts the times of consecutive images to whole ticks. Rounds each time separately, so that errors do not
 /// accumulate.
 class MovieClock {
 public:

@@ -17,18 +17,18 @@
 namespace angiopose::io {
 namespace {
 
-/// One image in a track.
+/// One image of a track.
 struct Mp4Sample {
     std::size_t bytes = 0;
-    std::uint32_t ticks = 0;   ///< display duration
-    bool isWhole = false;   ///< key frame: playback may start here
+    std::uint32_t ticks = 0;   ///< display duration, ticks
+    bool isWhole = false;   ///< whether the image is a key frame, at which playback can start
 };
 
-/// One H.264 track with everything that the file states about it.
+/// H.264 track with everything that the file header states about it.
 struct Mp4Track {
     MovieSize size;
     std::uint32_t ticksPerSecond = 90000;
-    std::string sequence;   ///< SPS and PPS: NAL units 7 and 8 without start code
+    std::string sequence;   ///< SPS (the next member is the PPS): NAL units 7 and 8 without start code
     std::string picture;
     std::vector<Mp4Sample> samples;
     MovieFacts facts;
@@ -72,7 +72,7 @@ std::string box(std::string_view type, std::initializer_list<std::string> parts)
     return u32(8 + content.size()) + std::string(type) + content;
 }
 
-/// Returns a box with version 0 and flags.
+/// Returns a box with a version (0) and flags.
 std::string fullBox(std::string_view type, std::uint32_t flags, std::initializer_list<std::string> parts)
 {
     std::string content = u32(flags);
@@ -82,7 +82,7 @@ std::string fullBox(std::string_view type, std::uint32_t flags, std::initializer
     return box(type, {content});
 }
 
-/// Identity matrix: 1 in 16.16 fixed point, the last element in 2.30.
+/// Returns the identity matrix: 16.16 fixed point, except for the last element, which is 2.30.
 std::string unityMatrix()
 {
     return u32(0x10000) + zeros(12) + u32(0x10000) + zeros(12) + u32(0x40000000);
@@ -112,7 +112,7 @@ std::string trackHeader(const Mp4Track& track)
 
 std::string avcConfiguration(const Mp4Track& track)
 {
-    const std::string profile = track.sequence.substr(1, 3);   // profile, constraints, level
+    const std::string profile = track.sequence.substr(1, 3);   // profile, constraint flags and level
     std::string configuration = u8(1) + profile + u8(0xFF) + u8(0xE1) + u16(track.sequence.size()) + track.sequence +
                                 u8(1) + u16(track.picture.size()) + track.picture;
     if (static_cast<unsigned char>(profile.front()) >= profilesWithChroma) {
@@ -180,7 +180,7 @@ std::string sampleTable(const Mp4Track& track, std::uint64_t offset)
 
 std::string media(const Mp4Track& track, std::uint64_t offset)
 {
-    constexpr std::uint64_t noLanguage = 0x55C4;   // "und", five bits per letter
+    constexpr std::uint64_t noLanguage = 0x55C4;   // "und" (undetermined), five bits per letter
     const std::string handler = fullBox("hdlr", 0, {zeros(4), "vide", zeros(12), "AngioPose" + zeros(1)});
     const std::string here = fullBox("dref", 0, {u32(1), fullBox("url ", 1, {})});
     return box(
@@ -195,7 +195,7 @@ std::string namedText(std::string_view type, const std::string& text)
     return box(type, {box("data", {u32(isText), u32(0), text})});
 }
 
-/// Stores title and comment where players look for them.
+/// Returns the metadata box with title and comment in the form that players display.
 std::string userData(const MovieFacts& facts)
 {
     std::string comment;
@@ -217,9 +217,9 @@ std::string movieBox(const Mp4Track& track, std::uint64_t offset)
                {movieHeader(track), box("trak", {trackHeader(track), media(track, offset)}), userData(track.facts)});
 }
 
-/// Returns everything that precedes the samples in a file that can be played while it loads (ISO/IEC 14496-12 and -15:
-/// ftyp, moov, head of mdat). The samples follow in order, each NAL unit after its length in four bytes. Needs less
-/// than 4 GB of samples.
+/// Returns everything that precedes the samples (ISO/IEC 14496-12 and -15: ftyp, moov, header of mdat), so that the
+/// file can be played while it downloads. The samples follow in order; each NAL unit is preceded by its length in four
+/// bytes. The samples must take less than 4 GB.
 std::string mp4Head(const Mp4Track& track)
 {
     const std::uint64_t bytes =
@@ -267,7 +267,7 @@ private:
     H264Encoder encoder_;
     std::string path_;
     Mp4Track track_;
-    MovieSize size_;   ///< size of the images added
+    MovieSize size_;   ///< size of the added images, before padding
     MovieClock clock_;
     double atMs_ = 0.0;
     std::string samples_;
@@ -289,7 +289,7 @@ core::Status Mp4Movie::add(const core::ColorImage& picture, double ms)
     return samples_.size() <= maxMovieBytes ? core::Status(core::Done{}) : fileError(path_, messages::movieTooLong());
 }
 
-/// Stores the parameter sets for the file header and all other units as the sample.
+/// Stores the parameter sets for the file header and all other NAL units as a sample.
 void Mp4Movie::take(const EncodedPicture& encoded, std::int64_t from)
 {
     const std::size_t before = samples_.size();

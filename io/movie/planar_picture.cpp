@@ -11,11 +11,11 @@
 namespace angiopose::io {
 namespace {
 
-// ITU-R BT.709-6, 3.2 and 3.4
+// Luma coefficients and quantization ranges (ITU-R BT.709-6, 3.2 and 3.4).
 constexpr double redShare = 0.2126, greenShare = 0.7152, blueShare = 0.0722;
 constexpr double lumaRange = 219.0, chromaRange = 224.0;
 
-using Rgb = std::array<double, 3>;   // 0…1
+using Rgb = std::array<double, 3>;   // red, green, blue, 0…1
 
 Rgb pixelAt(const core::ColorImage& picture, int x, int y)
 {
@@ -35,7 +35,7 @@ std::uint8_t byteOf(double value)
     return static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L));
 }
 
-/// Returns the weighted mean of two rows and three columns, centered on the left column of the chroma pair.
+/// Returns the weighted mean over two rows and three columns, centered on the left column of a chroma pair.
 Rgb aroundPair(const core::ColorImage& picture, int x, int y)
 {
     Rgb sum{};
@@ -52,11 +52,11 @@ Rgb aroundPair(const core::ColorImage& picture, int x, int y)
 }
 
 constexpr int blockPx = 16;
-constexpr int maxBlocks = 36864;   // MAX_MBS_PER_FRAME of openh264
-constexpr int maxSideBlocks = 543;   // limit of H.264 level 5.2: √(8 · 36,864)
-constexpr int quality = 16;   // quantizer, 0 (best) … 51: no visible difference
+constexpr int maxBlocks = 36864;   // maximum frame size in macroblocks (MAX_MBS_PER_FRAME of openh264)
+constexpr int maxSideBlocks = 543;   // maximum side in macroblocks (H.264 level 5.2): √(8 · 36,864)
+constexpr int quality = 16;   // quantization parameter, 0 (best) to 51; no visible loss at this value
 constexpr unsigned wholeEvery = 30;   // key-frame interval, frames
-constexpr float nominalRate = 30.0F;   // the file has the actual times
+constexpr float nominalRate = 30.0F;   // for the encoder only; the file stores the actual times
 constexpr std::size_t startCodeBytes = 4;
 
 int blocksOf(int px)
@@ -193,7 +193,7 @@ core::Result<H264Encoder> H264Encoder::create(const MovieSize& size)
 core::Result<EncodedPicture> H264Encoder::encode(const PlanarPicture& picture, double atMs)
 {
     const auto plane = [](const std::vector<std::uint8_t>& pixels) {
-        return const_cast<std::uint8_t*>(pixels.data());   // the codec only reads the pixels
+        return const_cast<std::uint8_t*>(pixels.data());   // the encoder does not modify the pixels
     };
     SSourcePicture source{};
     source.iColorFormat = videoFormatI420;

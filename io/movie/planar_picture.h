@@ -10,11 +10,11 @@
 
 namespace angiopose::io {
 
-/// An image in the format of video codecs: luma and, at half the resolution, two chroma planes; ITU-R BT.709, limited
-/// range (16…235), chroma sited at the left of two columns.
+/// Image in the format of video codecs: one luma plane and two chroma planes of half the resolution; ITU-R BT.709,
+/// limited range (16…235), chroma sited at the left of two columns.
 struct PlanarPicture {
-    int width = 0;   ///< even
-    int height = 0;   ///< even
+    int width = 0;   ///< even number
+    int height = 0;   ///< even number
     std::vector<std::uint8_t> luma;
     std::vector<std::uint8_t> blue;   ///< Cb
     std::vector<std::uint8_t> red;   ///< Cr
@@ -23,16 +23,16 @@ struct PlanarPicture {
 /// Converts an image; an odd side is padded by repeating its last column or row.
 PlanarPicture planarPicture(const core::ColorImage& picture);
 
-/// Returns whether openh264 can encode images of this size: at most 36,864 blocks of 16 × 16 px.
+/// Whether openh264 can encode images of this size: at most 36,864 macroblocks of 16 × 16 px.
 bool canEncode(const MovieSize& size);
 
 /// An encoded image: NAL units without start codes.
 struct EncodedPicture {
     std::vector<std::string> units;
-    bool isWhole = false;   ///< key frame: decodable without other images
+    bool isWhole = false;   ///< whether the image is a key frame, decodable without other images
 };
 
-/// Encodes H.264 of constant, high quality with openh264 in one thread: the same images give the same bytes.
+/// Encodes H.264 at constant high quality through openh264 in one thread, so that equal images produce equal bytes.
 class H264Encoder {
 public:
     /// Creates an encoder; width and height must be even.

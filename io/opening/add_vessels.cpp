@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns true for another slice of the series that is already being opened.
+/// Whether `path` is another slice of the series that is already being opened.
 bool isOfSameSeries(const LoadedInputs& inputs, const std::string& path)
 {
     return inputs.volume && inputs.vesselInput.kind == core::VesselInputKind::Volume &&
@@ -22,7 +22,7 @@ bool isOfSameSeries(const LoadedInputs& inputs, const std::string& path)
            !isVolumeFile(path);
 }
 
-/// Adds a scan to be shown with vessels that are already present.
+/// Adds a scan to display together with vessels that are already present.
 core::Status addScan(LoadedInputs& inputs, const std::string& path, const std::string& seriesId,
                      const ReadObserver& observe)
 {
@@ -45,7 +45,7 @@ core::Status addScan(LoadedInputs& inputs, const std::string& path, const std::s
     return core::Done{};
 }
 
-/// Shows a scan even if nothing could be traced, so that the user can set seeds and the threshold in it.
+/// Adds a scan in which nothing could be traced, so that the user can set seeds and the threshold in its slices.
 core::Status addUntraced(LoadedInputs& inputs, const std::string& path, const std::string& seriesId,
                          const core::Error& problem, const ReadObserver& observe)
 {
@@ -56,8 +56,8 @@ core::Status addUntraced(LoadedInputs& inputs, const std::string& path, const st
     return core::Done{};
 }
 
-/// Returns the extent of the vessels in file units if the file states no unit and vessels of that size in mm are
-/// implausible; nullopt otherwise. Surfaces and most centerlines carry no unit; Slicer curves do.
+/// Returns the extent of the vessels in file units if the file states no unit and the extent is implausible in mm;
+/// nullopt otherwise. Surfaces and most centerlines carry no unit; Slicer curves do.
 std::optional<double> doubtfulUnitsAcross(const std::string& path, core::VesselInputKind kind)
 {
     if (kind == core::VesselInputKind::Surface) {
@@ -73,7 +73,7 @@ std::optional<double> doubtfulUnitsAcross(const std::string& path, core::VesselI
     return isDoubtful ? std::optional(core::acrossMm(read.value().tree)) : std::nullopt;
 }
 
-/// Returns the default way to read the vessels, for hints that specify nothing else.
+/// Returns the default vessel input of this kind, for hints without `vessels`.
 core::VesselInput inputOf(core::VesselInputKind kind, const OpenHints& hints, const std::string& seriesId)
 {
     core::VesselInput input;

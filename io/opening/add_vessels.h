@@ -5,8 +5,8 @@
 
 namespace angiopose::io {
 
-/// Reads vessels into `inputs`, tracing a scan, segmentation or surface, or records there which question the user has
-/// to answer first (`isScanAsked`, `askedUnitsAcross`).
+/// Reads vessels into `inputs` and traces a scan, segmentation or surface. If the user must answer a question first,
+/// only records that question in `inputs` (`isScanAsked`, `askedUnitsAcross`).
 core::Status addVessels(LoadedInputs& inputs, const std::string& path, const OpenHints& hints,
                         const std::string& seriesId, const ReadObserver& observe);
 

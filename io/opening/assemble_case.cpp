@@ -15,7 +15,7 @@ std::string nameAlone(const std::string& path)
     return name.substr(0, name.size() - std::min(name.size(), extensionOf(path).size()));
 }
 
-/// Keeps the scan of the case if the new vessels come from elsewhere but lie within it.
+/// Keeps the case's scan if the new vessels come from another file but lie within the scan.
 void putScan(core::Vessels& vessels, const LoadedInputs& inputs)
 {
     if (!inputs.volume && vessels.scan && liesIn(vessels.scan->geometry, *inputs.tree)) {
@@ -26,7 +26,7 @@ void putScan(core::Vessels& vessels, const LoadedInputs& inputs)
         return;
     }
     vessels.scan = inputs.volume;
-    vessels.measurements.clear();   // they belong to the previous scan
+    vessels.measurements.clear();   // slice measurements belong to the previous scan
     vessels.scanIdentity = inputs.scanIdentity;
     vessels.scanFile = {};
     vessels.scanSeriesId.clear();
@@ -86,14 +86,14 @@ core::Case withInputs(core::Case base, const LoadedInputs& inputs)
     core::View& view = base.shown();
     if (inputs.tree) {
         putTree(vessels, inputs);
-        vessels.marks.clear();   // they belong to the previous vessels
+        vessels.marks.clear();   // marks belong to the previous vessels
         for (core::View& each : base.views) {
             each.sightings.clear();
         }
     }
     if (inputs.volume && !inputs.tree) {
         vessels.scan = inputs.volume;
-        vessels.measurements.clear();   // they belong to the previous scan
+        vessels.measurements.clear();   // slice measurements belong to the previous scan
         vessels.scanIdentity = inputs.scanIdentity;
         vessels.scanFile = inputs.scanFile;
         vessels.scanSeriesId = inputs.scanSeriesId;
@@ -107,7 +107,7 @@ core::Case withInputs(core::Case base, const LoadedInputs& inputs)
     if (inputs.tree || inputs.angiogram) {
         core::forgetFindings(view);
         view.initialCameraFromPatient.reset();
-        view.landmarks.clear();   // they belong to the previous vessels or image
+        view.landmarks.clear();   // landmarks belong to the previous vessels or image
         if (inputs.angiogram) {
             view.measurements.clear();
             view.sightings.clear();

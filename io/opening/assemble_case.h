@@ -5,14 +5,14 @@
 
 namespace angiopose::io {
 
-/// Returns `base` with its parts replaced by the loaded ones: a new image brings its geometry and peak-opacification
+/// Returns `base` with the loaded parts in place of its own. A new image brings its geometry and peak-opacification
 /// frame, a new tree resets the branch selections, and the pose becomes the initial pose if one can be computed.
 core::Case withInputs(core::Case base, const LoadedInputs& inputs);
 
-/// Returns whether more than half of a tree lies within a scan; the tree then counts as traced in this scan.
+/// Whether more than half of a tree lies within a scan; the tree is then considered traced in this scan.
 bool liesIn(const core::VolumeGeometry& scan, const core::VesselTree& tree);
 
-/// Returns true if the files form a complete case: a vessel tree and an angiogram.
+/// Whether the files form a complete case: a vessel tree and an angiogram.
 bool makesNewCase(const LoadedInputs& inputs);
 
 }   // namespace angiopose::io

@@ -45,14 +45,14 @@ bool startsAsDicom(std::string_view head)
 
 constexpr std::string_view spatialRegistration = "1.2.840.10008.5.1.4.1.1.66.1";
 
-/// Distinguishes JSON files of curves, fiducials and poses.
+/// Distinguishes JSON files with curves, fiducials and poses.
 InputKind kindOfJson(const std::string& path, std::string_view head)
 {
     if (head.find("\"markups\"") != std::string_view::npos) {
         return isFiducialFile(path) ? InputKind::Points : InputKind::Centerline;
     }
     const bool isPose = head.find("cameraFromPatient") != std::string_view::npos || readPoseWithCamera(path);
-    return isPose ? InputKind::Pose : InputKind::Centerline;   // the reader reports what is wrong
+    return isPose ? InputKind::Pose : InputKind::Centerline;   // the reader reports what is wrong with the file
 }
 
 /// X-ray runs are images; anything with a position in the patient (CT, MR, …) is a slice of a volume.
@@ -63,7 +63,7 @@ InputKind kindOfDicom(const std::string& path, std::string_view head)
     }
     const auto images = readSliceRecords(path);
     if (!images || images.value().slices.empty()) {
-        return InputKind::Image;   // the reader reports what is wrong
+        return InputKind::Image;   // the reader reports what is wrong with the file
     }
     const bool isSlice = !images.value().isProjection && images.value().slices.front().position;
     return isSlice ? InputKind::Vessels : InputKind::Image;
@@ -138,7 +138,7 @@ core::Result<InputKind> inputKindOf(const std::string& path)
     if (!head) {
         return head.error();
     }
-    // The name identifies a case file; its content is validated on reading.
+    // A case file is recognized by its extension; reading validates its content.
     if (extensionOf(path) == ".angiopose") {
         return InputKind::Case;
     }

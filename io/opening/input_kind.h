@@ -6,12 +6,12 @@
 
 namespace angiopose::io {
 
-/// `Vessels`: a scan, segmentation or surface to be traced; `Folder`: DICOM files to choose from; `Pose`: position of
-/// the vessels in a case, with or without a camera; `Points`: fiducials.
+/// `Vessels`: scan, segmentation or surface to be traced; `Folder`: DICOM files to choose from; `Pose`: pose of the
+/// vessels in a case, with or without a camera; `Points`: fiducials.
 enum class InputKind { Case, Centerline, Vessels, Folder, Image, Target, Pose, Points };
 
-/// Determines the kind of a file by its first bytes and, if these are ambiguous, by its name. Fails, naming the file,
-/// if it cannot be read or has an unsupported type.
+/// Determines the kind of a file from its first bytes and, if these are ambiguous, from its name. If the file cannot be
+/// read or its type is unsupported, fails and names the file.
 core::Result<InputKind> inputKindOf(const std::string& path);
 
 }   // namespace angiopose::io

@@ -21,32 +21,32 @@ struct LoadedInputs {
     std::shared_ptr<const core::Volume> volume;
     std::shared_ptr<const core::VoxelMask> lumen;
     core::StudyIdentity scanIdentity;
-    core::InputFile scanFile;   ///< scan for display only: `volume` without a tree
-    std::string scanSeriesId;   ///< series of `scanFile`, if that is a DICOM folder
+    core::InputFile scanFile;   ///< scan that is only displayed: `volume` without a tree
+    std::string scanSeriesId;   ///< series of `scanFile`, if the scan is a DICOM folder
     bool isStudyOffered =
         false;   ///< a folder or DICOMDIR was opened alone: nothing was read, see OpenHints::offersStudies
-    bool isScanAsked = false;   ///< the file is a scan: nothing was read, see ScanUse::Ask
-    /// Extent, in file units, of vessels whose file states no unit and which are implausibly small or large in mm;
-    /// nothing else was read.
+    bool isScanAsked = false;   ///< whether the file is a scan, from which nothing was read; see ScanUse::Ask
+    /// Extent, in file units, of vessels whose file states no unit and that are implausibly small or large if the unit
+    /// is mm; nothing else was read.
     std::optional<double> askedUnitsAcross;
     std::shared_ptr<const core::VesselTree> tree;
     core::InputFile imageFile;
     std::shared_ptr<const core::Angiogram> angiogram;
     std::shared_ptr<const core::Angiogram>
-        storedRun;   ///< run as stored, if its header requests subtraction; otherwise null
-    core::SubtractionPlan headerPlan;   ///< subtraction plan from the angiogram's header
+        storedRun;   ///< run as stored if its header requests subtraction; null otherwise
+    core::SubtractionPlan headerPlan;   ///< subtraction plan from the image header
     core::InputFile targetFile;
     std::shared_ptr<const core::Centerline2d> target;
     std::optional<PoseWithCamera> pose;   ///< content of a pose file; nothing else was read
-    std::vector<Fiducial> fiducials;   ///< content of a file of points; nothing else was read
+    std::vector<Fiducial> fiducials;   ///< content of a point file; nothing else was read
     core::Messages warnings;
     std::vector<DicomSeries> offered;   ///< series of a folder with several; nothing is read until one is chosen
     std::vector<MissingInput> missing;   ///< inputs of the case that were not found; nothing else is read
     MovedInputs moved;   ///< inputs of the case that were found elsewhere
 };
 
-/// Purpose of opening a scan: trace its vessels; trace them, or show the scan if none are found; show it with the
-/// existing vessels; or ask the user.
+/// Use of an opened scan. `Trace`: trace its vessels; `TraceOrShow`: show the scan if no vessels are found; `Beside`:
+/// show it with the existing vessels; `Ask`: let the user decide.
 enum class ScanUse { Trace, TraceOrShow, Beside, Ask };
 
 /// Options for opening files, in addition to their paths.
@@ -54,14 +54,14 @@ struct OpenHints {
     std::string seriesId;   ///< series of a DICOM folder among them; empty: several series are offered for choice
     MovedInputs moved;   ///< current locations of the inputs of a case
     std::vector<std::string> searchFolders;   ///< folders to search for missing inputs of a case
-    ScanUse scanUse = ScanUse::Trace;   ///< Ask: a scan is reported instead of read
+    ScanUse scanUse = ScanUse::Trace;   ///< with `Ask`, a scan is reported instead of read
     std::optional<double> unitMm =
         std::nullopt;   ///< unit of vessels among them; not set: mm if that is plausible, otherwise reported
-    /// How vessels among them are read and traced; not set: chosen by their content.
+    /// Settings for reading and tracing vessel files; if not set, the content decides.
     std::optional<core::VesselInput> vessels = std::nullopt;
     bool offersStudies =
-        false;   ///< a folder or DICOMDIR opened alone is not read: its content is offered for choice first
-    bool withoutOptional = false;   ///< a case opens without optional inputs that are not found
+        false;   ///< if true, a folder or DICOMDIR opened alone is not read but offered to the user to choose from
+    bool withoutOptional = false;   ///< if true, a case opens even if optional inputs are missing
 };
 
 }   // namespace angiopose::io

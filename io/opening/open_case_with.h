@@ -4,7 +4,7 @@
 
 namespace angiopose::io {
 
-/// Opens a case as openCase does, with the options of `request`.
+/// Opens a case like openCase, with the options of `request`.
 core::Result<core::Case> openCaseWith(const CaseRequest& request, const std::string& path, core::Messages& warnings,
                                       const ReadObserver& observe = {});
 

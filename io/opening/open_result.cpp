@@ -39,7 +39,7 @@ core::Result<Json> readResultJson(const std::string& path)
     return root;
 }
 
-/// Finds the inputs of a result by name and SHA-256. Fails, naming the file, if one is missing.
+/// Finds the inputs of a result by name and SHA-256. If an input is missing, fails and names the file.
 core::Result<MovedInputs> placesOf(const std::vector<core::InputFile>& files, const ResultPlace& place,
                                    const ReadObserver& observe)
 {
@@ -59,7 +59,7 @@ core::Result<MovedInputs> placesOf(const std::vector<core::InputFile>& files, co
     return found;
 }
 
-/// Checks the SHA-256 of the loaded inputs; for folders the search compared only the name.
+/// Checks the SHA-256 of the loaded inputs, because the search compares folders only by name.
 core::Status checkContents(const std::vector<core::InputFile>& wanted, const MovedInputs& places,
                            const core::Case& loaded, const std::string& path)
 {
@@ -96,7 +96,7 @@ core::Result<core::Case> loadAsked(const Json& root, const ResultPlace& place, c
     return loaded;
 }
 
-/// Copies the findings that a result holds for a view into that view.
+/// Copies the registration result that the JSON holds for a view into that view.
 core::Messages takeOverFound(core::View& view, const Json& json)
 {
     Reading reading;

@@ -17,7 +17,7 @@ std::string folderOf(const std::string& path)
     return fs::absolute(path).lexically_normal().parent_path().string();
 }
 
-/// Locates the missing inputs of a case by the hints and by a search.
+/// Locates the missing inputs of a case through the hints and a search.
 core::Status findInputs(LoadedInputs& inputs, const std::string& path, const OpenHints& hints,
                         const ReadObserver& observe)
 {

@@ -5,13 +5,13 @@
 
 namespace angiopose::io {
 
-/// Reads a case with its inputs. Searches for missing inputs first where the hints place them, then by content in the
-/// case's folder and in `hints.searchFolders`; a warning names each input found elsewhere. `missing` lists those not
-/// found, and nothing else is then read.
+/// Reads a case with its inputs. Looks for missing inputs first at the locations in the hints, then by content in the
+/// case's folder and in `hints.searchFolders`; a warning names each input found elsewhere. If an input is not found,
+/// lists it in `missing` and reads nothing else.
 core::Result<LoadedInputs> readCaseInputs(const std::string& path, const OpenHints& hints = {},
                                           const ReadObserver& observe = {});
 
-/// Opens a case without user interaction: a missing input is an error that names it, unless the case can do without.
+/// Opens a case without user interaction. If a required input is missing, fails and names the input.
 core::Result<core::Case> openCase(const std::string& path, core::Messages& warnings, const ReadObserver& observe = {});
 
 }   // namespace angiopose::io

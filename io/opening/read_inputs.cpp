@@ -71,7 +71,7 @@ core::Status addTarget(LoadedInputs& inputs, const std::string& path)
     return core::Done{};
 }
 
-/// Returns why none of the series can be opened: each reason once, with the series it applies to.
+/// Explains why none of the series can be opened: each reason once, with the series to which it applies.
 core::Message reasonsOf(const std::vector<DicomSeries>& all)
 {
     if (all.size() == 1) {
@@ -95,7 +95,7 @@ core::Message reasonsOf(const std::vector<DicomSeries>& all)
     return messages::openNoSeries(all.size(), reasons);
 }
 
-/// Opens the chosen series of a folder, or its only one; several are offered for choice.
+/// Opens the requested or only series of a folder; if there are several, offers them to the user.
 core::Status addFolder(LoadedInputs& inputs, const std::string& path, const OpenHints& hints,
                        const ReadObserver& observe)
 {
@@ -124,7 +124,7 @@ core::Status addFolder(LoadedInputs& inputs, const std::string& path, const Open
                               : addVessels(inputs, path, hints, found->id, partOf(observe, 0.1, 1.0));
 }
 
-/// Reads a pose or points, which belong to the open case and are opened alone.
+/// Reads a pose or a point file. Both apply to the open case and must be opened alone.
 core::Result<LoadedInputs> readPoseInput(const std::string& path)
 {
     const auto pose = readPoseWithCamera(path);

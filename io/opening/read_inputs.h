@@ -5,9 +5,9 @@
 
 namespace angiopose::io {
 
-/// Reads files together: either one case file, or at most one of each kind of input. Scans, segmentations and surfaces
-/// are traced. Inputs of a case that have moved are searched for in the case's folder and in the places that the hints
-/// give. Fails with one sentence.
+/// Reads several files together: either one case file, or at most one input of each kind. Traces scans, segmentations
+/// and surfaces. Looks for moved inputs of a case in the case's folder and at the locations in the hints. The error of
+/// a failure is a single sentence.
 core::Result<LoadedInputs> readInputs(const std::vector<std::string>& paths, const OpenHints& hints = {},
                                       const ReadObserver& observe = {});
 

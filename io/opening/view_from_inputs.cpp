@@ -29,7 +29,7 @@ core::Result<core::View> viewFrom(const core::Case& session, const LoadedInputs&
     if (inputs.wholeCase && inputs.wholeCase->shown().angiogram) {
         core::View view = inputs.wholeCase->shown();
         view.caseFile = {path, {}};
-        core::forgetFindings(view);   // they were found with the vessels of the other case
+        core::forgetFindings(view);   // the other case's findings were obtained with other vessels
         return view;
     }
     if (!inputs.angiogram) {
@@ -39,8 +39,8 @@ core::Result<core::View> viewFrom(const core::Case& session, const LoadedInputs&
     core::View view = viewWithImage(session, inputs);
     if (const auto fromShown = core::stepToView(shown, view, session.vessels)) {
         view.cameraFromPatient = fromShown.value().viewFromFirst * shown.cameraFromPatient;
-        if (shown.initialCameraFromPatient) {   // the vessels may have their own axes, which gantry angles do not
-                                                // account for
+        if (shown.initialCameraFromPatient) {   // without this, the initial pose would ignore that the vessels may have
+                                                // their own axes, unrelated to the gantry angles
             view.initialCameraFromPatient = fromShown.value().viewFromFirst * *shown.initialCameraFromPatient;
         }
     }

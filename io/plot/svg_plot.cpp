@@ -11,14 +11,14 @@ namespace {
 
 constexpr double maxTicks = 8.0;
 
-/// Formats a power of ten: "1e-4", but "0.01" … "1000" in full.
+/// Formats a power of ten: 0.01 to 1000 in full ("0.01", "1000"), others with exponent ("1e-4").
 std::string powerOfTen(int exponent)
 {
     return exponent >= -2 && exponent <= 3 ? core::plainText(std::pow(10.0, exponent))
                                            : "1e" + std::to_string(exponent);
 }
 
-/// Returns 1, 2 or 5 times a power of ten that gives a reasonable number of steps in `range`.
+/// Returns the step that divides `range` into a suitable number of ticks: 1, 2 or 5 times a power of ten.
 double roundStep(double range)
 {
     const double power = std::pow(10.0, std::floor(std::log10(range / maxTicks)));
@@ -61,11 +61,11 @@ constexpr double bottomMargin = 56.0;
 constexpr double legendGap = 24.0;
 constexpr double legendLine = 20.0;
 constexpr double legendSample = 26.0;
-constexpr double characterWidth = 6.6;   // approximate, in the legend's font
+constexpr double characterWidth = 6.6;   // approximate width of a character in the legend, px
 
-/// Colors that color-blind readers can distinguish (Okabe and Ito 2008), the first for the method in question.
+/// Color-blind-safe palette (Okabe and Ito 2008); the first color is for the method under evaluation.
 constexpr std::array colors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8a6d00", "#56b4e9", "#e69f00", "#555555"};
-constexpr std::array dashes{"", "7 3", "2 3", "9 3 2 3"};   // advances after all colors are used
+constexpr std::array dashes{"", "7 3", "2 3", "9 3 2 3"};   // next dash pattern once all colors are used
 
 std::string number(double value)
 {

@@ -12,16 +12,16 @@ struct PlotTick {
     std::string label;
 };
 
-/// Maps values to positions along an axis of a plot, and places the ticks.
+/// Maps values to positions along an axis of a plot, and determines the ticks.
 class PlotScale {
 public:
     /// Maps the minimum of the axis to `from` and its maximum to `to`, both px.
     PlotScale(const core::PlotAxis& axis, double from, double to) : axis_(axis), from_(from), to_(to) {}
 
-    /// Returns the position of a value. Clamps values beyond the ends, since not every SVG viewer clips.
+    /// Returns the position of a value. Clamps values beyond the ends of the axis, because not every SVG viewer clips.
     double position(double value) const;
-    /// Returns round values within the axis, at most about eight; powers of ten on a logarithmic axis that spans
-    /// several.
+    /// Returns at most about eight round values within the axis; on a logarithmic axis that spans several powers of
+    /// ten, returns the powers of ten.
     std::vector<PlotTick> ticks() const;
 
 private:
@@ -30,8 +30,8 @@ private:
     double to_;
 };
 
-/// Returns the plot as a stand-alone SVG: thin grid, one color and dash per line, bands behind the lines, legend at the
-/// side.
+/// Returns the plot as a stand-alone SVG: thin grid, distinct color and dash pattern per line, bands behind the lines,
+/// legend at the side.
 std::string toSvg(const core::Plot& plot);
 
 }   // namespace angiopose::io

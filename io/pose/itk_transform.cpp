@@ -19,7 +19,7 @@ struct ItkTransform {
     int count = 0;
     std::string type;
     std::vector<double> parameters;
-    std::vector<double> fixed;   ///< the center; for Euler angles also whether their order is Z Y X
+    std::vector<double> fixed;   ///< center of rotation; for Euler angles, followed by a flag for the order Z Y X
 };
 
 constexpr std::size_t maxParameters = 100;
@@ -85,7 +85,7 @@ std::optional<core::RigidTransform> motionOf(const ItkTransform& transform)
         return core::RigidTransform{rotation, vectorAt(p, 9)};
     }
     if (transform.type.starts_with("VersorRigid3DTransform") && p.size() == 6) {
-        const Eigen::Vector3d axis = vectorAt(p, 0);   // axis times the sine of half the angle
+        const Eigen::Vector3d axis = vectorAt(p, 0);   // versor: axis times the sine of half the angle
         const double w = std::sqrt(std::max(0.0, 1.0 - axis.squaredNorm()));
         return core::RigidTransform{Eigen::Quaterniond(w, axis.x(), axis.y(), axis.z()).normalized().toRotationMatrix(),
                                     vectorAt(p, 3)};
@@ -121,7 +121,7 @@ core::Result<core::RigidTransform> poseOf(const std::optional<ItkTransform>& tra
                                            : core::Error(messages::poseCenterNotFinite());
 }
 
-/// A matrix of a MATLAB level 4 file.
+/// Matrix read from a MATLAB Level 4 MAT-file.
 struct MatlabMatrix {
     std::string name;
     std::vector<double> values;
@@ -135,7 +135,7 @@ std::vector<double> numbersOf(std::string_view bytes)
     return {numbers.begin(), numbers.end()};
 }
 
-/// Consumes one matrix: type, rows, columns, imaginary part, length of the name; the name; the values.
+/// Consumes one matrix: the header (type, rows, columns, imaginary flag, name length), the name and the values.
 std::optional<MatlabMatrix> takeMatrix(std::string_view& rest)
 {
     constexpr std::size_t headSize = 20;

@@ -8,12 +8,11 @@
 
 namespace angiopose::io {
 
-/// Parses the one transform of an ITK text file: affine (if rigid), Euler3D or VersorRigid3D, about its center. The
-/// error message does not name the file.
+/// Parses the single transform of an ITK text file: Euler3D, VersorRigid3D or affine (if rigid), including its center.
+/// The error message does not name the file.
 core::Result<core::RigidTransform> poseFromItkText(std::string_view text);
 
-/// Parses the transform of a `.mat` file. Uses its own parser, since ITK's reader writes past its buffers on damaged
-/// files.
+/// Parses the transform of a `.mat` file. Does not use ITK's reader, which writes past its buffers on damaged files.
 core::Result<core::RigidTransform> poseFromItkMatlab(std::string_view content);
 
 /// Returns the pose as an ITK text file that maps patient points (LPS) to camera points, mm.

@@ -15,8 +15,7 @@ namespace {
 constexpr std::size_t maxNumbers = 4096;
 constexpr std::string_view betweenNumbers = " \t\r\n,;[]";
 
-/// Appends the numbers of a text; returns false at the first word that is not a number. Skips the dashes of a YAML
-/// list.
+/// Appends the numbers of a text; returns false at the first word that is not a number. Skips the dashes of YAML lists.
 bool appendTo(std::vector<double>& numbers, std::string_view part)
 {
     while (true) {
@@ -37,7 +36,7 @@ bool appendTo(std::vector<double>& numbers, std::string_view part)
     }
 }
 
-/// Returns the number of opening minus closing brackets.
+/// Returns the number of opening minus closing square brackets.
 std::ptrdiff_t openedBrackets(std::string_view line)
 {
     return std::ranges::count(line, '[') - std::ranges::count(line, ']');
@@ -46,7 +45,7 @@ std::ptrdiff_t openedBrackets(std::string_view line)
 std::string_view afterColon(std::string_view line, std::size_t colon)
 {
     std::string_view rest = trimmed(line.substr(colon + 1));
-    if (rest.starts_with("!!")) {   // type tag of the value
+    if (rest.starts_with("!!")) {   // skip the YAML type tag
         rest = trimmed(rest.substr(std::min(rest.find(' '), rest.size())));
     }
     return rest;
@@ -63,7 +62,7 @@ std::string joined(const double* values, std::size_t count, std::string_view bet
 
 using Rows3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-/// A matrix written for a camera with its pose; the files keep this order.
+/// Matrix of a camera or pose to write; the files keep the order of the matrices.
 struct StoredMatrix {
     const char* name;
     int rows, columns;

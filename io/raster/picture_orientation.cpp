@@ -11,9 +11,9 @@ namespace {
 constexpr std::string_view pngSignature = "\x89PNG\r\n\x1a\n";
 constexpr std::string_view exifStart("Exif\0\0", 6);
 constexpr std::uint16_t orientationTag = 274;
-constexpr std::uint16_t longType = 4;   // nonstandard: the specification uses SHORT
+constexpr std::uint16_t longType = 4;   // nonstandard type; the specification requires SHORT
 
-/// Reads the orientation from the first directory of EXIF data, which begin with a TIFF header.
+/// Reads the orientation from the first directory of EXIF data, which start with a TIFF header.
 std::optional<int> orientationIn(std::string_view exif)
 {
     if (exif.size() < 8 || (exif[0] != 'I' && exif[0] != 'M')) {
@@ -36,7 +36,7 @@ std::optional<int> orientationIn(std::string_view exif)
     return std::nullopt;
 }
 
-/// Walks the chunks of a PNG: length, name, content and checksum.
+/// Searches the chunks of a PNG (length, name, content, checksum) for the orientation.
 std::optional<int> orientationOfPng(std::string_view rest)
 {
     rest.remove_prefix(pngSignature.size());
@@ -51,12 +51,12 @@ std::optional<int> orientationOfPng(std::string_view rest)
     return std::nullopt;
 }
 
-/// Walks the segments of a JPEG (marker, length and content) up to the pixels.
+/// Searches the segments of a JPEG (marker, length, content) before the pixels for the orientation.
 std::optional<int> orientationOfJpeg(std::string_view rest)
 {
     rest.remove_prefix(2);
     while (rest.size() >= 4 && rest[0] == '\xff' && rest[1] != '\xda') {
-        if (rest[1] == '\xff') {   // padding
+        if (rest[1] == '\xff') {   // skip a fill byte
             rest.remove_prefix(1);
             continue;
         }

@@ -7,13 +7,13 @@
 
 namespace angiopose::io {
 
-/// Returns the EXIF orientation of a JPEG or PNG, 1 (as stored) to 8; 1 if none is stated.
+/// Returns the EXIF orientation of a JPEG or PNG, from 1 (as stored) to 8; 1 if not specified.
 int exifOrientation(std::string_view picture);
 
-/// Returns EXIF data that state only an orientation.
+/// Returns EXIF data that contain only an orientation.
 std::string exifOf(int orientation);
 
-/// Returns the image in its display orientation (TIFF 6.0, tag 274).
+/// Returns the image rotated or mirrored for display (TIFF 6.0, tag 274).
 core::ImageF oriented(const core::ImageF& stored, int orientation);
 
 }   // namespace angiopose::io

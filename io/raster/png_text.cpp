@@ -7,7 +7,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t maxKeyword = 79;   // PNG §11.3.4
+constexpr std::size_t maxKeyword = 79;   // maximum keyword length (PNG §11.3.4)
 constexpr double metersPerInch = 0.0254;
 constexpr int quickLevel = 2;   // zlib compression level
 
@@ -42,7 +42,7 @@ void addTexts(png_struct* png, png_info* info, const std::map<std::string, std::
         entry.key = const_cast<char*>(key.c_str());
         entry.text = const_cast<char*>(text.c_str());
         entry.itxt_length = text.size();
-        png_set_text(png, info, &entry, 1);   // copies the text
+        png_set_text(png, info, &entry, 1);   // libpng copies the text
     }
 }
 
@@ -67,10 +67,10 @@ std::string encodedPng(const PngPixels& pixels, const std::map<std::string, std:
         png_set_pHYs(png, info, perMeter, perMeter, PNG_RESOLUTION_METER);
     }
     addTexts(png, info, texts);
-    // Measured on overlays (D90): files as small as with the default level, in a fifth of its time.
+    // For overlays, these settings produce files as small as the default level in a fifth of the time (measured, D90).
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
     png_set_compression_level(png, quickLevel);
-    png_set_compression_strategy(png, 0);   // libpng's own choice for numeric data
+    png_set_compression_strategy(png, 0);   // default strategy, which libpng selects for numeric data
     png_write_info(png, info);
     const std::size_t rowBytes =
         static_cast<std::size_t>(pixels.width) * channels * static_cast<std::size_t>(pixels.bitDepth / 8);

@@ -14,10 +14,10 @@ struct PngPixels {
     int channels = 3;
     const std::vector<std::uint8_t>* bytes = nullptr;
     int bitDepth = 8;   ///< 8 or 16
-    double dotsPerInch = 0.0;   ///< 0: not stated
+    double dotsPerInch = 0.0;   ///< print resolution; 0 if not specified
 };
 
-/// Encodes a PNG with libpng, with the texts as iTXt chunks (UTF-8). Throws if libpng refuses the image (too many
+/// Encodes a PNG through libpng, with the texts as iTXt chunks (UTF-8). Throws if libpng rejects the image (too many
 /// columns).
 std::string encodedPng(const PngPixels& pixels, const std::map<std::string, std::string>& texts);
 

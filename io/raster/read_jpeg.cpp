@@ -28,7 +28,7 @@ void leave(j_common_ptr decoder)
 
 void saySilently(j_common_ptr) {}
 
-/// Some vendors pad with bytes between markers, which is not damage.
+/// Counts damage. Extra bytes between markers are not damage, because some vendors pad with them.
 void countDamage(j_common_ptr decoder, int level)
 {
     if (level < 0 && decoder->err->msg_code != extraneousBytes) {
@@ -36,7 +36,7 @@ void countDamage(j_common_ptr decoder, int level)
     }
 }
 
-/// Reads the header and starts decoding to gray or RGB.
+/// Reads the header and starts decoding to grayscale or RGB.
 bool start(JpegState* state, std::string_view content, JpegColors colors)
 {
     state->decoder.err = jpeg_std_error(&state->errors);
@@ -83,7 +83,7 @@ void copyRow(const std::vector<unsigned char>& row, std::size_t y, Raster& raste
     }
 }
 
-/// Fills rows that could not be decoded with the mean of the others, so that they resemble neither a vessel nor a
+/// Fills rows that could not be decoded with the mean of the decoded rows, so that they resemble neither a vessel nor a
 /// shutter edge.
 void fillFrom(std::size_t firstMissingRow, core::ImageF& frame)
 {

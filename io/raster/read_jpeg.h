@@ -7,10 +7,10 @@
 
 namespace angiopose::io {
 
-/// Interpretation of the three channels of a JPEG.
+/// Interpretation of the three color channels of a JPEG.
 enum class JpegColors {
-    AsMarked,   ///< as the markers of the stream state, otherwise Y Cb Cr
-    RgbUnlessMarked   ///< for DICOM headers with "RGB": red, green and blue unless a marker states otherwise
+    AsMarked,   ///< as specified by the markers of the stream, by default Y Cb Cr
+    RgbUnlessMarked   ///< red, green, blue unless a marker specifies otherwise; for DICOM headers with "RGB"
 };
 
 /// Decodes a gray or color JPEG; nullopt if it is too large, of another kind, or less than half of its rows can be

@@ -44,7 +44,7 @@ struct PngReader {
     ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
-/// Reads the header and sets up rows of 8- or 16-bit gray or color, with alpha if the image has transparency.
+/// Reads the header and configures rows of 8- or 16-bit grayscale or color, with alpha if the image has transparency.
 bool readHeader(png_struct* png, png_info* info, std::string_view* rest)
 {
     if (setjmp(png_jmpbuf(png)) != 0) {

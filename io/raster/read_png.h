@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// Decodes any PNG with libpng. Fails if a checksum is wrong, data are missing before its end, or it is too small or
-/// too large; allocates memory only after the header has passed these limits.
+/// Decodes a PNG of any kind through libpng. Fails if a checksum is wrong, the file is truncated, or the image is too
+/// small or too large; allocates memory only after the header has passed the size limits.
 core::Result<Raster> readPng(std::string_view content, const std::string& path);
 
 }   // namespace angiopose::io

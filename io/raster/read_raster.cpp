@@ -18,7 +18,7 @@ constexpr std::string_view pngStart = "\x89PNG";
 constexpr std::string_view jpegStart = "\xff\xd8\xff";
 constexpr std::size_t maxJpegTrailer = 4096;
 
-/// Detects a truncated JPEG, whose missing part libjpeg would fill with gray.
+/// Whether a JPEG is truncated; libjpeg would fill the missing part with gray.
 bool isCutShort(std::string_view jpeg)
 {
     const std::size_t end = jpeg.rfind("\xff\xd9");

@@ -9,24 +9,24 @@
 
 namespace angiopose::io {
 
-/// Frames of a PNG, JPEG or (multi-page) TIFF as gray values.
+/// Frames of a PNG, JPEG or (multi-page) TIFF, converted to grayscale.
 struct Raster {
     std::vector<core::ImageF> frames;
-    bool wasColor = false;   ///< channels differed and were converted to luminance
-    bool hadAlpha = false;   ///< transparency was ignored
+    bool wasColor = false;   ///< whether the channels differed and were converted to luminance
+    bool hadAlpha = false;   ///< whether transparency was ignored
     bool isFlawed = false;   ///< partly damaged: contains what could be decoded
     int orientation =
-        1;   ///< orientation tag of a frame that was rotated or mirrored accordingly; 1: stored as displayed
+        1;   ///< orientation tag of a frame, which was rotated or mirrored accordingly; 1 if stored as displayed
 
-    /// Converts colors to gray (Rec. 601), exact if the channels agree; records whether they differ.
+    /// Converts a color to grayscale (Rec. 601), exactly if the channels are equal.
     float luminance(float red, float green, float blue);
 };
 
-/// Returns true if the content begins like one of these formats.
+/// Whether the content starts like a PNG, JPEG or TIFF.
 bool looksLikeRaster(std::string_view content);
 
-/// Reads an image file; `content` is the content of `path`, which the libraries read themselves. Frames have the
-/// display orientation of their tag (EXIF, TIFF).
+/// Reads an image file; `content` is the content of the file at `path`, and some libraries read the file again. The
+/// frames have the display orientation specified in the file (EXIF, TIFF).
 core::Result<Raster> readRaster(std::string_view content, const std::string& path);
 
 }   // namespace angiopose::io

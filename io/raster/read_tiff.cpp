@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t maxTiffPixels = 100'000'000;
 constexpr std::uint32_t smallestPageSide = 8;
 
-/// Returns whether a page can be an angiogram: gray or color, of a plausible size.
+/// Whether a page can be an angiogram: grayscale or color, and of plausible size.
 bool isPicture(const TiffPage& page)
 {
     return (page.isGray() || page.isColor()) && page.width >= smallestPageSide && page.height >= smallestPageSide &&

@@ -13,23 +13,23 @@ struct CloseTiff {
 };
 using TiffFile = std::unique_ptr<TIFF, CloseTiff>;
 
-/// Tags that determine how the pixels of one page are displayed, as stored.
+/// Tags, as stored, that determine how the pixels of one page are displayed.
 struct TiffPage {
     std::uint32_t width = 0, height = 0;   ///< px
     std::uint16_t channels = 1, bits = 1, format = SAMPLEFORMAT_UINT, photometric = PHOTOMETRIC_MINISBLACK;
     std::uint16_t planes = PLANARCONFIG_CONTIG, compression = COMPRESSION_NONE, orientation = ORIENTATION_TOPLEFT;
 
-    bool isGray() const;   ///< gray, optionally with alpha
+    bool isGray() const;   ///< grayscale, optionally with alpha
     bool isColor() const;   ///< red, green, blue, optionally with alpha
     bool isPalette() const;   ///< 256-color palette
     std::size_t rowBytes() const { return std::size_t{width} * channels * bits / 8; }
 };
 
-/// Describes the current page. Returns nullopt unless its samples are interleaved, of 8 or 16 bits or float, and gray,
-/// color or palette indices, and if it is larger than any detector.
+/// Describes the current page. Returns nullopt unless the samples are interleaved 8-bit, 16-bit or float values of
+/// grayscale, color or palette indices and the page is not larger than any detector.
 std::optional<TiffPage> pageOf(TIFF* file);
 
-/// Returns whether the current page is a reduced version or a mask of another page, and not the only page.
+/// Whether the current page is a reduced version or a mask of another page; false for the only page.
 bool isAside(TIFF* file);
 
 }   // namespace angiopose::io

@@ -25,7 +25,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Adds the tree's branch names next to the branch ids.
+/// Adds the branch names of the tree to the branch IDs.
 void nameBranches(Json& branches, const core::Case& session)
 {
     for (Json& branch : branches) {
@@ -74,7 +74,7 @@ Json inputsJson(const core::Case& session, const core::RegistrationResult& resul
     return inputs;
 }
 
-/// Adds the camera of the view, if known, and where it comes from.
+/// Adds the camera of the view, if known, and the origin of its values.
 void addGeometry(Json& root, const core::View& view)
 {
     if (const auto known = core::cameraOf(view)) {
@@ -95,7 +95,7 @@ void eraseUids(Json& json)
     }
 }
 
-/// Removes UIDs and the sentences about a patient mismatch between the images.
+/// Removes UIDs and the warnings about a patient mismatch between the images.
 std::string withoutUids(const std::string& result)
 {
     Json root = Json::parse(result);
@@ -114,7 +114,7 @@ std::string resultJson(const core::Case& session, const core::RegistrationResult
     root["view"] = session.shownView + 1;
     root["title"] = session.title;
     root.update(writeFields(result, resultFields(), {}));
-    for (const char* list : {"perBranch", "unfilled", "alternatives"}) {   // present even if empty
+    for (const char* list : {"perBranch", "unfilled", "alternatives"}) {   // lists are present even if empty
         if (!root.contains(list)) {
             root[list] = Json::array();
         }
@@ -142,7 +142,7 @@ std::string resultJson(const core::Case& session, const core::RegistrationResult
     if (!session.vessels.marks.empty()) {
         root["checkPoints"] = Json::parse(checkPointJson(session));
     }
-    // Replaces invalid bytes: file names and titles need not be UTF-8, but the result must still be written.
+    // Replace invalid bytes: file names and titles need not be UTF-8, but the result must be written anyway.
     return prettyJson(root.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
@@ -198,7 +198,7 @@ std::string jointJson(const core::RegisteredCase& registered, const std::string&
     for (std::size_t k = 0; k < registered.places.size(); ++k) {
         const core::Case showing = core::showingView(registered.session, registered.places[k]);
         Json view = Json::parse(resultJson(showing, *showing.shown().result, askedCase));
-        view.erase("deformable");   // belongs to all views together: added below
+        view.erase("deformable");   // belongs to all views together and is added below
         view.erase("case");
         view["view"] = registered.places[k] + 1;
         view["geometryCorrection"] = correctionJson(joint.corrections[k]);

@@ -8,29 +8,29 @@
 
 namespace angiopose::io {
 
-/// Whether a result includes text typed by users, file names and UIDs.
+/// Whether a result includes user-entered text, file names and UIDs.
 enum class ResultNames { Kept, LeftOut };
 
-/// Returns result.json of FORMATS §3 as text. `askedCase`: the case at the start of the registration
-/// (case/asked_case.h), if known; only then can the registration be repeated, or drawn, from its result
-/// (opening/open_result.h).
+/// Returns the text of result.json (FORMATS §3). `askedCase` is the case at the start of the registration
+/// (case/asked_case.h), if known; the registration can be repeated or displayed from its result (opening/open_result.h)
+/// only if it is stored.
 std::string resultJson(const core::Case& session, const core::RegistrationResult& result,
                        const std::string& askedCase = {});
 
-/// Returns the result of a registration just completed, for the view at `place` in its case.
+/// Returns the result of a registration that has just finished, for the view at index `place` of its case.
 std::string resultJson(const core::RegisteredCase& registered, std::size_t place, ResultNames names);
 
-/// Returns the result of the shown view, with the inputs of its registration as far as the case still knows them.
+/// Returns the result of the shown view, with the inputs of its registration as far as the case still contains them.
 std::string keptResultJson(const core::Case& session, ResultNames names);
 
-/// Writes the result of the shown view atomically.
+/// Atomically writes the result of the shown view.
 core::Status writeResult(const core::Case& session, const std::string& path);
 
-/// Returns the outcome of a registration as text: result.json for one view, joint.json for several (FORMATS §3).
+/// Returns the outcome of a registration as JSON: result.json for one view, joint.json for several (FORMATS §3).
 std::string registeredJson(const core::RegisteredCase& registered, const std::string& askedCase);
 
-/// Writes joint.json atomically: the values shared by all views, the result of each, and the error found in its
-/// geometry. For several views only.
+/// Atomically writes joint.json: the values shared by all views, and for each view its result and the estimated
+/// geometry correction. Only for registrations of several views.
 core::Status writeJointResult(const core::RegisteredCase& registered, const std::string& path,
                               const std::string& askedCase);
 

@@ -36,7 +36,7 @@ Json projectionSchema()
         "The camera of the pose, px: u = fx X/Z + cx, v = fy Y/Z + cy, from the center of the first pixel.");
 }
 
-/// Properties of result.json beyond the fields that a case also stores for a result.
+/// Returns the properties of result.json other than the fields of a result that a case also stores.
 Json ownProperties()
 {
     Json anything{{"type", "object"}};

@@ -4,7 +4,7 @@
 
 namespace angiopose::io {
 
-/// Returns the JSON Schema of `result.json`, as published under resources/.
+/// Returns the JSON Schema of `result.json`, as published in resources/.
 const std::string& resultSchema();
 
 }   // namespace angiopose::io

@@ -20,15 +20,14 @@
 namespace angiopose::io {
 namespace {
 
-/// The grid on which the frames of a segmentation lie. Several frames may share a layer; layers without a frame are
-/// empty.
+/// Grid that contains the frames of a segmentation. Several frames may share a layer; layers without a frame are empty.
 struct SegmentationGrid {
     core::VolumeGeometry geometry;
     std::vector<int> layers;   ///< layer index of each frame
 };
 
 constexpr std::size_t maxGridVoxels = std::size_t{1} << 31;
-constexpr double placeTolerance = 0.1;   // fraction of a voxel
+constexpr double placeTolerance = 0.1;   // maximum deviation from the grid, as a fraction of a voxel
 
 bool isPlaced(const SliceRecord& frame, const SliceRecord& first)
 {
@@ -36,7 +35,7 @@ bool isPlaced(const SliceRecord& frame, const SliceRecord& first)
            (*frame.axes - *first.axes).cwiseAbs().maxCoeff() < 5e-3;
 }
 
-/// Returns the smallest step between frames, refined over the whole stack; 0 if all lie in one plane.
+/// Returns the smallest step between frames, refined over the whole stack; 0 if all frames lie in one plane.
 double stepBetween(std::vector<double> depths)
 {
     std::sort(depths.begin(), depths.end());
@@ -51,7 +50,7 @@ double stepBetween(std::vector<double> depths)
     return smallest > 0.0 ? extent / std::round(extent / smallest) : 0.0;
 }
 
-/// Returns the distance between planes from the header, for a segmentation of one plane.
+/// Returns the slice spacing or thickness from the header, for a segmentation with a single plane.
 double statedStepMm(const DicomDataset& data)
 {
     constexpr DicomTag pixelMeasuresTag = 0x00289110;
@@ -67,7 +66,7 @@ double statedStepMm(const DicomDataset& data)
     return 1.0;
 }
 
-/// Returns the smallest grid that holds all frames. Fails if frames do not state their positions, or do not lie on a
+/// Returns the smallest grid that contains all frames. Fails if frames do not state their positions or do not lie on a
 /// regular grid.
 core::Result<SegmentationGrid> segmentationGrid(const std::vector<SliceRecord>& frames, const DicomDataset& data,
                                                 const std::string& path)
@@ -139,7 +138,7 @@ std::vector<int> segmentOfFrames(const DicomDataset& data, std::size_t frameCoun
     return segments;
 }
 
-/// Reads the bits of all frames in sequence, the first in the lowest bit of a byte (PS3.5 8.1.1).
+/// Reads the bits of all frames in sequence, lowest bit of a byte first (PS3.5 8.1.1).
 class BitFrames {
 public:
     BitFrames(const DicomPixels& pixels, std::size_t pixelsPerFrame)

@@ -15,7 +15,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Returns a key; files with the same key can be slices of one volume.
+/// Returns a grouping key; only files with equal keys can be slices of the same volume.
 std::string seriesKey(const DicomImages& file)
 {
     const core::StudyIdentity& identity = file.identity;
@@ -26,7 +26,7 @@ std::string seriesKey(const DicomImages& file)
            file.seriesDescription;
 }
 
-/// Returns size, spacing and orientation, each rounded so that noise in the header does not split a volume.
+/// Returns size, spacing and orientation, rounded so that noise in the header does not split a volume.
 std::vector<long> shapeKey(const SliceRecord& slice)
 {
     std::vector<long> key{slice.size.x(), slice.size.y(), std::lround(slice.spacingMm.x() * 1e4),
@@ -39,7 +39,7 @@ std::vector<long> shapeKey(const SliceRecord& slice)
     return key;
 }
 
-/// Returns true if the orientations agree well enough to share a volume (rounding in the key may separate equal ones).
+/// Whether two slices agree well enough to belong to one volume, even if rounding in the key separates them.
 bool isAlike(const SliceRecord& a, const SliceRecord& b)
 {
     const bool isPlaced = a.position && a.axes, isOtherPlaced = b.position && b.axes;
@@ -70,8 +70,8 @@ std::vector<Slices> byShape(const Slices& slices)
     return groups;
 }
 
-/// Removes duplicates: same SOP instance and frame, position and number. Reports how many, and how many images differ
-/// although they share their SOP Instance UID with an earlier one.
+/// Removes duplicates: slices with the same SOP instance, frame, position and number. Reports the number of duplicates,
+/// and the number of images that differ from an earlier one with the same SOP Instance UID.
 core::Messages dropCopies(Slices& slices)
 {
     using Instance = std::pair<std::string, int>;
@@ -100,7 +100,7 @@ core::Messages dropCopies(Slices& slices)
     return found;
 }
 
-/// Keeps one slice per position: the first recorded.
+/// Keeps only the first recorded slice at each position.
 void keepFirstPerPlace(DicomSeries& series)
 {
     const std::size_t before = series.slices.size();
@@ -176,7 +176,7 @@ std::vector<DicomSeries> volumesOf(const DicomImages& head, Slices slices, std::
     return volumes;
 }
 
-/// Returns the acquisition that all slices belong to; empty if there are several or none is named.
+/// Returns the acquisition to which all slices belong; empty if there are several acquisitions or none is named.
 std::string acquisitionOf(const DicomSeries& series)
 {
     const std::string& first = series.slices.front().phaseKeys[0];
@@ -185,8 +185,8 @@ std::string acquisitionOf(const DicomSeries& series)
     return isOne ? first : std::string();
 }
 
-/// Sorts by size, largest first; numbers the parts of a series, and names the acquisition where that distinguishes
-/// them.
+/// Sorts volumes by size, largest first; numbers the volumes of a series, and names their acquisitions if these are all
+/// different.
 void order(std::vector<DicomSeries>& volumes)
 {
     std::stable_sort(volumes.begin(), volumes.end(), [](const DicomSeries& a, const DicomSeries& b) {

@@ -54,12 +54,12 @@ core::Result<std::unique_ptr<OpenFile>> openFile(const std::string& path)
     return std::make_unique<OpenFile>(OpenFile{path, std::move(kept), std::move(file), std::move(reader).value()});
 }
 
-/// Decodes slices in the requested order, caching the last two slices and the last file.
+/// Decodes slices in the requested order; caches the last two slices and the last file.
 class SliceReader {
 public:
     explicit SliceReader(const std::vector<SliceRecord>& slices) : slices_(&slices) {}
 
-    /// Returns the rescaled values of a slice; valid until two further slices have been requested.
+    /// Returns the decoded values of a slice; valid until two other slices have been requested.
     core::Result<const ImageF*> slice(std::size_t index)
     {
         const auto kept =
@@ -101,7 +101,7 @@ private:
 
     const std::vector<SliceRecord>* slices_;
     std::unique_ptr<OpenFile> file_;
-    std::deque<std::pair<std::size_t, ImageF>> kept_;   // a deque keeps references to cached slices valid
+    std::deque<std::pair<std::size_t, ImageF>> kept_;   // deque, so that references to cached slices remain valid
 };
 
 bool hasOneScale(const std::vector<SliceRecord>& slices)
@@ -113,7 +113,7 @@ bool hasOneScale(const std::vector<SliceRecord>& slices)
     });
 }
 
-/// Conversion of the values of this series to voxels, and the meaning of a voxel.
+/// Conversion from the values of a series to voxels, and from voxels to physical values.
 struct SeriesScale {
     bool isRescaled =
         false;   ///< slices differ in slope or have a wide type: `quantization` applies to rescaled values
@@ -168,8 +168,8 @@ core::Result<SeriesScale> scaleOf(const DicomSeries& series, const ReadObserver&
     return scale;
 }
 
-/// Returns one slice as stored 16-bit levels in the plane of the volume, translated by its shift; `outside` beyond its
-/// edges.
+/// Returns one slice as 16-bit levels in the plane of the volume, translated by `shift`; pixels beyond its edges are
+/// `outside`.
 std::vector<float> planeOf(const ImageF& image, const SliceRecord& slice, const SeriesScale& scale,
                            const Eigen::Vector2d& shift, const core::VolumeGeometry& geometry, float outside)
 {

@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// Reads the volume of a series, decoding slices one after the other into place. Values are Hounsfield units for CT.
-/// Adds to `warnings` what was lost or repaired.
+/// Reads the volume of a series, decoding one slice after the other. Values are Hounsfield units for CT. Adds warnings
+/// about lost and repaired data.
 core::Result<core::Volume> readSeries(const DicomSeries& series, const ReadObserver& observe, core::Messages& warnings);
 
 }   // namespace angiopose::io

@@ -10,18 +10,18 @@
 
 namespace angiopose::io {
 
-/// A loadable item of a DICOM folder: the slices of a volume, or an X-ray run.
+/// Item of a DICOM folder that can be opened: the slices of a volume, or an X-ray run.
 struct DicomSeries {
-    std::string id;   ///< Series Instance UID, with "#2", … for further volumes of the same series
+    std::string id;   ///< Series Instance UID, with the suffix "#2", … for further volumes of the same series
     core::StudyIdentity identity;
     std::string description;
     int number = 0;   ///< Series Number
     std::optional<core::Message> part;   ///< distinction from other volumes of its series, e.g. "part 2 of 10"
     bool isAngiogram = false;   ///< a projection; `slices.front().path` is the file of the run
-    std::vector<SliceRecord> slices;   ///< sorted along the normal of their planes
-    SliceStack stack;   ///< for volumes only
-    core::Messages warnings;   ///< missing slices, tilt, uneven spacing, duplicates, …
-    std::optional<core::Message> problem;   ///< reason why it cannot be opened
+    std::vector<SliceRecord> slices;   ///< slices sorted along the slice normal
+    SliceStack stack;   ///< only for volumes
+    core::Messages warnings;   ///< warnings about missing slices, gantry tilt, uneven spacing, duplicates, …
+    std::optional<core::Message> problem;   ///< reason why the series cannot be opened
 };
 
 }   // namespace angiopose::io

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int maxFrames = 20'000;
 
-/// Tags of `phaseKeys` in a classic (single-frame) image.
+/// Tags of `phaseKeys` in a single-frame image.
 constexpr std::array<DicomTag, phaseKeyCount> phaseTags = {0x00200012, 0x00200100, 0x00209241,
                                                            0x00181060, 0x00180086, 0x00209056};
 
@@ -32,7 +32,7 @@ std::optional<Eigen::Vector3d> threeNumbers(const DicomDataset& data, DicomTag t
     return vector;
 }
 
-/// Returns the directions of Image Orientation (Patient), orthonormalized; nullopt if they are not perpendicular.
+/// Returns the orthonormalized directions of Image Orientation (Patient); nullopt if they are not perpendicular.
 std::optional<Eigen::Matrix<double, 3, 2>> orientationOf(const DicomDataset& data)
 {
     Eigen::Matrix<double, 3, 2> axes;
@@ -53,7 +53,7 @@ std::optional<Eigen::Matrix<double, 3, 2>> orientationOf(const DicomDataset& dat
     return axes;
 }
 
-/// Reads position, pixel size and value scale from `data`: an image, or one functional group.
+/// Reads position, pixel size and value scale from `data`, which is an image or a functional group.
 void readPlace(const DicomDataset& data, SliceRecord& slice)
 {
     if (const auto position = threeNumbers(data, 0x00200032)) {
@@ -96,7 +96,7 @@ void readFunctionalGroups(const DicomDataset& groups, SliceRecord& slice)
         }
         readPlace(items.front(), slice);
         readPhases(items.front(), slice);
-        if (sequence == 0x00209111) {   // Frame Content Sequence: Temporal Position Index
+        if (sequence == 0x00209111) {   // Frame Content Sequence, which contains Temporal Position Index
             if (const auto index = items.front().integer(0x00209128)) {
                 slice.phaseKeys[1] = std::to_string(*index);
             }

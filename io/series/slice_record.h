@@ -12,17 +12,17 @@
 
 namespace angiopose::io {
 
-/// Number of keys that may distinguish images of one series at the same position: acquisition, temporal position,
-/// cardiac phase, trigger time, echo, stack.
+/// Number of keys that may distinguish images of a series at the same position: acquisition, temporal position, cardiac
+/// phase, trigger time, echo, stack.
 inline constexpr std::size_t phaseKeyCount = 6;
 
-/// One image of a DICOM series: a file, or a frame of a file.
+/// Image of a DICOM series: a file, or a frame of a file.
 struct SliceRecord {
     std::string path;
     int frame = 0;
-    Eigen::Vector2i size = Eigen::Vector2i::Zero();   ///< columns, rows
-    Eigen::Vector2d spacingMm = Eigen::Vector2d::Zero();   ///< along a row, along a column
-    double statedStepMm = 0.0;   ///< Spacing Between Slices; 0: absent
+    Eigen::Vector2i size = Eigen::Vector2i::Zero();   ///< number of columns and rows
+    Eigen::Vector2d spacingMm = Eigen::Vector2d::Zero();   ///< pixel spacing along a row and along a column
+    double statedStepMm = 0.0;   ///< Spacing Between Slices; 0 if absent
     std::optional<Eigen::Vector3d> position;   ///< center of the first pixel, patient LPS mm
     std::optional<Eigen::Matrix<double, 3, 2>> axes;   ///< unit directions along a row and along a column
     double slope = 1.0;
@@ -35,15 +35,15 @@ struct SliceRecord {
     std::array<std::string, phaseKeyCount> phaseKeys;
 };
 
-/// The images of one DICOM file and the file's series attributes.
+/// Images of one DICOM file, with the series attributes of the file.
 struct DicomImages {
     core::StudyIdentity identity;
     std::string seriesDescription;
     int seriesNumber = 0;
     std::string sopClassUid;
-    bool isProjection = false;   ///< an X-ray projection, not a slice
+    bool isProjection = false;   ///< whether the images are X-ray projections rather than slices
     std::optional<core::Message> damage;
-    std::vector<SliceRecord> slices;   ///< empty: the file holds no image
+    std::vector<SliceRecord> slices;   ///< empty if the file contains no image
 };
 
 struct DicomFile;
@@ -51,8 +51,8 @@ struct DicomFile;
 /// Returns the images that a parsed file describes.
 DicomImages imagesOf(const DicomFile& file, const std::string& path);
 
-/// Reads the header of a DICOM file, classic or enhanced multi-frame (functional groups). Fails as `openInput` does,
-/// and on files that are not DICOM.
+/// Reads the header of a DICOM file, single-frame or enhanced multi-frame (functional groups). Fails like `openInput`,
+/// and if the file is not DICOM.
 core::Result<DicomImages> readSliceRecords(const std::string& path);
 
 }   // namespace angiopose::io

@@ -13,10 +13,10 @@ namespace angiopose::io {
 namespace {
 
 constexpr std::size_t maxGapsNamed = 3;
-constexpr double slantToleranceMm = 0.05;   // smaller values are rounding in the header
-constexpr double gridTolerance = 0.1;   // fraction of a step; smaller values are rounding in the header
+constexpr double slantToleranceMm = 0.05;   // offsets below this are rounding errors of the header
+constexpr double gridTolerance = 0.1;   // deviations below this fraction of a step are rounding errors of the header
 constexpr double wholeStepTolerance =
-    0.2;   // fraction of a step; gaps this close to a whole multiple are missing slices
+    0.2;   // as a fraction of a step: slices are missing if a gap is this close to a whole multiple of the step
 
 double rounded(double length)
 {
@@ -44,7 +44,7 @@ double quantileOf(std::vector<double> values, double fraction)
     return values[static_cast<std::size_t>(at)];
 }
 
-/// Returns the step of slices that lie on a grid, possibly with some missing; 0 if they do not.
+/// Returns the step of slices that lie on a regular grid, possibly with missing slices; 0 if they do not lie on a grid.
 double gridStep(const std::vector<double>& places)
 {
     const std::vector<double> distances = gapsOf(places);
@@ -65,7 +65,7 @@ double gridStep(const std::vector<double>& places)
     return isRegular ? step : 0.0;
 }
 
-/// Returns, for each layer, the slices on either side; layers are `step` apart, starting at the first slice.
+/// Returns the slices on either side of each layer; the layers are `step` apart, starting at the first slice.
 std::vector<StackLayer> layersOf(const std::vector<double>& places, double step)
 {
     std::vector<StackLayer> layers;
@@ -86,7 +86,7 @@ std::vector<StackLayer> layersOf(const std::vector<double>& places, double step)
     return layers;
 }
 
-/// Names the places of whole missing slices: "after slice 41".
+/// Describes the positions of missing slices, for example "after slice 41".
 core::Message gaps(const std::vector<double>& places, double step)
 {
     std::vector<std::string> before;
@@ -129,7 +129,7 @@ void placeLayers(const std::vector<double>& places, SliceStack& stack, double& s
     }
 }
 
-/// Returns the in-plane offset of each slice's first pixel from that of the first slice, in mm.
+/// Returns the in-plane offset of the first pixel of each slice relative to that of the first slice, mm.
 std::vector<Eigen::Vector2d> slantOf(const std::vector<SliceRecord>& slices)
 {
     std::vector<Eigen::Vector2d> offsets;
@@ -140,7 +140,7 @@ std::vector<Eigen::Vector2d> slantOf(const std::vector<SliceRecord>& slices)
     return offsets;
 }
 
-/// Widens the layers so that every slice fits at its true in-plane position.
+/// Enlarges the layers so that every slice fits at its true in-plane position.
 Eigen::Vector2i straighten(const std::vector<SliceRecord>& slices, double extentMm, SliceStack& stack,
                            Eigen::Vector3d& origin)
 {

@@ -9,28 +9,28 @@
 
 namespace angiopose::io {
 
-/// The source of one layer of the volume: a slice, or an interpolation between two.
+/// Source of one layer of the volume: a slice, or an interpolation between two slices.
 struct StackLayer {
-    std::size_t lower = 0;   ///< index of a slice
+    std::size_t lower = 0;   ///< index of the slice at or below the layer
     std::size_t upper = 0;
-    double upperWeight = 0.0;   ///< 0: the lower slice unchanged
+    double upperWeight = 0.0;   ///< 0 if the layer equals the lower slice
 };
 
-/// A regular grid over slices that may be irregular: gaps are interpolated, uneven spacing is resampled to a fine
-/// typical step, and the shear of a tilted gantry is removed by shifting the slices in their planes.
+/// Regular grid for slices that may be irregular: gaps are interpolated, unevenly spaced slices are resampled to a fine
+/// typical step, and the shear caused by a tilted gantry is removed by shifting the slices in-plane.
 struct SliceStack {
     core::VolumeGeometry geometry;
-    std::vector<StackLayer> layers;   ///< one per k
-    std::vector<Eigen::Vector2d> shiftVoxels;   ///< per slice: position of its first pixel in the layer (i, j)
+    std::vector<StackLayer> layers;   ///< one layer per index k
+    std::vector<Eigen::Vector2d> shiftVoxels;   ///< position of the first pixel of each slice in its layer (i, j)
     core::Messages warnings;
-    std::optional<core::Message> problem;   ///< reason why there is no volume, with the remedy
+    std::optional<core::Message> problem;   ///< reason why the slices form no volume, with the remedy
 };
 
-/// Plans the volume of slices that share size, spacing and orientation, sorted along the normal of their planes, each
-/// at a different position.
+/// Plans the volume for slices that share size, spacing and orientation, have distinct positions, and are sorted along
+/// the slice normal.
 SliceStack stackOf(const std::vector<SliceRecord>& slices);
 
-/// Returns the unit normal of a slice's plane; slices are stacked along it.
+/// Returns the unit normal of a slice, along which slices are stacked.
 Eigen::Vector3d normalOf(const SliceRecord& slice);
 
 }   // namespace angiopose::io

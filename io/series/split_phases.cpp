@@ -23,7 +23,7 @@ std::size_t placeCount(const Slices& sorted)
     return count;
 }
 
-/// Splits slices by one key, if each resulting volume has at most one slice per position.
+/// Splits slices by one key. Empty if a resulting volume would have several slices at the same position.
 std::vector<Slices> splitByKey(const Slices& slices, std::size_t key)
 {
     std::map<std::string, Slices> parts;
@@ -55,7 +55,7 @@ std::vector<Slices> splitByRepetition(const Slices& sorted, std::size_t places)
     return parts;
 }
 
-/// Returns how many slices are missing on the grid of these slices; nullopt if they do not lie on one.
+/// Returns how many slices are missing from the regular grid of these slices; nullopt if they do not lie on a grid.
 std::optional<std::size_t> missingOnGrid(const Slices& sorted)
 {
     const SliceStack stack = stackOf(sorted);
@@ -64,8 +64,8 @@ std::optional<std::size_t> missingOnGrid(const Slices& sorted)
     return stack.problem || isUneven ? std::nullopt : std::optional(stack.layers.size() - sorted.size());
 }
 
-/// Splits acquisitions at different positions, each on a regular grid, that do not form one volume: they are far apart
-/// or interleaved. If only a few slices are missing, they count as one volume.
+/// Splits slices by acquisition if each acquisition lies on a regular grid of its own and together they form no volume,
+/// because they are far apart or interleaved. If only a few slices are missing between them, they count as one volume.
 std::vector<Slices> splitAcquisitions(const Slices& sorted)
 {
     constexpr std::size_t minSlices = 3, missingOf = 8;

@@ -12,36 +12,36 @@ namespace angiopose::io {
 
 enum class AuditEvent { Opened, Saved, Registered, Exported, Packed, Sent, Retrieved, Received, Deidentified };
 
-/// "opened", "saved", …
+/// Returns the event as written in the audit file: "opened", "saved", …
 std::string_view toText(AuditEvent event);
 
 struct AuditRecord {
     AuditEvent event = AuditEvent::Opened;
-    std::string program;   ///< "angiopose"
+    std::string program;   ///< program name, for example "angiopose"
     std::vector<std::string> paths;   ///< files and folders that the event concerns
-    std::string archive{};   ///< archive with which they were exchanged; may be empty
+    std::string archive{};   ///< archive with which the files were exchanged; may be empty
 };
 
-/// Appends a line of JSON to the audit file (FORMATS §4): time in UTC, account, program and version, event, and the
-/// SHA-256 of every file (for a folder, of each file in it). Reads the files completely. Fails if the line cannot be
-/// written.
+/// Appends a line of JSON to the audit file (FORMATS §4): UTC time, account, program and version, event, and the
+/// SHA-256 of every file (for a folder, of each file in it), for which it reads all files completely. Fails if the line
+/// cannot be written.
 core::Status recordAudit(const std::string& auditPath, const AuditRecord& record);
 
-/// Returns the path in `ANGIOPOSE_AUDIT_FILE`; empty: no audit file.
+/// Returns the path in `ANGIOPOSE_AUDIT_FILE`; if empty, no audit file is written.
 std::string auditFileOfEnvironment();
 
-/// Records files that arrive one after another, many per audit line and shortly after they arrive. Without a path of
-/// the audit file nothing is recorded.
+/// Records files that arrive one after another: shortly after arrival, with many files per audit line. Records nothing
+/// if the path of the audit file is empty.
 class AuditBatch {
 public:
     AuditBatch(std::string auditPath, AuditRecord about);
 
     void add(const std::string& path);
-    /// Writes a line once enough files wait or the first has waited long enough; to be called periodically.
+    /// Writes a line if enough files are waiting or the first one has waited long enough. Must be called periodically.
     void noteWhenDue();
     void noteAll();
 
-    /// Returns why the last line could not be written; nullopt if all were written.
+    /// Explains why the last line could not be written; nullopt if all lines were written.
     const std::optional<core::Message>& problem() const { return problem_; }
 
 private:

@@ -120,7 +120,7 @@ const char* kindOf(core::VesselInputKind kind)
     return "volume";
 }
 
-/// Returns the extension, such as ".dcm"; unusual ones are omitted, since they could be part of a name.
+/// Returns the extension, for example ".dcm"; empty for unusual extensions, which could be part of a name.
 std::string endingOf(const core::InputFile& file)
 {
     const std::string ending = std::filesystem::path(file.path).extension().string();

@@ -94,7 +94,7 @@ public:
         if (isGiven) {
             return copyTarget(view.target, name + "-curves");
         }
-        view.target.file = {};   // saving writes edited curves
+        view.target.file = {};   // edited curves are written when the case is saved
         view.followed.deformationsFile = {};
         return core::Done{};
     }
@@ -126,8 +126,8 @@ private:
         return done ? core::Result<std::string>(place) : done.error();
     }
 
-    /// Copies the target; for de-identification only its curves, written by this program, since tables can hold hidden
-    /// text.
+    /// Copies the target file. For de-identification, writes a new file with the curves only, because tables can
+    /// contain hidden text.
     core::Status copyTarget(core::GivenTarget& target, const std::string& name)
     {
         if (request_.deidentified && target.centerline) {
@@ -153,7 +153,7 @@ private:
             return copied(path, place);
         }
         std::error_code ignored;
-        fs::create_directories(place.parent_path(), ignored);   // the write reports the failure
+        fs::create_directories(place.parent_path(), ignored);   // an error is reported by the subsequent write
         const auto done = deidentifyFile(path, place.string(), *request_.deidentified, request_.pseudonyms);
         if (!done) {
             return done.error();
@@ -162,7 +162,7 @@ private:
         return core::Done{};
     }
 
-    /// Applies the pseudonyms to the header values that the case stores for its image.
+    /// Applies the pseudonyms to the header values of the image that the case stores.
     void assignNewUids(core::View& view) const
     {
         if (!view.angiogram) {
@@ -190,8 +190,8 @@ private:
         return place ? named(vessels.file, place.value()) : core::Status(place.error());
     }
 
-    /// Writes centerlines, masks and surfaces in this program's own formats: coordinates, numbers and branch names
-    /// only.
+    /// Writes centerlines, masks and surfaces in AngioPose's own formats, which contain only coordinates, numbers and
+    /// branch names.
     core::Result<std::string> rewritten(core::Vessels& vessels)
     {
         const std::string& path = vessels.file.path;
@@ -223,7 +223,7 @@ private:
         return labels ? end(writeLabels(labels.value(), place), place) : core::Result<std::string>(labels.error());
     }
 
-    /// Copies a file, or the series that a folder or a slice belongs to, and updates `seriesId`.
+    /// Copies a file, or the series to which a folder or slice belongs, and updates `seriesId`.
     core::Result<std::string> copyVolume(const std::string& path, const std::string& name, std::string& seriesId)
     {
         if (isFolder(path) || isDicomFile(path)) {

@@ -15,10 +15,10 @@ struct CopyRequest {
     const Pseudonyms& pseudonyms;
 };
 
-/// Copies every input of a loaded case into the new `folder`, under names that state its role ("vessels.vtp",
-/// "view-1.dcm", "scan/00001.dcm"), and points the case to the copies. Views stored in separate cases become views of
-/// this one. Saving computes the hashes. Fails if a required input cannot be copied; omits an optional one with a
-/// warning.
+/// Copies every input of a loaded case into the new folder `folder` under a name that states its role ("vessels.vtp",
+/// "view-1.dcm", "scan/00001.dcm") and makes the case refer to the copies. Views stored in separate cases become views
+/// of this case. The hashes are computed when the case is saved. Fails if a required input cannot be copied; omits
+/// optional inputs with a warning.
 core::Result<core::Messages> copyInputs(core::Case& session, const std::filesystem::path& folder,
                                         const CopyRequest& request, const ReadObserver& observe);
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t significantDigits = 5;
 
-/// Returns the byte length of a character that is a word of its own, as in Chinese.
+/// Returns the byte length of a character that is a complete word, as in Chinese; 0 for other characters.
 std::size_t signAt(std::string_view text)
 {
     const auto first = static_cast<unsigned char>(text.front());
@@ -51,7 +51,7 @@ bool isBetween(std::string_view digits, int least, int most)
     return value >= least && value <= most;
 }
 
-/// Returns the byte length of a UID at the start of `text`; 0: none.
+/// Returns the byte length of a UID at the start of `text`; 0 if there is none.
 std::size_t uidAt(std::string_view text)
 {
     const auto end = std::ranges::find_if_not(text, [](char c) { return isDigit(c) || c == '.'; });
@@ -62,7 +62,7 @@ std::size_t uidAt(std::string_view text)
     return std::ranges::count(run, '.') >= minUidDots ? run.size() : 0;
 }
 
-/// Returns true for a date like "19620314", optionally followed by a time.
+/// Whether the digits are a date like "19620314", optionally followed by a time.
 bool isPlainDate(std::string_view digits)
 {
     return (digits.size() == 8 || digits.size() == 12 || digits.size() == 14) &&
@@ -70,7 +70,7 @@ bool isPlainDate(std::string_view digits)
            isBetween(digits.substr(6, 2), 1, 31);
 }
 
-/// Returns the byte length of a date at the start of `text`; 0: none.
+/// Returns the byte length of a date at the start of `text`; 0 if there is none.
 std::size_t dateAt(std::string_view text)
 {
     const std::size_t first = digitsAt(text);

@@ -6,7 +6,7 @@
 
 namespace angiopose::io {
 
-/// Returns the text in lower case, with the same byte length: ASCII and the letters of western Europe in UTF-8.
+/// Converts ASCII and western European letters (UTF-8) to lower case; the byte length stays the same.
 inline std::string foldedText(std::string_view text)
 {
     std::string folded(text);
@@ -22,14 +22,14 @@ inline std::string foldedText(std::string_view text)
     return folded;
 }
 
-/// Returns true for word characters: letters of any script and digits.
+/// Whether `c` belongs to a word: a digit or a letter of any script.
 inline bool isOfWord(char c)
 {
     const auto byte = static_cast<unsigned char>(c);
     return byte >= 0x80 || (byte >= '0' && byte <= '9') || (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z');
 }
 
-/// Calls `visit` with every word of `text`.
+/// Calls `visit` for every word of `text`.
 template <class Visit>
 void eachWordOf(std::string_view text, const Visit& visit)
 {
@@ -50,14 +50,14 @@ class KnownWords {
 public:
     void add(std::string_view sentence);
 
-    /// Returns `text` with "[…]" in place of other words and of numbers of five or more digits.
+    /// Returns `text` with other words, and numbers of five or more digits, replaced by "[…]".
     std::string only(std::string_view text) const;
 
 private:
-    std::set<std::string> words_;   ///< lower case; Chinese characters one by one
+    std::set<std::string> words_;   ///< lower-case words; Chinese characters are separate words
 };
 
-/// Returns `text` with "[uid]" and "[date]" in place of UIDs and of dates in any usual form.
+/// Returns `text` with UIDs and dates of any common form replaced by "[uid]" and "[date]".
 std::string withoutInformativeNumbers(std::string_view text);
 
 }   // namespace angiopose::io

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double sameLength = 0.002;   ///< relative tolerance for trees traced from re-encoded voxels
+constexpr double sameLength = 0.002;   ///< relative tolerance of the length of a tree traced from re-encoded voxels
 
 double lengthMm(const core::Case& session)
 {
@@ -43,7 +43,7 @@ bool areSameRuns(const core::View& a, const core::View& b)
                       [](const core::ImageF& x, const core::ImageF& y) { return x.pixels == y.pixels; });
 }
 
-/// Returns what the packed case lacks compared with the original; nullopt if nothing.
+/// Describes what the packed case lacks compared with the original; returns nullopt if nothing is lost.
 std::optional<core::Message> difference(const core::Case& from, const core::Case& to, bool mayPixelsDiffer)
 {
     if (from.views.size() != to.views.size()) {

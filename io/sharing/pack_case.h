@@ -6,15 +6,15 @@
 
 namespace angiopose::io {
 
-/// Packs a case with its inputs and stored results into a ZIP archive that opens elsewhere (FORMATS §7):
-/// `case.angiopose` with the inputs next to it. De-identifies on request: inputs by `deidentifyFile`, texts by
-/// `clearTexts`, results sealed again. Before writing the archive, opens the packed case and compares it: views,
-/// pixels, vessels and results must be present. Warnings name what to review. Leaves nothing behind if it fails or is
-/// stopped.
+/// Packs a case with its inputs and stored results into a ZIP archive that can be opened on other computers (FORMATS
+/// §7): `case.angiopose` with the inputs next to it. De-identifies on request: inputs by `deidentifyFile`, texts by
+/// `clearTexts`; reseals the results. Before writing the archive, opens the packed case and verifies that views,
+/// pixels, vessels and results are complete. Warnings name what needs review. Leaves no files behind on failure or
+/// cancellation.
 core::Result<core::Messages> packCase(const core::Case& session, const std::string& archivePath,
                                       const CopyRequest& request, const ReadObserver& observe = {});
 
-/// Packs a case file in the same way, with the warnings from opening it.
+/// Opens a case file and packs it in the same way; the warnings include those from opening the case.
 core::Result<core::Messages> packCaseFile(const std::string& casePath, const std::string& archivePath,
                                           const CopyRequest& request, const ReadObserver& observe = {});
 

@@ -11,10 +11,10 @@ namespace angiopose::io {
 namespace {
 
 constexpr std::size_t minWordBytes = 3;
-constexpr std::size_t boundlessBytes = 6;   // identifiers of at least this length are removed even within words
-constexpr char hidden = '\x01';   // placeholder for an identifier until all are found
+constexpr std::size_t boundlessBytes = 6;   // minimum length of identifiers that are removed even inside other words
+constexpr char hidden = '\x01';   // stands for a removed identifier until all identifiers are found
 
-/// Common technical words in descriptions and file names.
+/// Technical words that are common in descriptions and file names.
 constexpr std::array<std::string_view, 64> tradeWords{
     "angio",   "angiogram", "angiography", "angiopose", "arteries", "artery",  "artefact", "brain",
     "case",    "cases",     "contrast",    "coronary",  "curves",   "data",    "dicom",    "edited",
@@ -60,7 +60,7 @@ bool isSeparator(char c)
                                                 : std::string_view("\"'()[]{}<>,;|=").find(c) != std::string_view::npos;
 }
 
-/// Returns "[file]" with its extension or "[path]" for a word that is a file name or path; empty for other words.
+/// Returns "[file]" with the extension for a file name, "[path]" for a path; empty for any other word.
 std::string placeOf(std::string_view word)
 {
     while (word.ends_with('.') || word.ends_with(':')) {

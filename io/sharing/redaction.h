@@ -6,16 +6,16 @@
 
 namespace angiopose::io {
 
-/// Removes from texts what could identify the patient or the user: known identifiers, the names of the user and the
-/// machine, folders, file names, UIDs and dates. Bracketed placeholders replace them.
+/// Removes from texts everything that could identify the patient or the user: known identifiers, the names of the user
+/// and the computer, folders, file names, UIDs and dates. Replaces them by bracketed placeholders.
 class Redaction {
 public:
-    /// Adds the identifiers of this machine: home folder, account, host.
+    /// Adds the identifiers of this computer: home folder, account, host name.
     Redaction();
 
-    /// Adds a name or number, to be removed as a whole and word by word.
+    /// Adds a name or number, which is removed as a whole and word by word.
     void addName(std::string_view name);
-    /// Adds a description, to be removed as a whole and word by word, except technical words ("angiogram", "left").
+    /// Adds a description, which is removed as a whole and word by word, except technical words ("angiogram", "left").
     void addText(std::string_view text);
     /// Adds every part of a path.
     void addPath(std::string_view path);
@@ -31,7 +31,7 @@ private:
             return a.size() != b.size() ? a.size() > b.size() : a < b;
         }
     };
-    std::set<std::string, LongestFirst> identifiers_;   ///< lower case
+    std::set<std::string, LongestFirst> identifiers_;   ///< lower-case identifiers, longest first
     std::string home_;
 };
 

@@ -10,20 +10,20 @@ namespace angiopose::io {
 
 /// A file of a support bundle.
 struct SupportText {
-    std::string name;   ///< "program.txt"
+    std::string name;   ///< file name, for example "program.txt"
     std::string text;
 };
 
-/// Returns the program's own diagnostics: `program.txt` with versions and machine, and the latest crash dumps.
+/// Returns AngioPose's diagnostics: `program.txt` with the versions and the computer, and the latest crash dumps.
 std::vector<SupportText> programTexts(const std::string& furtherFacts = {});
 
-/// Returns the same texts without the identifiers that the redaction knows.
+/// Returns the texts with the identifiers of the redaction removed.
 std::vector<SupportText> cleaned(std::vector<SupportText> texts, const Redaction& redaction);
 
-/// Joins all texts, each below its name, for the user to review before writing.
+/// Joins all texts, each under its file name, so that the user can review them before the bundle is written.
 std::string asOneText(const std::vector<SupportText>& texts);
 
-/// Writes the texts into a ZIP archive, atomically.
+/// Atomically writes the texts into a ZIP archive.
 core::Status writeSupportBundle(const std::vector<SupportText>& texts, const std::string& archivePath);
 
 }   // namespace angiopose::io

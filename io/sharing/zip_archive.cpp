@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr time_t oneDate = 315'619'200;   ///< 1 January 1980, noon: the first day that ZIP can store
+constexpr time_t oneDate = 315'619'200;   ///< 1 January 1980, noon: the first day that ZIP can represent
 constexpr std::size_t pieceBytes = std::size_t{4} << 20;
 
 using Archive = std::unique_ptr<archive, decltype(&archive_write_free)>;

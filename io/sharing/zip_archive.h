@@ -6,8 +6,8 @@
 
 namespace angiopose::io {
 
-/// Writes the files of a folder and its subfolders into a ZIP archive, atomically, under their relative paths, sorted
-/// by path and with one fixed date: the same files give the same bytes.
+/// Atomically writes the files of a folder and its subfolders into a ZIP archive under their relative paths, sorted by
+/// path and with a fixed date, so that equal files produce equal bytes.
 core::Status writeZip(const std::string& folder, const std::string& archive);
 
 }   // namespace angiopose::io

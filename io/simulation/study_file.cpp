@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A numeric key of a study and its limits.
+/// Numeric key of a study with its limits.
 struct NumberKey {
     std::string_view key;
     std::variant<double*, int*> place;
@@ -53,7 +53,7 @@ public:
         return found == object_.end() ? nullptr : &*found;
     }
 
-    /// Fails if the object has members that were not read; to be called last.
+    /// Fails if the object has members that were not read. Must be called last.
     core::Status noOthers() const
     {
         for (const auto& [key, value] : object_.items()) {
@@ -206,7 +206,7 @@ core::Result<core::StudySetting> settingFrom(const Json& json, const std::string
                   : core::Result<core::StudySetting>(status.error());
 }
 
-/// Returns the objects of an array, each built by `make`; fails if there are none.
+/// Returns the items of an array of objects, each created by `make`; fails if the array is empty.
 template <class Item>
 core::Status readList(ObjectReader& reader, std::string_view key, const std::string& path,
                       core::Result<Item> (*make)(const Json&, const std::string&, const std::string&),

@@ -14,7 +14,7 @@ namespace angiopose::io {
 namespace {
 
 constexpr std::size_t maxDirectoryBytes = std::size_t{64} << 20;
-constexpr std::size_t bodyAt = 132;   // offset behind preamble and magic bytes
+constexpr std::size_t bodyAt = 132;   // offset of the data after preamble and magic bytes
 constexpr int maxNesting = 16;
 constexpr std::uint32_t openLength = 0xffffffff;
 constexpr DicomTag itemTag = 0xfffee000;
@@ -26,15 +26,15 @@ constexpr DicomTag nextRecordTag = 0x00041400;
 constexpr DicomTag inUseTag = 0x00041410;
 constexpr DicomTag lowerRecordTag = 0x00041420;
 constexpr DicomTag fileTag = 0x00041500;
-constexpr DicomEncoding encoding;   // DICOMDIR is always explicit VR, little endian
+constexpr DicomEncoding encoding;   // a DICOMDIR is always explicit VR little endian
 
 struct Record {
     DicomDataset data;
-    std::size_t next = 0, lower = 0;   ///< byte offsets from the start of the file; 0: none
+    std::size_t next = 0, lower = 0;   ///< byte offsets from the start of the file; 0 if there is no such record
     bool isInUse = true;
 };
 
-using Records = std::map<std::size_t, Record>;   // by the offset of their start
+using Records = std::map<std::size_t, Record>;   // records, keyed by the offset at which they start
 
 /// Returns the offset behind the delimiter `end` that closes the elements from `at` on; nullopt if it is missing.
 std::optional<std::size_t> closedAt(std::string_view bytes, std::size_t at, DicomTag end, int depth)
@@ -103,7 +103,7 @@ std::optional<Records> recordsIn(std::string_view bytes, std::size_t at, std::ui
     return length == openLength ? std::nullopt : std::optional(records);
 }
 
-/// Combines the record's own elements with those of its parent records.
+/// Returns the file to which a record and its parent records refer.
 ListedFile listedFile(const DicomDataset& data)
 {
     ListedFile file;
@@ -121,7 +121,7 @@ ListedFile listedFile(const DicomDataset& data)
     return file;
 }
 
-/// Follows the records from the first; nullopt if one is visited twice, never, or does not exist.
+/// Follows the links from the first record; returns nullopt if a record is missing, visited twice or never reached.
 std::optional<std::vector<ListedFile>> follow(const Records& records, std::size_t first)
 {
     struct Step {

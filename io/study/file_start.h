@@ -8,8 +8,8 @@
 
 namespace angiopose::io {
 
-/// The first bytes of a file, read rather than memory-mapped: on a scratched disc a read fails, whereas a mapping would
-/// crash the program.
+/// First bytes of a file. They are read rather than memory-mapped, because a read from a scratched disc fails, whereas
+/// a mapping would crash the program.
 struct FileStart {
     std::string bytes;
     std::size_t fileSize = 0;
@@ -17,7 +17,7 @@ struct FileStart {
     bool isWhole() const { return bytes.size() >= fileSize; }
 };
 
-/// Reads at most `size` bytes. Fails if the file is not readable, and when stopped.
+/// Reads at most `size` bytes. Fails if the file is not readable, and on cancellation.
 core::Result<FileStart> readStart(const std::string& path, std::size_t size, const ReadObserver& observe = {});
 
 }   // namespace angiopose::io

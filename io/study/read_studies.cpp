@@ -22,9 +22,9 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t maxFiles = 50'000;
 constexpr int maxFolderDepth = 12;
 constexpr auto listedEvery = std::chrono::milliseconds(300);
-constexpr int groupingShare = 10;   ///< minimum interval between regroupings, in multiples of their duration
+constexpr int groupingShare = 10;   ///< minimum interval between regroupings, in multiples of the time that one takes
 
-/// Returns false for the viewers and web pages that discs carry along with images.
+/// Whether a file may be an image; false for the viewers and web pages that discs contain in addition to images.
 bool canBeImage(const std::string& path)
 {
     static constexpr std::array<std::string_view, 24> others{
@@ -33,7 +33,7 @@ bool canBeImage(const std::string& path)
     return std::ranges::find(others, extensionOf(path)) == others.end();
 }
 
-/// One scan of a folder: the files found, the headers read, and the progress reported.
+/// Scan of a folder: the files found, the headers read, and the progress reported.
 class Scan {
 public:
     explicit Scan(const StudyObserver& observe) : observe_(observe) {}
@@ -176,7 +176,7 @@ private:
         return tree_.isStopped;
     }
 
-    /// Returns paths by their names relative to a folder, as DICOMDIRs write them.
+    /// Returns paths keyed by their names relative to a folder, as written in a DICOMDIR.
     std::map<std::string, std::string> namesBelow(const fs::path& folder) const
     {
         std::map<std::string, std::string> names;
@@ -188,7 +188,7 @@ private:
 
     const StudyObserver& observe_;
     std::vector<std::string> files_;
-    bool isEnough_ = false;   ///< stopped, or the maximum number of files reached
+    bool isEnough_ = false;   ///< whether the scan ends because it was canceled or reached the maximum number of files
     StudyCollector collector_;
     StudyTree tree_;
     std::shared_ptr<const StudyTree> shown_;

@@ -26,7 +26,7 @@ struct Range {
     double high = 1.0;
 };
 
-/// Returns how many bytes of the file reach to the end of an uncompressed frame; the whole file if that is unknown.
+/// Returns how many bytes to read up to the end of an uncompressed frame; the size of the whole file if unknown.
 std::size_t bytesUpTo(const DicomFile& file, const PixelLayout& layout, std::string_view start, int frame)
 {
     const auto pixels = file.pixels.find(pixelDataTag);
@@ -39,10 +39,10 @@ std::size_t bytesUpTo(const DicomFile& file, const PixelLayout& layout, std::str
     return begin + (bits * (static_cast<std::size_t>(frame) + 1) + 7) / 8;
 }
 
-/// A decoded frame and its photometric interpretation.
+/// Decoded frame with its photometric interpretation.
 struct ReadFrame {
     core::ImageF image;
-    bool isInverted = false;   ///< low values are white
+    bool isInverted = false;   ///< whether low values are displayed white
 };
 
 core::Result<ReadFrame> decoded(const DicomFile& file, const PixelLayout& layout, const std::string& path, int frame)
@@ -56,7 +56,7 @@ core::Result<ReadFrame> decoded(const DicomFile& file, const PixelLayout& layout
                  : image.error();
 }
 
-/// Reads one frame (`wanted`, or the middle one), and no more of its file than needed.
+/// Reads one frame (`wanted`, or the middle one) and no more of the file than necessary.
 core::Result<ReadFrame> readFrame(const std::string& path, std::optional<int> wanted, const ReadObserver& observe)
 {
     for (std::size_t size = headBytes;;) {
@@ -127,7 +127,7 @@ core::Result<core::ImageF> seriesPicture(const DicomSeries& series, int sidePx, 
     }
     const SliceRecord& middle = series.slices[series.slices.size() / 2];
     const bool isInHu = series.identity.modality == "CT" && !series.isAngiogram;
-    // A run, or a multi-frame file without frame positions, is a single slice here.
+    // A run, or a multi-frame file without frame positions, has a single slice record.
     const std::optional<int> frame = series.slices.size() > 1 ? std::optional(middle.frame) : std::nullopt;
     const auto read = readFrame(middle.path, frame, observe);
     if (!read) {
@@ -139,7 +139,7 @@ core::Result<core::ImageF> seriesPicture(const DicomSeries& series, int sidePx, 
                                                                  (highestHu - middle.intercept) / middle.slope}
                                                          : there;
     const Range range =
-        there.high > ofVessels.low ? ofVessels : there;   // falls back to the range present if the slice shows only air
+        there.high > ofVessels.low ? ofVessels : there;   // use the range of the slice if the slice shows only air
     const auto low = static_cast<float>(range.low);
     const auto width = static_cast<float>(std::max(range.high - range.low, 1e-6));
     for (float& pixel : picture.pixels) {

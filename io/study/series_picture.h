@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// Returns a thumbnail of a series, 0 black to 1 white, no side longer than `sidePx`: the middle slice with a window
-/// for vessels, or the middle frame of a run. Reads no more of the files than needed.
+/// Returns a thumbnail of a series (0 black to 1 white, longest side at most `sidePx`): the middle slice with a window
+/// for vessels, or the middle frame of a run. Reads no more of the files than necessary.
 core::Result<core::ImageF> seriesPicture(const DicomSeries& series, int sidePx, const ReadObserver& observe = {});
 
 }   // namespace angiopose::io

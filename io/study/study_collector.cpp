@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// MPEG-2, MPEG-4 and HEVC: PS3.5 A.4.5 to A.4.12.
+/// Whether a transfer syntax is video: MPEG-2, MPEG-4 or HEVC (PS3.5 A.4.5 to A.4.12).
 bool isVideo(const std::string& transferSyntax)
 {
     constexpr std::string_view family = "1.2.840.10008.1.2.4.1";

@@ -10,17 +10,17 @@
 
 namespace angiopose::io {
 
-/// Groups headers into patients, studies and series; `groupSlices` groups them into volumes and runs.
+/// Groups headers into patients, studies and series. Uses `groupSlices` to group images into volumes and runs.
 class StudyCollector {
 public:
     void add(StudyFile file);
     void addMissing(const ListedFile& file) { missing_.push_back(file); }
 
-    /// Returns the tree of everything added so far. The caller fills in the file counts.
+    /// Returns the study tree of everything added so far. The caller sets the file counts.
     StudyTree tree() const;
 
 private:
-    /// Attributes that describe a series besides its images.
+    /// Attributes of a series in addition to its images.
     struct Facts {
         std::string studyDescription, bodyPart, imageType, transferSyntax;
         int frames = 1;
@@ -36,8 +36,8 @@ private:
     std::string studyDescriptionOf(const StudySeries& series) const;
 
     std::vector<DicomImages> images_;
-    std::vector<DicomImages> withoutImage_;   ///< objects without an image, such as reports, each with its file path
-    std::map<std::string, Facts> facts_;   ///< by path
+    std::vector<DicomImages> withoutImage_;   ///< objects without an image, for example reports, with their file paths
+    std::map<std::string, Facts> facts_;   ///< attributes, keyed by file path
     std::vector<ListedFile> missing_;
 };
 

@@ -11,12 +11,12 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t firstBytes = std::size_t{64} << 10;   // covers the header of nearly every slice and run
+constexpr std::size_t firstBytes = std::size_t{64} << 10;   // sufficient for the header of nearly every slice and run
 constexpr std::size_t growth = 4;
 constexpr std::size_t maxHeaderBytes = std::size_t{64} << 20;
 constexpr std::string_view deflatedSyntax = "1.2.840.10008.1.2.1.99";
 
-/// Reports a file that is too short for the uncompressed pixels that its header declares.
+/// Reports a file that is too short for the uncompressed pixels declared in its header.
 std::optional<core::Message> findCut(const DicomFile& file, const FileStart& start)
 {
     const auto pixels = file.pixels.find(pixelDataTag);
@@ -54,7 +54,7 @@ StudyFile studyFileOf(const DicomFile& file, const FileStart& start, const std::
     return result;
 }
 
-/// Reads a gzip archive, which must be unpacked to recognize a DICOM file in it.
+/// Reads a gzip file, which must be decompressed to determine whether it contains DICOM.
 std::optional<StudyFile> readPacked(const std::string& path)
 {
     const auto input = openDicom(path);
@@ -98,7 +98,7 @@ core::Result<std::optional<StudyFile>> readStudyFile(const std::string& path)
         if (parsed && (isLast || !parsed.value().pixels.empty())) {
             return std::optional(studyFileOf(parsed.value(), start, path));
         }
-        if (isLast) {   // a few bytes may resemble a data set by chance
+        if (isLast) {   // so few bytes may look like a data set by chance
             return isSayingDicom(start.bytes) ? core::Result<std::optional<StudyFile>>(parsed.error())
                                               : std::optional<StudyFile>();
         }

@@ -8,10 +8,10 @@
 
 namespace angiopose::io {
 
-/// The header data of one DICOM file for a list of studies.
+/// Header data of one DICOM file, for a list of studies.
 struct StudyFile {
     std::string path;
-    DicomImages images;   ///< with `damage` if the file is truncated
+    DicomImages images;   ///< images of the file; `damage` is set if the file is truncated
     std::string studyDescription;
     std::string bodyPart;
     std::string imageType;   ///< "ORIGINAL\PRIMARY\LOCALIZER"

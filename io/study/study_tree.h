@@ -14,23 +14,23 @@ namespace angiopose::io {
 /// The role that a series can have in a case.
 enum class SeriesUse { Vessels, View, None };
 
-/// A series, volume or run that can be opened, or is listed with the reason why it cannot.
+/// Series, volume or run that can be opened, or that is listed with the reason why it cannot be opened.
 struct StudySeries {
     DicomSeries series;
     SeriesUse use = SeriesUse::None;
-    std::optional<core::Message> reason;   ///< reason why it cannot be used here
+    std::optional<core::Message> reason;   ///< reason why the series cannot be used in a case
     std::string bodyPart;
-    int imageCount = 0;   ///< slices of a volume, frames of a run, files of any other series
-    double frameTimeMs = 0.0;   ///< 0: unknown
-    /// Path to open: for a volume the deepest folder that holds its whole series, for a run its file.
+    int imageCount = 0;   ///< number of slices of a volume, frames of a run, or files of any other series
+    double frameTimeMs = 0.0;   ///< frame interval, ms; 0 if unknown
+    /// Path to open: for a volume, the deepest folder that contains its whole series; for a run, its file.
     std::string place;
-    std::size_t missingFiles = 0;   ///< files that the DICOMDIR lists and that do not exist
+    std::size_t missingFiles = 0;   ///< number of files listed in the DICOMDIR that do not exist
 };
 
 struct Study {
-    core::StudyIdentity identity;   ///< identity from one of its files
+    core::StudyIdentity identity;   ///< identity as read from one of the files
     std::string description;
-    std::vector<StudySeries> series;   ///< sorted by number
+    std::vector<StudySeries> series;   ///< sorted by series number
 };
 
 struct StudyPatient {
@@ -46,10 +46,10 @@ struct DamagedFile {
 /// Comparison of a DICOMDIR with the files on the disc.
 struct DirectoryCheck {
     std::optional<core::Message> damage;   ///< reason why it is unusable; the files were searched instead
-    std::size_t series = 0;   ///< series that it lists
+    std::size_t series = 0;   ///< number of series listed in the DICOMDIR
     std::size_t files = 0;
     std::size_t missingFiles = 0;
-    std::size_t unlistedFiles = 0;   ///< possible images not listed, unread
+    std::size_t unlistedFiles = 0;   ///< number of files that are not listed but may be images; they were not read
 };
 
 /// The content of a folder or disc.
@@ -57,11 +57,11 @@ struct StudyTree {
     std::vector<StudyPatient> patients;   ///< sorted by name
     std::size_t foundFiles = 0;
     std::size_t readFiles = 0;
-    std::size_t otherFiles = 0;   ///< files that are not DICOM
-    std::vector<DamagedFile> damaged;   ///< including files read in part
+    std::size_t otherFiles = 0;   ///< number of files that are not DICOM
+    std::vector<DamagedFile> damaged;   ///< damaged files, including those that were read in part
     std::optional<DirectoryCheck> directory;
-    bool isStopped = false;   ///< stopped by the user: the list may be incomplete
-    bool isCutOff = false;   ///< the folder has more files than could be listed
+    bool isStopped = false;   ///< whether the user canceled, so that the list may be incomplete
+    bool isCutOff = false;   ///< whether the folder contains more files than the maximum
 };
 
 }   // namespace angiopose::io

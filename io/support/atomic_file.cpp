@@ -38,7 +38,7 @@ bool writeAll(int file, std::string_view content)
     return true;
 }
 
-/// Returns the permissions of the file to be replaced, or the default ones of a new file.
+/// Returns the permissions of the file to replace, or the default permissions if there is no such file.
 mode_t permissionsFor(const std::string& path)
 {
     struct stat status {};
@@ -50,7 +50,7 @@ mode_t permissionsFor(const std::string& path)
     return 0666 & ~mask;
 }
 
-/// Flushes the folder, since the rename itself must survive a power failure too.
+/// Flushes the folder, so that the rename itself also survives a power failure.
 void flushFolder(const std::filesystem::path& folder)
 {
     const int handle = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -95,7 +95,7 @@ AtomicFile::~AtomicFile()
 core::Result<AtomicFile> AtomicFile::create(const std::string& path)
 {
     std::error_code unresolved;
-    // Resolves links: the file that a link points to is replaced, not the link.
+    // Resolve symbolic links: replace the file to which a link points, not the link.
     const std::filesystem::path target = std::filesystem::weakly_canonical(path, unresolved);
     if (unresolved || std::filesystem::is_directory(target, unresolved)) {
         return fileError(path, messages::fileNoPlace());
@@ -106,7 +106,7 @@ core::Result<AtomicFile> AtomicFile::create(const std::string& path)
     if (file < 0) {
         return writeError(path);
     }
-    ::flock(file, LOCK_EX | LOCK_NB);   // shows other processes that it is not a leftover
+    ::flock(file, LOCK_EX | LOCK_NB);   // lock, so that other processes do not remove the file as a leftover
     return AtomicFile(path, target.string(), std::move(temporary), file);
 }
 

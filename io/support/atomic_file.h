@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// Writes a large file in pieces so that either the old or the new file exists in full: writes a temporary file in the
-/// same folder, which `commit` flushes and renames; without a commit nothing is left behind.
+/// Writes a large file in chunks so that either the old or the new file exists in full: writes a temporary file in the
+/// same folder; `commit` flushes and renames it. Without a commit, no file is left behind.
 class AtomicFile {
 public:
     static core::Result<AtomicFile> create(const std::string& path);
@@ -22,14 +22,14 @@ public:
 private:
     AtomicFile(std::string path, std::string target, std::string temporary, int file);
 
-    std::string path_;   ///< as given by the caller, for messages
+    std::string path_;   ///< path as specified by the caller, for messages
     std::string target_;
     std::string temporary_;
     int file_ = -1;
 };
 
-/// Writes a file so that either the old or the new one exists in full: temporary file in the same folder, flush,
-/// rename.
+/// Writes a file so that either the old or the new file exists in full: writes a temporary file in the same folder,
+/// flushes and renames it.
 core::Status writeAtomically(const std::string& path, std::string_view content);
 
 }   // namespace angiopose::io

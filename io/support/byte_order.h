@@ -7,7 +7,7 @@ namespace angiopose::io {
 
 enum class ByteOrder { Little, Big };
 
-/// Reads an unsigned number from the start of `bytes`; the caller has checked the size.
+/// Reads an unsigned number from the start of `bytes`; the caller must ensure that there are enough bytes.
 inline std::uint16_t readUint16(std::string_view bytes, ByteOrder order)
 {
     const auto first = static_cast<std::uint8_t>(bytes[0]);

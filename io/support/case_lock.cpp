@@ -16,14 +16,14 @@ constexpr auto longestTurnWait = std::chrono::seconds(2);
 
 CaseLock::CaseLock(const std::string& casePath) : path_(lockPathOf(casePath))
 {
-    constexpr int tries = 3;   // an attempt fails only if another program removes its lock at that moment
+    constexpr int tries = 3;   // each attempt fails only if another program removes its lock at that moment
     for (int i = 0; i < tries && !file_.isOpen(); ++i) {
         HeldFile file(path_, HeldFile::Way::Write);
         if (!file.isOpen() || file.holdAlone() != HeldFile::Held::Mine) {
             return;
         }
         if (file.isStillAt(path_)) {
-            file.setText(lockText());   // stays empty on a full drive
+            file.setText(lockText());   // the file remains empty if the drive is full
             file_ = std::move(file);
         }
     }

@@ -8,12 +8,12 @@
 
 namespace angiopose::io {
 
-/// Marks a case as open for other programs: a hidden file next to it (FORMATS §2), released by the system however the
-/// program ends. The lock is advisory and blocks nobody.
+/// Shows other programs that a case is open, through a locked hidden file next to the case (FORMATS §2). The operating
+/// system releases the lock however the program ends. The lock is advisory and prevents nothing.
 class CaseLock {
 public:
     CaseLock() = default;
-    /// Holds nothing if another program has the case open, or the folder is not writable.
+    /// Acquires the lock; acquires nothing if another program has the case open or the folder is not writable.
     explicit CaseLock(const std::string& casePath);
     CaseLock(CaseLock&& other) noexcept;
     CaseLock& operator=(CaseLock&& other) noexcept;
@@ -26,11 +26,11 @@ private:
     HeldFile file_;
 };
 
-/// Returns who else has a case open: another program, or another `CaseLock` of this one. Ignores stale locks.
+/// Returns who else has a case open: another program, or another `CaseLock` in this process. Ignores stale locks.
 std::optional<LockHolder> holderOf(const std::string& casePath);
 
-/// Exclusive access to a folder, across programs: the constructor waits for its turn, at most two seconds. Has no
-/// effect if the file system does not support such locks.
+/// Exclusive access to a folder across programs. The constructor waits for other programs for at most two seconds. Has
+/// no effect if the file system does not support locks.
 class FolderTurn {
 public:
     explicit FolderTurn(const std::string& folder);

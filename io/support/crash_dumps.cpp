@@ -25,7 +25,7 @@ bool isDumpOf(const std::string& name, const std::string& program)
     return next >= '0' && next <= '9';
 }
 
-/// Returns the part after the program's name, "2026-01-31T080509Z-1234.txt".
+/// Returns the file name after the program name, "2026-01-31T080509Z-1234.txt".
 std::string timeIn(const fs::path& dump)
 {
     const std::string name = dump.filename().string();

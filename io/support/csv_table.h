@@ -32,7 +32,7 @@ public:
     }
 
     std::string_view line() const { return line_; }
-    int number() const { return number_; }   ///< line number in the file, from 1
+    int number() const { return number_; }   ///< line number in the file, starting at 1
 
 private:
     std::string_view rest_;
@@ -40,28 +40,28 @@ private:
     int number_ = 0;
 };
 
-/// A comma-separated table with a header row (names in lower case). Every row has as many cells as the header. A quoted
-/// comma is part of its cell; doubled quotes stay doubled.
+/// Table of comma-separated values with a header row (names in lower case). Every row has as many cells as the header.
+/// A quoted comma is part of its cell; doubled quotes are not replaced.
 struct CsvTable {
-    std::string path;   ///< file it was read from, for messages
+    std::string path;   ///< path of the file from which the table was read, for messages
     std::vector<std::string> columns;
-    std::vector<std::vector<std::string_view>> rows;   ///< cells are views into the parsed text
-    std::vector<int> lineOfRow;   ///< line number in the file, from 1, for messages
-    bool hasHeader = true;   ///< false: the first line held numbers; `columns` is empty
+    std::vector<std::vector<std::string_view>> rows;   ///< cells, as views into the parsed text
+    std::vector<int> lineOfRow;   ///< line number of each row in the file, starting at 1, for messages
+    bool hasHeader = true;   ///< false if the first line contains numbers; `columns` is then empty
 
     std::optional<std::size_t> column(std::string_view name) const;
 };
 
-/// Parses UTF-8 text. Fails, naming the line, on ragged rows and on text that is not a table.
+/// Parses UTF-8 text. Fails if the text is not a table or if rows have different lengths; the error names the line.
 core::Result<CsvTable> parseCsv(std::string_view text, const std::string& path);
 
-/// Returns the text of one cell, quoted if necessary.
+/// Formats a text as a cell, quoted if necessary.
 std::string csvCell(std::string_view text);
 
-/// Returns the finite number in a cell; fails, naming line and column.
+/// Returns the number in a cell; fails unless it is finite. The error names the line and the column.
 core::Result<double> numberAt(const CsvTable& table, std::size_t row, std::size_t column);
 
-/// Returns the branch number in a cell; fails, naming the line.
+/// Returns the branch ID in a cell; the error for an invalid ID names the line.
 core::Result<int> branchAt(const CsvTable& table, std::size_t row, std::size_t column);
 
 }   // namespace angiopose::io

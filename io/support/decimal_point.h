@@ -5,8 +5,8 @@
 
 namespace angiopose::io {
 
-/// Makes libraries that parse numbers with `strtod` or `sscanf` use "." as the decimal point in this thread during its
-/// lifetime, without changing the locale of the program.
+/// Scope in which libraries that parse numbers through `strtod` or `sscanf` use "." as the decimal point. Affects only
+/// this thread, not the locale of the program.
 class DecimalPoint {
 public:
     DecimalPoint() : before_(uselocale(plain())) {}

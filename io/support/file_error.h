@@ -6,13 +6,13 @@
 
 namespace angiopose::io {
 
-/// Builds a file error in its standard form: file, problem, remedy.
+/// Creates a file error in the standard form: file, problem, remedy.
 inline core::Error fileError(std::string_view path, const core::Message& problemAndRemedy)
 {
     return problemAndRemedy.about(path);
 }
 
-/// Adds the file name to an error of reading or writing; a Stop remains a Stop.
+/// Adds the file name to an error that occurred while reading or writing; a cancellation remains a cancellation.
 inline core::Error fileError(std::string_view path, const core::Error& error)
 {
     return error.about(path);

@@ -9,8 +9,8 @@ namespace angiopose::io {
 
 enum class Reach { FolderOnly, Below };
 
-/// Lists the regular files of a folder (and some levels of subfolders), sorted by name, without the index of a disc
-/// (DICOMDIR). Fails if the folder cannot be read, or holds more files than any study.
+/// Lists the regular files of a folder (and some levels of subfolders), sorted by name, without the DICOMDIR of a disc.
+/// Fails if the folder cannot be read or contains more files than any study.
 core::Result<std::vector<std::string>> filesInFolder(const std::string& folder, Reach reach);
 
 }   // namespace angiopose::io

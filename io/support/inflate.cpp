@@ -9,7 +9,7 @@ namespace angiopose::io {
 std::optional<std::string> inflated(std::string_view packed, Packing packing, std::size_t maxBytes)
 {
     z_stream stream{};
-    // zlib: 15 window bits, +16 expects a gzip header, a negative value none.
+    // zlib windowBits: 15 with +16 for a gzip header; negative for raw deflate data.
     if (packed.size() > maxBytes || inflateInit2(&stream, packing == Packing::Gzip ? 15 + 16 : -15) != Z_OK) {
         return std::nullopt;
     }

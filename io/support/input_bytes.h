@@ -10,12 +10,12 @@
 
 namespace angiopose::io {
 
-/// Makes the system read the first `size` bytes of a mapped file, and returns why it cannot: a scratched disc, a
-/// disconnected drive, a file truncated by another program. Accessing such bytes would crash the program. Linux before
-/// 5.14 lacks this call; then returns nullopt.
+/// Makes the system read the first `size` bytes of a mapped file, and returns the reason on failure, for example a
+/// scratched disc, a disconnected drive, or a file truncated by another program; accessing such bytes would crash the
+/// program. On Linux before 5.14, which lacks this call, always returns nullopt.
 std::optional<core::Message> findReadError(const char* mapping, std::size_t size);
 
-/// Content of a whole file, read-only: memory-mapped, or owned if it had to be unpacked.
+/// Content of a whole file, read-only: memory-mapped, or owned if the file had to be decompressed.
 class InputBytes {
 public:
     InputBytes() = default;
@@ -33,25 +33,25 @@ private:
     std::string owned_;
 };
 
-/// Opens an input and makes the system read all of it, so that a failing drive gives an error here and not a signal in
-/// the middle of a reader. Fails, with a remedy, on a missing, unreadable or empty file, a folder, a device, a read
-/// error, and a Git LFS pointer instead of the file itself.
+/// Opens an input and makes the system read all of it, so that a failing drive causes an error here instead of a signal
+/// in a reader. Fails, with a remedy, for a missing, unreadable or empty file, a folder, a device, a read error, and a
+/// Git LFS pointer in place of the file itself.
 core::Result<InputBytes> openInput(const std::string& path);
 
-/// Opens an input like `openInput` for callers that access only the first `startBytes`. Bytes behind them are not read
-/// in advance; accessing those crashes the program if the drive cannot read them.
+/// Opens an input like `openInput`, for callers that access only the first `startBytes`. Later bytes are not read in
+/// advance; accessing them crashes the program if the drive cannot read them.
 core::Result<InputBytes> openInputStart(const std::string& path);
 
 constexpr std::size_t startBytes = std::size_t{1} << 20;
 
-/// Returns whether the path is a folder; false also for an inaccessible path.
+/// Whether the path is a folder; false if the path is inaccessible.
 bool isFolder(const std::string& path);
 
-/// Returns the lower-case extension with its dot, ".nii.gz" as one; empty if there is none.
+/// Returns the lower-case extension including the dot; ".nii.gz" counts as one extension. Empty if there is none.
 std::string extensionOf(const std::string& path);
 
-/// Returns the name of a known format by its first bytes ("a NIfTI volume", "a gzip archive", …); null if not
-/// recognized.
+/// Returns the name of a known format from the first bytes ("a NIfTI volume", "a gzip archive", …); null if the format
+/// is unknown.
 const core::MessageKind<0>* describeContent(std::string_view content);
 
 }   // namespace angiopose::io

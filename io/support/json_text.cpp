@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int maxNesting = 64;
 
-/// Returns the maximum nesting depth of braces and brackets outside strings.
+/// Returns the maximum nesting depth of braces and brackets; ignores those in strings.
 int nestingOf(std::string_view text)
 {
     int depth = 0, deepest = 0;
@@ -59,7 +59,7 @@ void appendPretty(const Json& value, int depth, std::string& text)
     text += "\n" + indent.substr(2) + (value.is_object() ? "}" : "]");
 }
 
-/// Returns the members of `json` that `known` does not name; compares objects member by member.
+/// Returns the members of `json` that are not in `known`; compares nested objects recursively.
 Json difference(const Json& json, const Json& known)
 {
     Json rest = Json::object();

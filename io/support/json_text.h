@@ -7,17 +7,17 @@
 
 namespace angiopose::io {
 
-/// Returns the same JSON, indented, with arrays of numbers on one line; doubles are restored to the last bit.
+/// Returns the same JSON with indentation, but with arrays of numbers on one line; keeps full double precision.
 std::string prettyJson(std::string_view json);
 
-/// Checks that `text` is usable JSON; fails with the line of the first error, or on excessive nesting.
+/// Checks that `text` is valid JSON. Fails on a syntax error, with its line number, and on excessive nesting.
 core::Status checkJson(std::string_view text, const std::string& path);
 
-/// Returns the members of `json` that `known` (an object of keys, nested objects for nested keys) does not mention; ""
-/// if none.
+/// Returns the members of `json` that are not in `known` (an object of keys, with nested objects for nested keys); ""
+/// if there are none.
 std::string unknownKeys(std::string_view json, std::string_view known);
 
-/// Returns `json` with the keys of `extra` that it lacks, at every level.
+/// Returns `json` with those keys of `extra` added that are missing, at every level.
 std::string withExtraKeys(std::string_view json, std::string_view extra);
 
 }   // namespace angiopose::io

@@ -4,7 +4,7 @@
 
 namespace angiopose::io {
 
-/// Returns the compiler, the build type and the libraries of the layers up to this one, as "key: value" lines.
+/// Returns the compiler, the build type and the libraries of this layer and those below as "key: value" lines.
 std::string buildFacts();
 
 }   // namespace angiopose::io

@@ -4,7 +4,7 @@
 
 namespace angiopose::io {
 
-/// The local time, to the second, in DICOM format.
+/// Local time in DICOM format, to the second.
 struct LocalTime {
     std::string date;   ///< yyyymmdd
     std::string time;   ///< hhmmss

@@ -4,8 +4,8 @@
 
 namespace angiopose::io {
 
-/// Names in files of core::MeasurementKind, core::MeasurementPlane, core::VesselMarkKind, core::AnnotationKind and
-/// core::BodyPlane, in enumerator order.
+/// Names that files use for core::MeasurementKind, core::MeasurementPlane, core::VesselMarkKind, core::AnnotationKind
+/// and core::BodyPlane, in enumerator order.
 inline constexpr std::array measurementKinds{"length", "angle", "area"};
 inline constexpr std::array measurementPlanes{"vessels", "detector", "pixels", "typed"};
 inline constexpr std::array markKinds{"check-point", "ostium-ring"};

@@ -115,7 +115,7 @@ core::Message messageOf(const MessageJson& json)
     return subject.empty() ? message : message.about(subject);
 }
 
-/// Replaces invalid bytes, since file names need not be UTF-8.
+/// Converts to text and replaces invalid bytes, because file names need not be UTF-8.
 std::string textOf(const MessageJson& json)
 {
     return json.dump(-1, ' ', false, MessageJson::error_handler_t::replace);
@@ -126,7 +126,7 @@ std::string textOf(const MessageJson& json)
 std::string_view lasting(const std::string& text)
 {
     static std::mutex mutex;
-    static std::set<std::string> texts;   // a set's nodes keep their addresses
+    static std::set<std::string> texts;   // a set, because its elements keep their addresses
     const std::lock_guard lock(mutex);
     return *texts.insert(text).first;
 }

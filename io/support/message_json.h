@@ -8,21 +8,21 @@
 
 namespace angiopose::io {
 
-/// Returns a zero-terminated copy of the text that lives until the program ends, as for names that are literals.
-/// Thread-safe.
+/// Returns a null-terminated copy of the text that lives until the program ends, for names that are expected to be
+/// literals. Thread-safe.
 std::string_view lasting(const std::string& text);
 
 /// Returns `{"id", "severity", "text", "subject", "arguments"}` for other programs: `text` is the English sentence,
 /// `subject` the file or key concerned, if any; numbers are `{"value", "unit", "decimals"}`.
 std::string messageJson(const core::Message& message);
 
-/// Returns an array of such messages.
+/// Returns an array of messages in the format of messageJson.
 std::string messagesJson(const core::Messages& messages);
 
 /// Parses messages written by messagesJson; throws std::exception on anything else.
 core::Messages messagesFrom(std::string_view json);
 
-/// Returns only the English sentences.
+/// Returns only the English sentences of the messages.
 std::vector<std::string> sentencesOf(const core::Messages& messages);
 
 }   // namespace angiopose::io

@@ -7,7 +7,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::string_view padding(" \t\r\n\v\f\0", 7);   // includes the zero byte with which DICOM pads
+constexpr std::string_view padding(" \t\r\n\v\f\0", 7);   // includes the null byte that DICOM uses for padding
 
 template <class Number>
 std::optional<Number> parseAll(std::string_view text)

@@ -6,8 +6,8 @@
 
 namespace angiopose::io {
 
-/// Parses a number written with `.` in any locale, with optional surrounding blanks; nullopt unless the whole text is a
-/// number. Accepts "nan" and "inf", which the caller must handle.
+/// Parses a number with `.` as decimal point, regardless of the locale; ignores surrounding blanks. Returns nullopt
+/// unless the whole text is a number. Accepts "nan" and "inf", which the caller must handle.
 std::optional<double> parseNumber(std::string_view text);
 std::optional<int> parseInteger(std::string_view text);
 
@@ -16,7 +16,7 @@ std::string toText(double value);
 
 std::string_view trimmed(std::string_view text);
 
-/// Returns the text with ASCII letters in lower case.
+/// Converts ASCII letters to lower case.
 std::string lowered(std::string_view text);
 
 }   // namespace angiopose::io

@@ -19,12 +19,12 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view temporaryMark = ".angiopose-";
 constexpr std::string_view lockEnding = ".angiopose-lock";
-constexpr std::size_t longestStem = 180;   // of the 255 bytes allowed in a name
+constexpr std::size_t longestStem = 180;   // bytes; a file name may have 255
 
-/// Returns eight digits that distinguish machines sharing a folder.
+/// Returns eight digits that distinguish computers sharing a folder.
 std::string machineTag()
 {
-    std::uint32_t hash = 2166136261U;   // FNV-1a
+    std::uint32_t hash = 2166136261U;   // FNV-1a hash
     for (const char letter : machineName()) {
         hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619U;
     }
@@ -39,14 +39,14 @@ bool isLockName(const fs::path& path)
     return name.starts_with('.') && name.ends_with(lockEnding);
 }
 
-/// Returns the id of the process on this machine that created a temporary file; 0: none.
+/// Returns the ID of the process on this computer that created a temporary file; 0 if the file was created otherwise.
 int makerOf(std::string_view name, std::string_view tag)
 {
     const std::size_t at = name.rfind(temporaryMark);
     if (!name.starts_with('.') || at == std::string_view::npos || at == 0) {
         return 0;
     }
-    name.remove_prefix(at + temporaryMark.size());   // format: tag-process-XXXXXX
+    name.remove_prefix(at + temporaryMark.size());   // the rest has the format tag-process-XXXXXX
     constexpr std::size_t randomLetters = 6;
     if (!name.starts_with(tag) || name.size() < tag.size() + randomLetters + 3 || name[tag.size()] != '-' ||
         name[name.size() - randomLetters - 1] != '-') {
@@ -56,14 +56,14 @@ int makerOf(std::string_view name, std::string_view tag)
     return process && *process > 0 ? *process : 0;
 }
 
-/// Returns whether a lock names a process of this machine that no longer runs.
+/// Whether a lock file names a process of this computer that is no longer running.
 bool isOfTheDead(const HeldFile& lockFile)
 {
     const auto holder = parseLock(lockFile.text());
     return holder && holder->machine == machineName() && !isAlive(holder->process);
 }
 
-/// Removes a file that nobody holds; returns true if it did.
+/// Removes a leftover file that no process has locked; returns whether the file was removed.
 bool removeUnheld(const fs::path& path)
 {
     const HeldFile file(path.string(), HeldFile::Way::Read);

@@ -6,29 +6,29 @@
 
 namespace angiopose::io {
 
-/// Returns the mkstemp pattern of a hidden temporary file next to `target`; it identifies this machine and this
+/// Returns the mkstemp pattern of a hidden temporary file next to `target`; the name identifies this computer and this
 /// process.
 std::string temporaryPatternFor(const std::string& target);
 
-/// Removes temporary files and locks (case_lock.h) that killed processes of this machine left in `folder`. Keeps files
-/// of running processes, other machines and other programs. Returns how many it removed.
+/// Removes temporary files and locks (case_lock.h) that killed processes of this computer left in `folder`. Keeps files
+/// of running processes, other computers and other programs. Returns the number of removed files.
 int removeLeftovers(const std::string& folder);
 
-/// Removes such leftovers once for every folder that this process writes to.
+/// Calls removeLeftovers once for each folder to which this process writes.
 void removeLeftoversOnce(const std::string& folder);
 
-/// The holder that a lock names.
+/// Process that holds a lock, as named in the lock file.
 struct LockHolder {
     int process = 0;
     std::string machine;
 };
 
-/// Writes and parses the content of a lock: `lockText` for this process, `parseLock` for any; nullopt if it is not a
-/// lock, or is still being written.
+/// `lockText` returns the content of a lock file for this process; `parseLock` parses the content of any lock file, and
+/// returns nullopt if the text is not a lock or is still being written.
 std::string lockText();
 std::optional<LockHolder> parseLock(std::string_view text);
 
-/// Returns the path of a case file's lock, hidden next to it.
+/// Returns the path of the hidden lock file next to a case file.
 std::string lockPathOf(const std::string& casePath);
 
 }   // namespace angiopose::io

@@ -7,11 +7,11 @@
 
 namespace angiopose::io {
 
-/// The name of a file stored next to a case file and derived from its name.
+/// Parts of the name of a file that is stored next to a case file and named after it.
 struct NameBeside {
-    std::optional<std::size_t> otherView;   ///< index of another view of the case, from 0; none: the case itself
-    std::string kind;   ///< "curves"
-    std::string extension;   ///< "csv"
+    std::optional<std::size_t> otherView;   ///< index of another view of the case, from 0; not set for the case itself
+    std::string kind;   ///< kind of content, for example "curves"
+    std::string extension;   ///< extension without dot, for example "csv"
 };
 
 /// Returns the path of such a file: `<case>.<kind>.<extension>`, for another view `<case>.view-2.<kind>.<extension>`

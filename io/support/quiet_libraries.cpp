@@ -1,7 +1,7 @@
 #include "io/support/quiet_libraries.h"
 
 #include <dcmtk/config/osconfig.h>
-// DCMTK's macros must come first.
+// DCMTK headers must come first because of their macros.
 #include <dcmtk/oflog/oflog.h>
 #include <itkObject.h>
 #include <nifti2_io.h>
@@ -32,7 +32,7 @@ void quietLibraries()
     std::call_once(once, [] {
         const vtkNew<SilentWindow> window;
         vtkOutputWindow::SetInstance(window);
-        vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);   // errors go to the logger before the window
+        vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);   // errors reach the logger before the output window
         itk::Object::SetGlobalWarningDisplay(false);
         OFLog::configure(OFLogger::OFF_LOG_LEVEL);
         nifti_set_debug_level(0);

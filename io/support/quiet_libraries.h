@@ -2,7 +2,7 @@
 
 namespace angiopose::io {
 
-/// Stops VTK, ITK, DCMTK, nifti_clib and libtiff from printing to the terminal; relevant problems are returned as
+/// Prevents VTK, ITK, DCMTK, nifti_clib and libtiff from printing to the terminal; readers return relevant problems as
 /// messages. Cheap to call repeatedly.
 void quietLibraries();
 

@@ -9,8 +9,8 @@
 
 namespace angiopose::io {
 
-/// Called several times per second while a large input is read, with the fraction done (0…1, never decreasing).
-/// Returning Stop ends the reading and discards what was read.
+/// Called several times per second while a large input is read, with the completed fraction (0…1, never decreasing).
+/// Returning Stop cancels reading and discards what was read.
 using ReadObserver = std::function<core::Verdict(double fraction)>;
 
 inline bool isStopRequested(const ReadObserver& observe, double fraction)
@@ -18,13 +18,13 @@ inline bool isStopRequested(const ReadObserver& observe, double fraction)
     return observe && observe(fraction) == core::Verdict::Stop;
 }
 
-/// Returns the outcome of reading that was stopped.
+/// Returns the outcome of a canceled read.
 inline core::Stopped stoppedReading(const std::string& path)
 {
     return {messages::readingStopped().about(path)};
 }
 
-/// Returns an observer for the part of the work from `first` to `last`.
+/// Returns an observer that maps its progress to the part of `observe` from `first` to `last`.
 inline ReadObserver partOf(const ReadObserver& observe, double first, double last)
 {
     if (!observe) {

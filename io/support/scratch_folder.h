@@ -7,8 +7,7 @@
 
 namespace angiopose::io {
 
-/// A temporary folder for the parts of one file, created next to that file, where there is enough space; removed with
-/// the object.
+/// Temporary folder next to the target file, hence on the same volume; the destructor removes it.
 class ScratchFolder {
 public:
     explicit ScratchFolder(const std::string& besideFile);

@@ -12,11 +12,11 @@ public:
     explicit TextCursor(std::string_view content) : rest_(content) {}
 
     bool isAtEnd() const;
-    std::size_t left() const { return rest_.size(); }   ///< remaining bytes
+    std::size_t left() const { return rest_.size(); }   ///< number of remaining bytes
 
-    std::string_view line();   ///< up to the next line end, trimmed
+    std::string_view line();   ///< text up to the next line end, trimmed
     std::string_view word();   ///< next word, delimited by blanks; empty at the end
-    std::optional<Eigen::Vector3d> point();   ///< the next three words
+    std::optional<Eigen::Vector3d> point();   ///< point from the next three words
 
 private:
     std::string_view taken(std::size_t count);

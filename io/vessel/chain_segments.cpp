@@ -10,7 +10,7 @@ namespace {
 
 using Segment = std::pair<std::size_t, std::size_t>;
 
-/// Segments with the same id and name as a graph over point indices.
+/// Graph over point indices, built from the segments with the same ID and name.
 class SegmentGraph {
 public:
     SegmentGraph(const std::set<Segment>& segments, const std::set<std::size_t>& meetings)

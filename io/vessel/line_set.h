@@ -13,37 +13,37 @@ namespace angiopose::io {
 
 /// Polylines as stored in files, before they become branches.
 struct LineSet {
-    std::vector<Eigen::Vector3d> points;   ///< as in the file
-    std::vector<double> radius;   ///< one per point, or empty
-    std::vector<std::vector<std::size_t>> lines;   ///< indices into `points`
-    std::vector<int> ids;   ///< one per line, not necessarily unique; or empty
-    std::vector<std::string> names;   ///< one per line, or empty
+    std::vector<Eigen::Vector3d> points;   ///< points as stored in the file
+    std::vector<double> radius;   ///< one radius per point, or empty
+    std::vector<std::vector<std::size_t>> lines;   ///< lines as indices into `points`
+    std::vector<int> ids;   ///< one ID per line, not necessarily unique; or empty
+    std::vector<std::string> names;   ///< one name per line, or empty
     core::Messages warnings;
-    std::set<std::size_t> meetings;   ///< points at which branches end, even if only two lines meet there
-    bool hasSurface = false;   ///< the file also contained polygons
+    std::set<std::size_t> meetings;   ///< indices of points at which branches end, even if only two lines meet there
+    bool hasSurface = false;   ///< whether the file also contains polygons
 };
 
-/// A tree, and the observations of its reader.
+/// Vessel tree, with the warnings of its reader.
 struct ReadTree {
     core::VesselTree tree;
     core::Messages warnings;
-    bool isUnitStated = false;   ///< the file states its unit
+    bool isUnitStated = false;   ///< whether the file states its unit
 };
 
-/// Limits above which a file is not accepted as centerlines.
+/// Limits beyond which a file is not accepted as a centerline file.
 inline constexpr std::size_t maxCenterlinePoints = 200'000;
 inline constexpr std::size_t maxCenterlineBranches = 5'000;
 
 /// Converts a line set in LPS mm to branches: cuts lines at leaps or rotates their point order, chains two-point
-/// segments, keeps shared trunks once, and keeps unique ids. Fails on indices out of range, NaN, no lines, or a problem
-/// reported by findProblem(tree).
+/// segments, keeps shared trunks once, and makes IDs unique. Fails if indices are out of range, values are NaN, there
+/// are no lines, or findProblem(tree) reports a problem.
 core::Result<ReadTree> treeFromLines(LineSet set, const std::string& path);
 
-/// Joins two-point segments into the longest chains without a bifurcation or meeting point; longer lines are unchanged.
-/// Never joins lines of different ids or names.
+/// Joins two-point segments into the longest chains without a bifurcation or meeting point; longer lines stay
+/// unchanged. Never joins lines with different IDs or names.
 LineSet chainSegments(const LineSet& set);
 
-/// Returns a name that every format can store: one line, control characters replaced by blanks, trimmed.
+/// Returns a name that every format can store: a single line, trimmed, with control characters replaced by blanks.
 std::string branchName(std::string_view text);
 
 }   // namespace angiopose::io

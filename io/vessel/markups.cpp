@@ -15,8 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns how the control points of a Slicer markup become LPS mm; accepts the unit as a word or as [code, scheme,
-/// meaning], and the axes in any case. Fails on an unsupported unit or axes, naming them.
+/// Returns how to convert the control points of a Slicer markup to LPS mm. Accepts the unit as a word or as [code,
+/// scheme, meaning], and the axes in upper or lower case. The error for an unsupported unit or axes names the value.
 core::Result<CoordinateRule> ruleOf(const Json& markup, const std::string& path)
 {
     const std::string system = markup.value("coordinateSystem", "LPS");
@@ -38,7 +38,7 @@ core::Result<CoordinateRule> ruleOf(const Json& markup, const std::string& path)
     return rule;
 }
 
-/// Returns the point, or nullopt if it is not placed. Throws if the JSON is not a point.
+/// Returns the point; nullopt if the point is not placed. Throws if the JSON does not describe a point.
 std::optional<Eigen::Vector3d> placedPoint(const Json& control, const CoordinateRule& rule)
 {
     const auto position = control.find("position");
@@ -50,7 +50,7 @@ std::optional<Eigen::Vector3d> placedPoint(const Json& control, const Coordinate
     return rule({numbers.at(0), numbers.at(1), numbers.at(2)});
 }
 
-/// Returns `markups` as a Slicer file.
+/// Returns the content of a Slicer file with these markups.
 std::string markupsFile(Json markups)
 {
     Json root;
@@ -67,7 +67,7 @@ bool isCurve(const Json& markup)
     return type == "Curve" || type == "ClosedCurve" || type == "Line";
 }
 
-/// Appends a curve, and returns how many of its points are not placed.
+/// Appends a curve; returns the number of its points that are not placed.
 std::size_t appendCurve(const Json& markup, const CoordinateRule& rule, LineSet& set)
 {
     std::vector<std::size_t> line;

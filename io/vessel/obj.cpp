@@ -7,8 +7,8 @@
 namespace angiopose::io {
 namespace {
 
-/// Parses "12/3/4" as point 12 (from 1) and "-1" as the last point so far; leaves a number out of range for a later
-/// check.
+/// Returns the point index of a face vertex: "12/3/4" is point 12 (counted from 1), "-1" the last point so far. An
+/// index out of range is detected later.
 std::size_t pointIndex(std::string_view word, std::size_t pointCount)
 {
     const int index = parseInteger(word.substr(0, word.find('/'))).value_or(0);

@@ -15,8 +15,8 @@ constexpr std::size_t chunkSegments = 32;
 
 using core::VesselBranch;
 
-/// Finds the nearest segment of a polyline within sharedDistanceMm; bounding boxes of groups of segments speed up the
-/// search.
+/// Finds the nearest segment of a polyline within sharedDistanceMm; uses bounding boxes of groups of segments to speed
+/// up the search.
 class CurveIndex {
 public:
     explicit CurveIndex(const std::vector<Eigen::Vector3d>& points) : points_(&points)
@@ -30,7 +30,7 @@ public:
         }
     }
 
-    /// Returns the index of the segment nearest to `point`, if one is near enough.
+    /// Returns the index of the segment nearest to `point`; nullopt if no segment is within sharedDistanceMm.
     std::optional<std::size_t> segmentNear(const Eigen::Vector3d& point) const
     {
         double best = sharedDistanceMm * sharedDistanceMm;
@@ -64,7 +64,7 @@ private:
     std::vector<Eigen::AlignedBox3d> boxes_;
 };
 
-/// The point at which a line leaves or joins an earlier line, which is cut there.
+/// Point of an earlier line at which another line leaves or joins it, and at which it is cut.
 struct Cut {
     std::size_t line;
     std::size_t point;
@@ -75,7 +75,7 @@ struct Run {
     std::size_t last;
 };
 
-/// The earlier line and the position on it that a point coincides with.
+/// Position on an earlier line that coincides with a point of this line.
 struct Contact {
     std::size_t line;
     std::size_t point;
@@ -103,7 +103,7 @@ double runLengthMm(const VesselBranch& line, const Run& run)
     return length;
 }
 
-/// Removes contacts that are too short: touching or crossing another line is not sharing.
+/// Removes contacts over less than minSharedLengthMm: lines that only touch or cross do not share a trunk.
 void dropShortContacts(const VesselBranch& line, std::vector<std::optional<Contact>>& contacts)
 {
     for (std::size_t first = 0; first < contacts.size();) {
@@ -119,7 +119,7 @@ void dropShortContacts(const VesselBranch& line, std::vector<std::optional<Conta
     }
 }
 
-/// Returns the stretches of a line that no earlier line covers, each extended by one point at both ends.
+/// Returns the sections of a line that no earlier line covers, each extended by one point at both ends.
 std::vector<Run> ownRuns(const std::vector<std::optional<Contact>>& contacts, std::vector<Cut>& cuts)
 {
     std::vector<Run> runs;
@@ -156,7 +156,7 @@ VesselBranch piece(const VesselBranch& line, const Run& run)
     return part;
 }
 
-/// Cuts one of these stretches at the bifurcations on it, unless that would leave a stub.
+/// Cuts a section at its bifurcations, unless a stub would remain, and appends the parts to `pieces`.
 void appendPieces(const VesselBranch& line, Run run, std::vector<std::size_t> cuts, std::vector<VesselBranch>& pieces)
 {
     std::sort(cuts.begin(), cuts.end());

@@ -91,7 +91,7 @@ std::optional<StatedUnit> unitIn(const std::string& line)
     return std::nullopt;
 }
 
-/// Returns the directions of the axes in capitals, from "SPACE=RAS" or "coordinate system: LPS".
+/// Returns the axis directions in capital letters, from "SPACE=RAS" or "coordinate system: LPS".
 std::string axesIn(const std::string& line)
 {
     static const std::regex form(

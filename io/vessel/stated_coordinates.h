@@ -9,18 +9,18 @@
 
 namespace angiopose::io {
 
-/// Returns the length in mm of a unit by its symbol or English name, case-insensitive; nullopt for other words.
+/// Returns the length in mm of a unit given by symbol or English name (case-insensitive); nullopt for other words.
 std::optional<double> lengthUnitMm(std::string_view word);
 
-/// Returns the descriptive text of a table, mesh or VTK file: comments, titles, the header of an STL.
+/// Returns the descriptive text of a table, mesh or VTK file: comments, titles, the header of an STL file.
 std::string headerText(std::string_view content);
 
-/// Conversion of a file's coordinates to patient LPS, mm.
+/// Conversion from the coordinates of a file to patient LPS, mm.
 struct CoordinateRule {
     double unitMm = 1.0;
-    bool isUnitStated = false;   ///< the file states its unit
+    bool isUnitStated = false;   ///< whether the file states its unit
     bool isRas = false;
-    core::Messages notes;   ///< about a unit that the file states
+    core::Messages notes;   ///< notes about a unit stated in the file
 
     Eigen::Vector3d operator()(const Eigen::Vector3d& point) const
     {
@@ -28,8 +28,8 @@ struct CoordinateRule {
     }
 };
 
-/// Derives the rule from the header; `askedUnitMm` above 0 takes precedence. Fails on an unknown unit, and on axes that
-/// are neither LPS nor RAS.
+/// Derives the conversion from the header; `askedUnitMm` takes precedence if above 0. Fails if the unit is unknown or
+/// the axes are neither LPS nor RAS.
 core::Result<CoordinateRule> coordinateRule(std::string_view header, double askedUnitMm, const std::string& path);
 
 }   // namespace angiopose::io

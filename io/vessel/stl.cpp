@@ -21,13 +21,13 @@ std::uint32_t declaredTriangles(std::string_view content)
     return count;
 }
 
-/// Returns how many triangles fit into the content.
+/// Returns the number of triangles that fit into the content.
 std::size_t heldTriangles(std::string_view content)
 {
     return (content.size() - headSize) / triangleSize;
 }
 
-/// Returns true for ASCII STL. Binary files may also begin with "solid", but contain zero bytes in what would be text.
+/// Whether the content is ASCII STL. Binary files may also start with "solid", but contain null bytes.
 bool isText(std::string_view content)
 {
     const std::string head = lowered(content.substr(0, 512));
@@ -39,7 +39,7 @@ VtkLines parseBinary(std::string_view content)
     VtkLines surface;
     const std::uint32_t count = declaredTriangles(content);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const char* corners = content.data() + headSize + std::size_t{i} * triangleSize + 12;   // skips the normal
+        const char* corners = content.data() + headSize + std::size_t{i} * triangleSize + 12;   // skip the normal
         for (std::size_t k = 0; k < 3; ++k) {
             float point[3];
             std::memcpy(point, corners + 12 * k, sizeof point);
@@ -50,7 +50,7 @@ VtkLines parseBinary(std::string_view content)
     return surface;
 }
 
-/// Parses every "vertex x y z"; three make a triangle. Returns nullopt if one of them is damaged.
+/// Parses all lines "vertex x y z"; every three vertices form a triangle. Returns nullopt if a vertex is damaged.
 std::optional<VtkLines> parseText(std::string_view content)
 {
     VtkLines surface;

@@ -11,7 +11,7 @@ namespace angiopose::io {
 core::Result<VtkLines> parseStl(std::string_view content, const std::string& path);
 core::Result<VtkLines> parseObj(std::string_view content, const std::string& path);
 
-/// Returns true for a binary STL file, whose length follows from the number of triangles it declares.
+/// Whether the content is binary STL, whose length follows from the declared number of triangles.
 bool looksLikeBinaryStl(std::string_view content);
 
 }   // namespace angiopose::io

@@ -13,7 +13,7 @@
 namespace angiopose::io {
 namespace {
 
-/// id, type, x, y, z, radius, parent.
+/// Row of an SWC file: ID, type, x, y, z, radius, parent.
 using SwcRow = std::array<double, 7>;
 
 std::optional<SwcRow> parseRow(std::string_view line)
@@ -32,8 +32,8 @@ std::optional<SwcRow> parseRow(std::string_view line)
     return row;
 }
 
-constexpr double touchMm = 1.5;   // as in the branch joining of core/vessel/vessel_tree.h
-constexpr double longestGapMm = 10.0;   // width of a bifurcation whose centerlines begin at its rim
+constexpr double touchMm = 1.5;   // same distance as in the branch joining of core/vessel/vessel_tree.h
+constexpr double longestGapMm = 10.0;   // maximum width of a bifurcation whose centerlines start at its rim
 constexpr int meetingType = 5;
 constexpr std::string_view meetingNote = "type 5 where branches meet";   // other programs may use type 5 differently
 
@@ -50,7 +50,6 @@ struct Hook {
     }
 };
 
-/// A branch not written yet.
 struct PendingBranch {
     core::VesselBranch branch;
     Hook front;
@@ -66,12 +65,12 @@ struct PendingBranch {
     }
 };
 
-/// A row to be written; its id is its position, from 1.
+/// Row to write; its ID is its position, starting at 1.
 struct WrittenRow {
     Eigen::Vector3d point;
     double radiusMm = 0.0;
     int parent = -1;
-    bool isMeeting = false;   ///< a point where branches meet
+    bool isMeeting = false;   ///< whether branches meet at the point
 };
 
 std::string textOf(const std::vector<WrittenRow>& rows)
@@ -86,7 +85,7 @@ std::string textOf(const std::vector<WrittenRow>& rows)
     return text;
 }
 
-/// Returns whether `place` continues the end of the curve within 60°.
+/// Whether `place` continues the end of the curve, with a deviation of at most 60°.
 bool pointsTo(const std::vector<Eigen::Vector3d>& curve, const Eigen::Vector3d& place)
 {
     constexpr double minAgreement = 0.5;
@@ -105,8 +104,8 @@ public:
         }
     }
 
-    /// Writes first the branches that share a point with written rows, then those that touch them, then the next
-    /// separate part.
+    /// Writes all branches and returns the text. First come branches that share a point with written rows, then
+    /// branches that touch written rows, then the next separate component.
     std::string run()
     {
         leadToForks();
@@ -121,8 +120,8 @@ public:
     }
 
 private:
-    /// Closes gaps at bifurcations: if several branches begin at one place and none reaches it, extends a nearby branch
-    /// end to it.
+    /// Closes gaps at bifurcations: if several branches start at one point that no other branch reaches, extends a
+    /// nearby branch end to this point.
     void leadToForks()
     {
         for (std::size_t i = 0; i < pending_.size(); ++i) {
@@ -151,7 +150,7 @@ private:
         }
     }
 
-    /// Returns whether any branch for which `isOwn` is false passes near the place.
+    /// Whether a branch for which `isOwn` is false passes near `place`.
     template <class IsOwn>
     bool isReached(const Eigen::Vector3d& place, const IsOwn& isOwn) const
     {
@@ -199,7 +198,7 @@ core::Result<LineSet> parseSwc(std::string_view text, const std::string& path)
     LineSet set;
     const bool saysMeetings = text.substr(0, text.find('\n')).find(meetingNote) != std::string_view::npos;
     std::unordered_map<long, std::size_t> indexOfId;
-    std::vector<std::pair<long, int>> parents;   // per point: its parent, and its line in the file
+    std::vector<std::pair<long, int>> parents;   // for each point, its parent and its line number in the file
     for (TextLines lines(text); lines.next();) {
         const auto row = parseRow(lines.line());
         if (!row || !(std::abs((*row)[0]) < 1e9) || !(std::abs((*row)[6]) < 1e9)) {

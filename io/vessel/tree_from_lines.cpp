@@ -58,7 +58,7 @@ double stepMm(const LineSet& set, const std::vector<std::size_t>& line, std::siz
     return (set.points[line[next]] - set.points[line[next - 1]]).norm();
 }
 
-/// Steps of a line that are much longer than its median step, by the index of the point they lead to.
+/// Steps of a line that are much longer than its median step; `at` holds the indices of the points after these steps.
 struct Leaps {
     std::vector<std::size_t> at;
     double usualMm = 0.0;
@@ -71,7 +71,7 @@ Leaps leapsOf(const LineSet& set, const std::vector<std::size_t>& line)
     std::vector<double> steps;
     for (std::size_t i = 1; i < line.size(); ++i) {
         steps.push_back(stepMm(set, line, i));
-        if (!std::isfinite(steps.back())) {   // reported later
+        if (!std::isfinite(steps.back())) {   // non-finite points are reported later
             return {};
         }
     }
@@ -90,8 +90,8 @@ Leaps leapsOf(const LineSet& set, const std::vector<std::size_t>& line)
     return leaps;
 }
 
-/// Repairs leaps: rotates the point order of a line whose start is stored after its end, and cuts other lines at their
-/// leaps, which join separate vessels. Two-point segments are unchanged.
+/// Repairs leaps: if the start of a line is stored after its end, rotates the point order; otherwise cuts the line at
+/// its leaps, which connect separate vessels. Two-point segments are not changed.
 void mendLeaps(LineSet& set)
 {
     constexpr double joiningSteps = 3.0;
@@ -134,7 +134,7 @@ void mendLeaps(LineSet& set)
     }
 }
 
-/// Uses the file's ids if each names one branch, otherwise 1…n in file order.
+/// Keeps the IDs of the file if they are unique; otherwise numbers the branches 1…n in file order.
 void numberBranches(std::vector<VesselBranch>& branches, bool hasIds)
 {
     std::set<int> seen;

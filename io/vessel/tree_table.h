@@ -6,15 +6,15 @@
 
 namespace angiopose::io {
 
-/// Parses CSV `x,y,z[,radius][,branch][,label]` (mm, LPS), columns in any order; three columns of numbers without a
-/// header are x, y, z. The rows of a branch are consecutive, in order along it.
+/// Parses CSV `x,y,z[,radius][,branch][,label]` (mm, LPS) with columns in any order; three columns of numbers without a
+/// header are x, y, z. The rows of a branch must be consecutive and in order along the branch.
 core::Result<LineSet> parseTreeTable(std::string_view text, const std::string& path);
 
-/// Returns whether a table with this beginning holds 3-D points: it names a column z, or has three columns of numbers
+/// Whether a table that starts with `head` contains 3-D points: it has a column named z, or three columns of numbers
 /// without a header.
 bool isTreeTable(std::string_view head);
 
-/// Returns CSV `x,y,z,radius,branch`; an unknown radius is `nan`, and the column is omitted if none is known.
+/// Returns CSV `x,y,z,radius,branch`. An unknown radius is `nan`; the column is omitted if no radius is known.
 std::string treeTable(const core::VesselTree& tree);
 
 }   // namespace angiopose::io

@@ -11,25 +11,25 @@
 
 namespace angiopose::io {
 
-/// Point indices; an index out of range stays out of range.
+/// Point indices; an index out of range in the file is also out of range here.
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Splits a polygon into triangles that share its first corner.
 void addFan(const std::vector<std::size_t>& corners, std::vector<Triangle>& triangles);
 
-/// The lines of a VTK file, before radius and ids are picked from its arrays.
+/// Lines of a VTK file, before radii and IDs are selected from its arrays.
 struct VtkLines {
     LineSet set;
     std::vector<std::size_t> cellOfLine;   ///< index of each line among all cells
-    std::map<std::string, std::vector<double>> pointArrays;   ///< one-component arrays by name
+    std::map<std::string, std::vector<double>> pointArrays;   ///< single-component arrays by name
     std::map<std::string, std::vector<double>> cellArrays;
-    std::vector<std::string> cellNames;   ///< names of all cells, or empty
-    std::string header;   ///< textual field data, one "name = words" per line
-    std::vector<Triangle> triangles;   ///< from triangles, quads, polygons and strips: a surface
+    std::vector<std::string> cellNames;   ///< one name per cell, or empty
+    std::string header;   ///< text of the field data, one "name = words" per line
+    std::vector<Triangle> triangles;   ///< surface triangles, from triangles, quads, polygons and strips
 };
 
-/// Picks the arrays of radius (`Radius`, `MaximumInscribedSphereRadius`) and ids (`GroupIds`, `CenterlineIds`,
-/// `branch`).
+/// Selects the arrays that contain the radius (`Radius`, `MaximumInscribedSphereRadius`) and the IDs (`GroupIds`,
+/// `CenterlineIds`, `branch`).
 LineSet lineSetOf(VtkLines lines);
 
 }   // namespace angiopose::io

@@ -18,7 +18,7 @@ namespace {
 
 using PointIds = std::vector<std::size_t>;
 
-/// Returns false if offsets are inconsistent, which VTK's readers do not check.
+/// Whether the offsets of a cell array are consistent, which VTK's readers do not check.
 bool hasSoundOffsets(vtkCellArray* array)
 {
     vtkDataArray* offsets = array->GetOffsetsArray();
@@ -34,7 +34,7 @@ bool hasSoundOffsets(vtkCellArray* array)
     return true;
 }
 
-/// Calls `use` with the point ids of each cell; returns false if the cells are damaged.
+/// Calls `use` with the point IDs of each cell; returns false if the cells are damaged.
 template <class Use>
 bool eachCell(vtkCellArray* array, const Use& use)
 {
@@ -55,7 +55,7 @@ void addLine(PointIds ids, std::size_t cell, VtkLines& lines)
     lines.cellOfLine.push_back(cell);
 }
 
-/// Adds the triangles of a strip, reversing every second one.
+/// Adds the triangles of a strip; reverses every second one, so that all have the same orientation.
 void addStrip(const PointIds& ids, VtkLines& lines)
 {
     lines.set.hasSurface = true;
@@ -73,7 +73,7 @@ void addPolygon(const PointIds& ids, VtkLines& lines)
 
 bool addCells(vtkPolyData* data, VtkLines& lines)
 {
-    // Cell data list vertices first, then lines.
+    // In cell data, the vertices come first, then the lines.
     auto cell = static_cast<std::size_t>(data->GetNumberOfVerts());
     return eachCell(data->GetLines(), [&](PointIds ids) { addLine(std::move(ids), cell++, lines); }) &&
            eachCell(data->GetPolys(), [&](const PointIds& ids) { addPolygon(ids, lines); }) &&
@@ -116,7 +116,7 @@ std::map<std::string, std::vector<double>> scalarArrays(vtkFieldData* data)
     return arrays;
 }
 
-/// Slicer stores the axes in field data, other programs their unit.
+/// Returns the text of the field data, in which Slicer stores the axes and other programs store their unit.
 std::string headerIn(vtkFieldData* data)
 {
     constexpr std::size_t longest = 80;

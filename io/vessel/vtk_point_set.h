@@ -8,7 +8,7 @@ class vtkPointSet;
 
 namespace angiopose::io {
 
-/// Converts VTK poly-data or an unstructured grid; nullopt if its cells are damaged.
+/// Converts VTK PolyData or an UnstructuredGrid; returns nullopt if the cells are damaged.
 std::optional<VtkLines> linesOf(vtkPointSet* data);
 
 }   // namespace angiopose::io

@@ -20,13 +20,13 @@
 namespace angiopose::io {
 namespace {
 
-/// RAS coordinates in mm from voxel indices.
+/// Maps voxel indices to RAS coordinates in mm.
 using NiftiMap = Eigen::Matrix<double, 3, 4>;
 
 constexpr std::size_t longestName = 80;
-constexpr std::uint64_t longestExtension = 1U << 20U;   // fits a table of several thousand labels
+constexpr std::uint64_t longestExtension = 1U << 20U;   // bytes; sufficient for a table of several thousand labels
 
-/// The fields of either version that are needed here.
+/// Header fields that are used, for all versions of the format.
 struct NiftiHeader {
     std::string version;
     std::array<std::int64_t, 8> dim{};
@@ -46,7 +46,7 @@ struct NiftiHeader {
     bool isSwapped = false;
 };
 
-/// Copies the fields from the format's own structures, in this machine's byte order.
+/// Copies the fields from the raw header structure, which is in native byte order.
 template <class Raw>
 NiftiHeader fieldsOf(const Raw& raw)
 {
@@ -84,11 +84,11 @@ Raw rawHeader(std::string_view head)
     return raw;
 }
 
-/// Returns 1, 2, or 0 for Analyze, in either byte order; nullopt for other content.
+/// Returns the NIfTI version, 1 or 2, or 0 for Analyze; accepts both byte orders. Returns nullopt for other content.
 std::optional<int> versionOf(std::string_view head)
 {
     if (head.size() < sizeof(nifti_1_header) ||
-        head.substr(128, 4) == "DICM") {   // a DICOM preamble may resemble Analyze
+        head.substr(128, 4) == "DICM") {   // the preamble of a DICOM file may look like Analyze
         return std::nullopt;
     }
     quietLibraries();
@@ -117,7 +117,7 @@ NiftiHeader headerOf(std::string_view head, int version)
         header = fieldsOf(raw);
         header.isPair = head.substr(344, 3) != "n+1";
     }
-    if (version == 0) {   // Analyze uses the fields that NIfTI added for other purposes
+    if (version == 0) {   // Analyze uses for other purposes the fields that NIfTI added
         header.slope = 0.0;
         header.units = header.intent = header.qformCode = header.sformCode = 0;
         header.dataOffset = std::isfinite(header.dataOffset) ? std::abs(header.dataOffset) : 0.0;
@@ -162,8 +162,7 @@ std::optional<core::Message> findUnsupported(const NiftiHeader& header)
     return {};
 }
 
-/// Returns the earliest possible offset of the voxels: behind the header and, in a single file, its four extension
-/// bytes.
+/// Returns the minimum offset of the voxels: after the header and, in a single file, the four extension bytes.
 std::uint64_t minOffset(const NiftiHeader& header)
 {
     const bool isSecond = header.version == "NIfTI-2";
@@ -205,7 +204,7 @@ double largestDifference(const NiftiMap& a, const NiftiMap& b, const NiftiHeader
     return largest;
 }
 
-/// Selects which of the two maps places the voxels in the patient. Codes above 2 denote an atlas.
+/// Selects the map that places the voxels in the patient, sform or qform. Codes above 2 denote an atlas.
 NiftiMap mapOf(const NiftiHeader& header, core::Messages& warnings)
 {
     const NiftiMap& qform = header.qform;
@@ -252,7 +251,7 @@ void findContradictions(const NiftiHeader& header, const NiftiMap& map, core::Me
     }
 }
 
-/// Returns "scan.img" for "scan.hdr", also for compressed files.
+/// Returns "scan.img" for "scan.hdr"; also handles compressed files.
 std::string pairedPath(const std::string& path)
 {
     std::filesystem::path base(path);
@@ -273,7 +272,7 @@ std::string_view textBetween(std::string_view text, std::string_view before, std
                                          : text.substr(start + before.size(), end - start - before.size());
 }
 
-/// Parses the label table of Connectome Workbench, as TotalSegmentator writes it into a header extension: `<Label
+/// Parses the label table of Connectome Workbench, which TotalSegmentator writes into a header extension: `<Label
 /// Key="1" …><![CDATA[aorta]]></Label>`, or the name without CDATA.
 LabelNames labelTable(std::string_view text)
 {
@@ -342,7 +341,7 @@ core::Result<StoredVolume> parseNifti(std::string_view head, const std::string& 
     VoxelSource source{header.isPair ? pairedPath(path) : path, 0, false, skip};
     const auto content = openInputStart(source.path);
     source.isPacked = content && content.value().view().starts_with("\x1f\x8b");
-    source.isBigEndian = header.isSwapped;   // relative to this little-endian machine
+    source.isBigEndian = header.isSwapped;   // swapped relative to the little-endian host
     stored.voxels = voxelStream(stored, source);
     return stored;
 }

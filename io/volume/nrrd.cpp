@@ -33,21 +33,21 @@ struct FreeNrrd {
 struct NrrdHeader {
     std::unique_ptr<Nrrd, FreeNrrd> nrrd{nrrdNew()};
     std::unique_ptr<NrrdIoState, FreeNrrd> state{nrrdIoStateNew()};
-    std::string problem;   ///< the library's error text; empty on success
+    std::string problem;   ///< error text of the library; empty on success
 };
 
-/// The header text passed to the library, with the data file removed, since the library would open that file while
-/// reading.
+/// Header text for the library, without the data file field, because the library would open the data file while reading
+/// the header.
 struct HeaderText {
     std::string text;
-    std::string dataFile;   ///< empty: the data follow the header
+    std::string dataFile;   ///< empty if the data follow the header
     int lineSkip = 0;
     int byteSkip = 0;
-    std::size_t end = 0;   ///< offset in the file behind the blank line
+    std::size_t end = 0;   ///< offset in the file after the blank line
 };
 
-/// Returns the value of a line with the field `name`, spelled with or without blanks. Some writers store fields as key
-/// and value (":=").
+/// Returns the value of a line that contains the field `name`, spelled with or without blanks; nullopt for other lines.
+/// Also accepts fields written as key/value pairs (":="), as some writers do.
 std::optional<std::string> fieldValue(std::string_view line, std::string_view name)
 {
     const std::size_t colon = std::min(line.find(':'), line.size());
@@ -60,8 +60,8 @@ std::optional<std::string> fieldValue(std::string_view line, std::string_view na
     return std::string(trimmed(line.substr(line.starts_with('=') ? 1 : 0)));
 }
 
-/// Reads the lines up to the first blank one and corrects common writer errors: space directions without a `space`
-/// field, or with vectors between bars.
+/// Reads the lines up to the first blank line and corrects common errors of writers: space directions without a `space`
+/// field, or with vectors between vertical bars.
 HeaderText splitHeader(std::string_view content)
 {
     HeaderText header;
@@ -98,7 +98,7 @@ HeaderText splitHeader(std::string_view content)
     return header;
 }
 
-/// Returns the innermost error of the library, without its function names.
+/// Returns the innermost error message of the library, without function names.
 std::string lastComplaint(const std::string& complaints)
 {
     const std::string_view all = trimmed(complaints);
@@ -147,14 +147,14 @@ bool hasDirection(const NrrdAxisInfo& axis)
            AIR_EXISTS(axis.spaceDirection[2]);
 }
 
-/// The axes of the array; a list of one element does not count as an axis.
+/// Axes of the array; a non-spatial axis of size 1 is ignored.
 struct NrrdAxes {
     std::vector<const NrrdAxisInfo*> all;
     std::vector<const NrrdAxisInfo*> ofSpace;
     bool haveDirections = false;
 };
 
-/// Finds the three spatial axes among those of the array.
+/// Finds the three spatial axes among the axes of the array; returns the problem, if any.
 std::optional<core::Message> findAxes(const Nrrd& nrrd, NrrdAxes& axes)
 {
     if (nrrd.dim < 3) {
@@ -183,7 +183,7 @@ std::optional<core::Message> findAxes(const Nrrd& nrrd, NrrdAxes& axes)
     return looksLikeColor ? std::optional(messages::volumeColorAxis(first)) : std::nullopt;
 }
 
-/// Returns the signs that convert the axes of the space to LPS; nullopt for spaces that are not anatomical.
+/// Returns the signs that convert the axes of an NRRD space to LPS; nullopt for a space that is not anatomical.
 std::optional<Eigen::Vector3d> lpsSignsOf(int space)
 {
     switch (space) {
@@ -203,13 +203,13 @@ std::string_view unitText(const char* unit)
     return unit ? unit : "";
 }
 
-/// Returns the voxel steps from the space directions of the file, or from plain spacings.
+/// Builds the geometry from the space directions of the file, or from plain spacings.
 AxesResult placedAxes(const Nrrd& nrrd, const NrrdAxes& axes, core::Messages& warnings)
 {
     Eigen::Matrix3d steps = Eigen::Matrix3d::Identity();
     bool isSizeAssumed = false;
     Eigen::Vector3i size;
-    Eigen::Vector3d unitMm = Eigen::Vector3d::Ones();   // units of the space, for directions and origin
+    Eigen::Vector3d unitMm = Eigen::Vector3d::Ones();   // millimeters per unit of the space, for directions and origin
     for (int k = 0; k < 3 && nrrd.spaceDim == 3; ++k) {
         unitMm[k] = millimetersPer(unitText(nrrd.spaceUnits[k]), warnings);
     }
@@ -240,7 +240,7 @@ AxesResult placedAxes(const Nrrd& nrrd, const NrrdAxes& axes, core::Messages& wa
     return geometryFromSteps(size, turn.asDiagonal() * steps, turn.cwiseProduct(unitMm).cwiseProduct(origin));
 }
 
-/// Returns the offset behind the next `count` lines of a file.
+/// Returns the offset after the next `count` lines of a file.
 core::Result<std::uint64_t> afterLines(const std::string& path, std::size_t at, int count)
 {
     if (count == 0) {
@@ -257,7 +257,7 @@ core::Result<std::uint64_t> afterLines(const std::string& path, std::size_t at, 
     return std::uint64_t{at};
 }
 
-/// Fills in the location of the voxels; returns a problem, if any.
+/// Sets the location of the voxels in `source`; returns the problem, if any.
 std::optional<core::Message> findSource(const NrrdIoState& state, const HeaderText& header, VoxelSource& source)
 {
     if (state.encoding == nrrdEncodingBzip2) {
@@ -298,8 +298,8 @@ std::string keyValue(const Nrrd& nrrd, const std::string& key)
     return text;
 }
 
-/// Returns the segments of 3D Slicer: `Segment3_LabelValue:=4`, `Segment3_Name:=Aorta`. An overlapping segment shares
-/// its value with another layer.
+/// Returns the segments that 3D Slicer declares: `Segment3_LabelValue:=4`, `Segment3_Name:=Aorta`. If segments in
+/// different layers share a value, keeps the first.
 LabelNames slicerSegments(const Nrrd& nrrd)
 {
     LabelNames names;

@@ -11,7 +11,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Returns the first bytes of a file, unpacked if it is compressed.
+/// Returns the first bytes of a file, decompressed if necessary.
 std::string unpackedHead(std::string_view content, const std::string& path)
 {
     return content.starts_with("\x1f\x8b") ? headOf(path, niftiHeadSize)

@@ -7,7 +7,7 @@
 
 namespace angiopose::io {
 
-/// Returns true for content that `openStored` supports, by its first bytes, unpacked if compressed.
+/// Whether `openStored` supports the file, based on its first bytes, decompressed if necessary.
 bool isStoredVolume(const std::string& path);
 
 /// Reads the header of a volume file with the library for its format; fails with file, problem and remedy.

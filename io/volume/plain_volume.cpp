@@ -32,7 +32,6 @@ std::string_view nameOf(PlainFormat format)
     return names[static_cast<int>(format)];
 }
 
-/// The content of a header.
 struct PlainHeader {
     std::optional<core::Message> problem;
     Eigen::Vector3i size = Eigen::Vector3i::Zero();
@@ -40,7 +39,7 @@ struct PlainHeader {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     VoxelType type = VoxelType::Uint8;
     VoxelSource source;
-    bool isText = false;   ///< voxels are numbers separated by blanks
+    bool isText = false;   ///< whether the voxels are stored as text, separated by blanks
     core::Messages warnings;
 };
 
@@ -86,7 +85,7 @@ bool isYes(const std::string& text)
     return !text.empty() && (text.front() == 'T' || text.front() == 't' || text.front() == '1');
 }
 
-/// Returns why the file cannot be read; nullopt if it can.
+/// Explains why the file cannot be read; returns nullopt if it can.
 std::optional<core::Message> findMetaProblem(std::string_view content)
 {
     const std::string object = metaValue(content, "ObjectType");
@@ -117,7 +116,7 @@ std::optional<core::Message> findMetaProblem(std::string_view content)
                : std::nullopt;
 }
 
-/// Returns the location of a MetaImage's voxels.
+/// Returns the location of the voxels of a MetaImage.
 VoxelSource metaSource(std::string_view content, const std::string& path)
 {
     VoxelSource source{path};
@@ -136,8 +135,8 @@ VoxelSource metaSource(std::string_view content, const std::string& path)
     return source;
 }
 
-/// Reads as many numbers as `numbers` holds from the value of the first key present. Leaves `numbers` unchanged if none
-/// is present; returns false if the value is not numeric.
+/// Reads as many numbers as `numbers` can hold from the value of the first key that is present. Leaves `numbers`
+/// unchanged if no key is present; returns false if the value is not numeric.
 bool readNumbers(std::string_view content, std::initializer_list<std::string_view> keys, std::span<double> numbers)
 {
     for (const std::string_view key : keys) {

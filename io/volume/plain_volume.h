@@ -9,10 +9,10 @@
 
 namespace angiopose::io {
 
-/// Volume formats with a short header: MetaImage (.mha, or .mhd with a separate voxel file), legacy VTK images, GIPL.
+/// Volume formats with a simple header: MetaImage (.mha, or .mhd with a separate voxel file), legacy VTK images, GIPL.
 enum class PlainFormat { MetaImage, VtkImage, Gipl };
 
-/// Determines the format by the first bytes, and by the extension if these are ambiguous.
+/// Determines the format from the first bytes and, if these are ambiguous, from the extension.
 std::optional<PlainFormat> plainFormatOf(std::string_view content, const std::string& path);
 
 /// Reads the header of such a volume (`content`: the whole file), patient LPS; one without orientation gives a warning.

@@ -15,11 +15,11 @@ namespace angiopose::io {
 inline constexpr double lowestStored = -32768.0;
 inline constexpr double storedLevels = 65535.0;
 
-/// Result of a first pass over values of a wide type.
+/// Range of values of a wide type, determined in a first pass.
 struct ValueRange {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
-    bool isWhole = true;   ///< every finite value is a whole number, up to float rounding
+    bool isWhole = true;   ///< whether every finite value is a whole number, up to float rounding
     std::size_t missing = 0;   ///< number of NaN or infinite values
 
     void add(double value)
@@ -49,7 +49,7 @@ struct Quantization {
     }
 };
 
-/// Keeps whole numbers that span at most 16 bits; spreads other values over the 65536 levels.
+/// Keeps whole numbers that span at most 16 bits; maps other values to the 65536 levels.
 inline Quantization quantizationOf(const ValueRange& range)
 {
     if (range.isWhole && range.low >= lowestStored && range.high <= lowestStored + storedLevels) {
@@ -62,7 +62,7 @@ inline Quantization quantizationOf(const ValueRange& range)
     return {scale, range.low - scale * lowestStored};
 }
 
-/// "The float32 voxels are rounded to 16 bit, in steps of 0.00153."
+/// Returns a note such as "The float32 voxels are rounded to 16 bit, in steps of 0.00153."
 inline core::Message roundingNote(double step, const std::string& type)
 {
     std::array<char, 32> text;

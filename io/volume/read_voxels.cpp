@@ -24,8 +24,8 @@ core::Error tooLarge(const StoredVolume& stored)
     return fileError(stored.path, messages::volumeLargerThanMemory());
 }
 
-/// Reads voxels of up to 16 bits directly into the memory of `place`, then widens them there from the last to the first
-/// with `convert(value)`.
+/// Reads voxels of up to 16 bits directly into the memory of `place`, then widens them in place, from last to first, by
+/// `convert(value)`.
 template <class T, class Level, class Convert>
 core::Status readInPlace(const StoredVolume& stored, std::vector<Level>& place, const ReadObserver& observe,
                          const Convert& convert)

@@ -10,7 +10,7 @@
 
 namespace angiopose::io {
 
-/// Fails if the file is too short for its voxels, or they do not fit in memory; reads none of them.
+/// Fails if the file is too short for its voxels or the voxels do not fit into memory; does not read any voxels.
 core::Status checkVoxels(const StoredVolume& stored);
 
 /// Reads the voxels of a stored volume as 16 bits, directly into place. Types of up to 16 bits, and whole numbers that
@@ -18,7 +18,7 @@ core::Status checkVoxels(const StoredVolume& stored);
 core::Result<core::Volume> readVoxels(const StoredVolume& stored, const ReadObserver& observe,
                                       core::Messages& warnings);
 
-/// Reads the voxels of a stored label image; fails on values that are not labels (fractions, negative, above 65535).
+/// Reads the voxels of a stored label image; fails if a value is not a label (fractional, negative, or above 65535).
 core::Result<core::LabelVolume> readLabelVoxels(const StoredVolume& stored, const ReadObserver& observe);
 
 }   // namespace angiopose::io

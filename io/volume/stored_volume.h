@@ -28,7 +28,7 @@ constexpr std::string_view nameOf(VoxelType type)
     return names[static_cast<int>(type)];
 }
 
-/// Calls `work` with a value of the C++ type for `type`.
+/// Calls `work` with a value of the C++ type that corresponds to `type`.
 template <class Work>
 auto withType(VoxelType type, const Work& work)
 {
@@ -56,7 +56,7 @@ auto withType(VoxelType type, const Work& work)
     }
 }
 
-/// Reads the voxels of an opened volume as stored, in this machine's byte order.
+/// Reads the voxels of an opened volume as stored, converted to native byte order.
 class VoxelReader {
 public:
     VoxelReader() = default;
@@ -64,7 +64,7 @@ public:
     VoxelReader& operator=(const VoxelReader&) = delete;
     virtual ~VoxelReader() = default;
 
-    /// Fails if the file cannot hold what its header declares. Reads no voxels and allocates no memory for them.
+    /// Fails if the file is too short for what its header declares. Reads no voxels and allocates no memory for them.
     virtual core::Status check() const = 0;
     /// Reads all voxels, from the first to the last.
     virtual core::Status read(char* voxels, const ReadObserver& observe) const = 0;
@@ -72,16 +72,16 @@ public:
 
 using LabelNames = std::map<int, std::string>;
 
-/// The header of a volume file: value = stored · slope + intercept.
+/// Header of a volume file; value = stored · slope + intercept.
 struct StoredVolume {
-    std::string path;   ///< the opened file, for messages
-    std::string format;   ///< "NIfTI-1", …
-    core::VolumeGeometry geometry;   ///< patient LPS
+    std::string path;   ///< path of the opened file, for messages
+    std::string format;   ///< format name, for example "NIfTI-1"
+    core::VolumeGeometry geometry;   ///< voxel grid in patient LPS
     VoxelType type = VoxelType::Int16;
     double slope = 1.0;
     double intercept = 0.0;
-    bool isDeclaredLabels = false;   ///< the header declares the values as labels
-    LabelNames labelNames;   ///< label names from the header; empty if there are none
+    bool isDeclaredLabels = false;   ///< whether the header declares the values to be labels
+    LabelNames labelNames;   ///< label names from the header, if any
     core::Messages warnings;
     std::shared_ptr<const VoxelReader> voxels;
 };

@@ -7,15 +7,15 @@
 
 namespace angiopose::io {
 
-/// Returns the range of values to spread over the 65536 levels: all of `range`, unless it is more than a thousand times
-/// what nearly all values span; then far outliers (a single 1e38 in a scan) are excluded. `valueAt(i)` returns the i-th
-/// of `count` values.
+/// Returns the range of values to map to the 65536 levels: all of `range`, unless `range` is more than a thousand times
+/// as wide as the span of nearly all values; then excludes far outliers (such as a single 1e38 in a scan). `valueAt(i)`
+/// returns the i-th of `count` values.
 template <class ValueAt>
 ValueRange usefulRange(const ValueRange& range, std::size_t count, const ValueAt& valueAt)
 {
     constexpr std::size_t sampleSize = 200'000;
     constexpr std::size_t minSample = 100;
-    constexpr double farBeyond = 1000.0;   // beyond it, nearly all values would share 65 levels
+    constexpr double farBeyond = 1000.0;   // ratio beyond which nearly all values would share 65 levels
     constexpr double margin = 10.0;   // in multiples of that span, on both sides: keeps metal and bright vessels
     if (range.high - range.low <= storedLevels) {
         return range;
@@ -53,7 +53,7 @@ ValueRange usefulRange(const ValueRange& range, std::size_t count, const ValueAt
     return useful;
 }
 
-/// Returns how many finite values lie outside a range.
+/// Returns the number of finite values outside a range.
 template <class ValueAt>
 std::size_t countOutside(const ValueRange& range, std::size_t count, const ValueAt& valueAt)
 {

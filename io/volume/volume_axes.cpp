@@ -12,8 +12,8 @@
 namespace angiopose::io {
 namespace {
 
-constexpr double exactCosine = 1e-7;   // smaller cosines count as perpendicular
-constexpr double roundedCosine = 1.75e-3;   // 0.1 degrees
+constexpr double exactCosine = 1e-7;   // axes with a smaller cosine count as perpendicular
+constexpr double roundedCosine = 1.75e-3;   // cosine of the maximum deviation from a right angle, 0.1°
 
 std::optional<core::Message> findBadSize(const Eigen::Vector3i& size)
 {

@@ -9,25 +9,24 @@
 
 namespace angiopose::io {
 
-/// Maximum volume size: 4 GiB of 16-bit voxels.
+/// Maximum number of voxels of a volume: 4 GiB of 16-bit voxels.
 inline constexpr std::size_t maxVoxels = std::size_t{1} << 31;
 
 /// A geometry built from the patient vectors between neighboring voxels, or the reason why there is none.
 struct AxesResult {
     core::VolumeGeometry geometry;
-    std::optional<core::Message> problem;   ///< with the remedy
+    std::optional<core::Message> problem;   ///< reason, with the remedy
 };
 
-/// Builds a geometry from `steps`, whose columns are the LPS vectors (mm) from a voxel to its neighbor along i, j, k.
-/// Corrects rounding of up to 0.1° off the right angle. A larger deviation is a problem, as are sizes below 2, steps of
-/// zero length and non-finite numbers.
+/// Builds a geometry from `steps`: column k is the LPS vector (mm) from a voxel to its neighbor along axis k. Corrects
+/// axes up to 0.1° from orthogonal; larger deviations, sizes below 2, and zero-length or non-finite steps are errors.
 AxesResult geometryFromSteps(const Eigen::Vector3i& size, const Eigen::Matrix3d& steps,
                              const Eigen::Vector3d& originInPatient);
 
 /// Returns the millimeters per unit that a header names. Warns if the unit is unknown, and assumes millimeters.
 double millimetersPer(std::string_view unit, core::Messages& warnings);
 
-/// Converts the steps and origin of a RAS file to LPS.
+/// Converts the steps or the origin of a RAS file to LPS.
 inline Eigen::Matrix3d lpsFromRas(Eigen::Matrix3d steps)
 {
     steps.topRows<2>() *= -1.0;

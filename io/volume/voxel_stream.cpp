@@ -20,13 +20,13 @@ constexpr std::size_t streamBlock = std::size_t{1} << 20;
 constexpr std::size_t niftiHeadBytes = 348;
 constexpr double greatestInflation = 1100.0;   // deflate compresses at most 1032 to 1
 
-/// The bytes of a file from `offset` on, unpacked if they begin like gzip or are declared as packed.
+/// Bytes of a file from `offset` on, decompressed if `isPacked` is true.
 class PackedFile {
 public:
     PackedFile(const std::string& path, std::uint64_t offset, bool isPacked) : file_(path, std::ios::binary)
     {
         file_.seekg(static_cast<std::streamoff>(offset));
-        isPacked_ = isPacked && inflateInit2(&inflater_, 15 + 32) == Z_OK;   // detects gzip or zlib
+        isPacked_ = isPacked && inflateInit2(&inflater_, 15 + 32) == Z_OK;   // +32 detects gzip and zlib headers
         isDamaged_ = !file_ || isPacked != isPacked_;
         block_.resize(isPacked ? streamBlock / 4 : 0);
     }
@@ -34,7 +34,7 @@ public:
     PackedFile& operator=(const PackedFile&) = delete;
     ~PackedFile() { inflateEnd(&inflater_); }
 
-    /// Reads up to `size` bytes, at most one block; 0 at the end or at damage.
+    /// Reads up to `size` bytes, at most one block; returns 0 at the end of the data or at damaged data.
     std::size_t read(char* out, std::size_t size)
     {
         size = std::min(size, streamBlock);
@@ -55,10 +55,10 @@ public:
         return size - inflater_.avail_out;
     }
 
-    /// Returns whether the drive failed to read.
+    /// Whether a read error of the drive occurred.
     bool hasReadError() const { return file_.bad(); }
 
-    /// Skips bytes and returns how many were skipped.
+    /// Skips up to `size` bytes and returns the number of skipped bytes.
     std::uint64_t skip(std::uint64_t size)
     {
         std::vector<char> sink(streamBlock);
@@ -85,12 +85,12 @@ private:
     bool isDamaged_ = false;
 };
 
-/// Returns whether the size field at the end of a gzip archive (RFC 1952) shows, without unpacking, that it holds fewer
-/// bytes. False if unsure: for several archives in a row, as parallel compressors write them, and above 4 GiB, which
-/// the field cannot express.
+/// Whether the size field at the end of a gzip file (RFC 1952) shows, without decompression, that the content has fewer
+/// than `bytes` bytes. Returns false if uncertain: if there are several gzip members, as parallel compressors write
+/// them, or above 4 GiB, which the field cannot represent.
 bool saysLessThan(std::string_view packed, std::uint64_t bytes)
 {
-    constexpr std::size_t minArchive = 18;   // header and trailer of an empty one
+    constexpr std::size_t minArchive = 18;   // header and trailer of an empty gzip file, bytes
     if (!packed.starts_with("\x1f\x8b\x08") || packed.size() < minArchive ||
         bytes > std::numeric_limits<std::uint32_t>::max()) {
         return false;
@@ -126,7 +126,7 @@ private:
     std::uint64_t needed_;
 };
 
-/// Detects a detached header that points at a complete volume file without skipping that file's header, which would be
+/// Whether a detached header refers to a complete volume file without skipping the header of that file, which would be
 /// displayed as voxels.
 bool VoxelStream::isHeaderAmongVoxels() const
 {
@@ -140,7 +140,7 @@ bool VoxelStream::isHeaderAmongVoxels() const
 
 core::Status VoxelStream::check() const
 {
-    std::error_code unknown;   // opening then reports the problem
+    std::error_code unknown;   // an error is reported when the file is opened below
     if (!std::filesystem::exists(source_.path, unknown) && !unknown) {
         return fileError(path_,
                          messages::volumeVoxelsNotThere(std::filesystem::path(source_.path).filename().string()));

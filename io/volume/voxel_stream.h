@@ -12,12 +12,12 @@ struct VoxelSource {
     std::uint64_t offset = 0;
     bool isPacked = false;
     std::uint64_t skip = 0;
-    bool isAtEnd = false;   ///< the voxels are the last bytes of the unpacked data, whatever precedes them
+    bool isAtEnd = false;   ///< whether the voxels are the last bytes of the decompressed data, whatever precedes them
     bool isBigEndian = false;
 };
 
-/// Returns a reader for the voxels of a volume whose header has been read. Uses zlib in pieces, so that it can report
-/// progress and stop.
+/// Returns a reader for the voxels of a volume whose header has been read. Decompresses in blocks, so that it can
+/// report progress and be canceled.
 std::shared_ptr<const VoxelReader> voxelStream(const StoredVolume& stored, const VoxelSource& source);
 
 /// Returns up to `size` bytes from the start of a file, unpacked if it is gzip; fewer if it ends or is damaged.

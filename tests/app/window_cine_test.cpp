@@ -211,8 +211,8 @@ TEST_F(WindowCine, GoesBackAndForthAndRemembersHow)
 
 TEST_F(WindowCine, SaysHowFastTheRunWasTaken)
 {
-    EXPECT_EQ(speeds().itemText(2), QStringLiteral("1× · 25/s"));
-    EXPECT_EQ(speeds().itemText(1), QStringLiteral("½× · 12.5/s"));
+    EXPECT_EQ(speeds().itemText(2), QStringLiteral("1× · 25 fps"));
+    EXPECT_EQ(speeds().itemText(1), QStringLiteral("½× · 12.5 fps"));
     QTest::mouseMove(&bars(), {middleOf(7), bars().height() / 2});
     EXPECT_TRUE(bars().toolTip().contains(QStringLiteral("R wave"))) << bars().toolTip().toStdString();
 }

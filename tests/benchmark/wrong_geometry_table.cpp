@@ -257,7 +257,7 @@ int main(int argc, char** argv)
     const std::vector<std::string> wanted =
         arguments.list("errors", "exact,sid,spacing,principal,mirrored,flipped,turned,upside-down");
     core::ResultTable table;
-    table.columns = {"views",    "wrong value",     "trusted",   "pose in 95 %", "depth in 95 %", "named",
+    table.columns = {"views",    "wrong value",      "trusted",   "pose in 95 %", "depth in 95 %", "named",
                      "any word", "word or no trust", "estimated", "focal off %",  "depth off mm",  "depth σ mm",
                      "gain",     "median ms"};
     for (const std::string& views : arguments.list("views", "one,two")) {

@@ -15,7 +15,8 @@ public:
         bool isQuoted = false;
         for (const char letter : text) {
             if (letter == '"') {
-                isQuoted = !isQuoted;   // a doubled quote ends and restarts the quotation; the quote itself is not needed here
+                isQuoted =
+                    !isQuoted;   // a doubled quote ends and restarts the quotation; the quote itself is not needed here
             } else if (letter == ',' && !isQuoted) {
                 rows_.back().emplace_back();
             } else if (letter == '\n' && !isQuoted) {

@@ -26,11 +26,11 @@ enum class Menu {
     Help
 };
 
-/// Label of a command, its shortcuts separated by "; ", and its traits.
+/// Command with its label, shortcuts (separated by "; ") and traits.
 struct CommandRow {
     Command command;
-    const char* name;   ///< "copy-pose-as-matrix": key in the settings and object name; never changes
-    const char* text;   ///< English, translated by CommandTable::tr
+    const char* name;   ///< object name and settings key, e.g. "copy-pose-as-matrix"; never changes
+    const char* text;   ///< English source text, translated by CommandTable::tr
     const char* keys = "";
     unsigned traits = 0;
 };
@@ -46,7 +46,7 @@ class CommandTable {
     Q_DECLARE_TR_FUNCTIONS(angiopose::ui::CommandTable)
 public:
     enum Trait : unsigned {
-        Switch = 1,   ///< checkable: stays on until triggered again
+        Switch = 1,   ///< checkable action: stays on until triggered again
         StartsGroup = 2,   ///< preceded by a separator
         Repeats = 4   ///< auto-repeats while the key is held
     };

@@ -11,8 +11,8 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// Sets the user-defined shortcuts in portable text form ("" for none); all other commands keep those of the command
-/// table. Applies to the whole program, like theme and language: see `speakAgain`.
+/// Sets the user-defined shortcuts as portable text ("" for no shortcut); commands without an entry keep the shortcuts
+/// of the command table. Applies to the whole program, like theme and language; see `speakAgain`.
 void setChosenKeys(std::map<Command, QString> chosen);
 
 QString keyOf(Command command);   ///< "" if the command has no shortcut
@@ -23,7 +23,7 @@ QString withKey(const QString& words, Command command);
 /// "Finds the pose. (R)": the key behind the sentence of a tool tip.
 QString tipWithKey(const QString& sentence, Command command);
 
-/// Creates a button for a mode with its shortcut in the tooltip; see `follow`.
+/// Creates a button that switches a mode on and off, with the shortcut in its tooltip; see `follow`.
 QPushButton* modeButton(const Words& text, Command command);
 
 /// Makes a button trigger an action and mirror its checked and enabled state.

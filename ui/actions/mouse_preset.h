@@ -4,7 +4,7 @@
 
 namespace angiopose::ui {
 
-/// Action of a drag on the angiogram that no tool handles.
+/// Action of a mouse drag on the angiogram while no tool handles it.
 enum class DragAction { None, WindowLevel, Pan, Zoom, Frames };
 
 /// Mouse conventions of other programs: one drag action per button. Ctrl+left adjusts window/level in every preset.

@@ -16,8 +16,8 @@ class ReceiveLine;
 class SearchFields;
 class TransferLine;
 
-/// Queries an archive: selects the archive, searches it and retrieves series. Displays the values it is given; deletes
-/// itself when closed.
+/// Dialog that selects a PACS, queries it and retrieves series. Passive view: shows what its owner sets. Deletes itself
+/// when closed.
 class ArchiveDialog : public QDialog {
     Q_OBJECT
 public:
@@ -30,8 +30,8 @@ public:
     CacheLine& cache() { return *cache_; }
     ReceiveLine& receive() { return *receive_; }
 
-    void showState();   ///< updates which actions are available
-    void offerPart(bool isOffered);   ///< offers to open the result of an incomplete retrieval
+    void showState();   ///< enables the actions that are currently possible
+    void offerPart(bool isOffered);   ///< offers to open the images of an incomplete retrieval
 
 signals:
     void retrieveRequested();

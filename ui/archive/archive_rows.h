@@ -6,14 +6,14 @@
 
 namespace angiopose::ui {
 
-/// Archive settings as entered by the user. Keys and passwords are stored only as file paths.
+/// PACS settings as entered by the user. For keys and passwords, only file paths are stored.
 struct ArchiveEntry {
     QString name;   ///< display name chosen by the user
-    QString host;   ///< empty: DICOMweb only
+    QString host;   ///< empty if only DICOMweb is used
     int port = 104;
     QString title = QStringLiteral("ANY-SCP");   ///< called AE title
     QString ownTitle = QStringLiteral("ANGIOPOSE");   ///< calling AE title
-    int receivePort = 0;   ///< 0: none
+    int receivePort = 0;   ///< port for C-MOVE; 0 if none
     bool isTls = false;
     QString caFile, certificateFile, keyFile;
     bool checksHost = true;
@@ -21,14 +21,14 @@ struct ArchiveEntry {
     int answerSeconds = 9;
 };
 
-/// Allowed senders of the storage SCP and its TLS settings. Keys are stored only as file paths.
+/// Allowed senders and TLS settings of the storage SCP. For keys, only file paths are stored.
 struct PortEntry {
-    QString titles, hosts;   ///< allowed callers, comma-separated; empty: any
+    QString titles, hosts;   ///< allowed calling AE titles and hosts, comma-separated; empty allows any
     bool isTls = false;
     QString caFile, certificateFile, keyFile;
 };
 
-/// Search criteria; empty fields are not part of the query.
+/// Search criteria; empty fields do not restrict the query.
 struct ArchiveSearch {
     QString patientName, patientId;
     QString from, to;   ///< study dates, as typed
@@ -38,12 +38,12 @@ struct ArchiveSearch {
 /// Display texts of a study or series found in an archive.
 struct MatchRow {
     QString key;
-    QString what;   ///< patient of a study, or number of a series
+    QString what;   ///< patient of the study, or number of the series
     QString patientId;
     QString date;
     QString modality;
     QString description;
-    int images = 0;   ///< 0: not reported
+    int images = 0;   ///< 0 if not reported by the archive
 };
 
 }   // namespace angiopose::ui

@@ -15,11 +15,11 @@ namespace {
 
 constexpr int matchKeyRole = Qt::UserRole;
 constexpr int imagesRole = Qt::UserRole + 1;
-constexpr int wantedRole = Qt::UserRole + 2;   ///< series of the study are loaded or requested
+constexpr int wantedRole = Qt::UserRole + 2;   ///< set once the series of the study are loaded or requested
 
 enum MatchColumn { What, PatientId, Date, MatchModality, MatchDescription, MatchImages, MatchColumnCount };
 
-/// Sorts numbers by value, also inside text: series 9 comes before series 10.
+/// Item that sorts numbers by value, also within text: series 9 comes before series 10.
 class MatchItem : public QTreeWidgetItem {
 public:
     using QTreeWidgetItem::QTreeWidgetItem;
@@ -100,7 +100,7 @@ void MatchList::showStudies(const std::vector<MatchRow>& studies)
     emit choiceChanged();
 }
 
-/// Limits the width of long names and IDs to leave room for the description.
+/// Limits the column widths of names and IDs to leave room for the description.
 void MatchList::fitColumns()
 {
     for (int column : {What, PatientId, Date, MatchModality, MatchImages}) {

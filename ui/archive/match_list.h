@@ -7,7 +7,7 @@
 
 namespace angiopose::ui {
 
-/// Studies of an archive with multiple selection; the series of a study are loaded on demand.
+/// List of the studies found in an archive, with multiple selection; series are loaded when a study is expanded.
 class MatchList : public QTreeWidget {
     Q_OBJECT
 public:
@@ -15,13 +15,13 @@ public:
 
     void showStudies(const std::vector<MatchRow>& studies);
     void showSeries(const QString& studyKey, const std::vector<MatchRow>& series);
-    /// Marks the series of a study as not loaded; expanding the study again requests them again.
+    /// Marks the series of a study as not loaded, so expanding the study requests them again.
     void showNoSeries(const QString& studyKey);
     /// Sets the text shown in the middle of an empty list.
     void setEmptyWords(const QString& words);
 
     struct Chosen {
-        QString study, series;   ///< keys; an empty series means the whole study
+        QString study, series;   ///< keys; an empty `series` stands for the whole study
     };
     std::vector<Chosen> chosen() const;
 

@@ -22,7 +22,7 @@ constexpr int maxAeLetters = 16;
 constexpr int maxNameLetters = 64;
 constexpr int nodeFieldWidth = 400;
 
-/// Aligns the fields of all forms of the dialog.
+/// Gives the labels of all forms in the dialog the same width, which aligns their fields.
 void alignNames(const QDialog& dialog)
 {
     int widest = 0;

@@ -12,7 +12,7 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// Field for a file path that can be typed or chosen.
+/// Field for a file path, typed or chosen in a file dialog.
 class PathField : public QWidget {
     Q_OBJECT
 public:
@@ -34,7 +34,7 @@ class NumberField;
 class PathField;
 class TransferLine;
 
-/// Edits the connection settings of an archive. Stays open until the input is accepted; deletes itself when closed.
+/// Dialog for the connection settings of a PACS. Stays open until the input is accepted; deletes itself when closed.
 class NodeDialog : public QDialog {
     Q_OBJECT
 public:
@@ -45,7 +45,7 @@ public:
     TransferLine& line() { return *line_; }
 
 signals:
-    void saveRequested(const ui::ArchiveEntry& entry);   ///< the receiver answers with `accept` or shows a problem
+    void saveRequested(const ui::ArchiveEntry& entry);   ///< the receiver calls `accept` or shows a problem
     void testRequested(const ui::ArchiveEntry& entry);
 
 private:

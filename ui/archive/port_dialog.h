@@ -13,8 +13,8 @@ namespace angiopose::ui {
 class PathField;
 class TransferLine;
 
-/// Edits who may send to the storage SCP and whether TLS is required. Stays open until the input is accepted; deletes
-/// itself when closed.
+/// Dialog for the allowed senders and the TLS settings of the storage SCP. Stays open until the input is accepted;
+/// deletes itself when closed.
 class PortDialog : public QDialog {
     Q_OBJECT
 public:
@@ -24,7 +24,7 @@ public:
     TransferLine& line() { return *line_; }
 
 signals:
-    void saveRequested(const ui::PortEntry& entry);   ///< the receiver answers with `accept` or shows a problem
+    void saveRequested(const ui::PortEntry& entry);   ///< the receiver calls `accept` or shows a problem
 
 private:
     QFormLayout* makeForm();

@@ -13,7 +13,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int maxTitleLetters = 16;   // AE title limit, PS3.5 6.2
+constexpr int maxTitleLetters = 16;   // maximum length of an AE title, PS3.5 §6.2
 
 }   // namespace
 
@@ -41,7 +41,7 @@ ReceiveLine::ReceiveLine(QWidget* parent)
     security_->setAutoDefault(false);
     security_->setToolTip(tr("Sets who may connect to this port, and encryption (TLS)"));
     words_->setObjectName(QStringLiteral("receiveWords"));
-    words_->setTextFormat(Qt::PlainText);   // calling AE titles are untrusted text
+    words_->setTextFormat(Qt::PlainText);   // calling AE titles come from the network: no rich text
     words_->setWordWrap(true);
     open_->setAutoDefault(false);
     open_->setToolTip(tr("Select from the received objects"));

@@ -11,7 +11,7 @@ namespace angiopose::ui {
 
 class NumberField;
 
-/// Switches the storage SCP on and off and shows what was received.
+/// Row that switches the storage SCP on and off and summarizes the received objects.
 class ReceiveLine : public QWidget {
     Q_OBJECT
 public:
@@ -19,7 +19,7 @@ public:
 
     void showPort(int port, const QString& title);
     void showListening(bool isListening);
-    /// Shows a summary of the received objects; `canOpen`: some of them can be opened.
+    /// Shows a summary of the received objects; `canOpen` is true if any of them can be opened.
     void showArrivals(const QString& words, bool canOpen);
     int port() const;
     QString title() const;
@@ -40,7 +40,7 @@ private:
 
 class NumberField;
 
-/// Shows the size of the retrieval cache and edits its limit.
+/// Row that shows the size of the retrieval cache and edits its limit.
 class CacheLine : public QWidget {
     Q_OBJECT
 public:

@@ -59,7 +59,7 @@ void NodeBar::showNodes(const QStringList& names, const QString& chosen)
     nodes_->setCurrentIndex(names.isEmpty() ? -1 : std::max(0, static_cast<int>(names.indexOf(chosen))));
     showState();
     if (names.isEmpty()) {
-        add_->setFocus();   // the only available action
+        add_->setFocus();   // without a configured archive, Add is the only available action
     }
 }
 

@@ -9,7 +9,7 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// Selects an archive and manages the list of archives: add, edit, remove, test.
+/// Row that selects an archive and adds, edits, removes and tests archives.
 class NodeBar : public QWidget {
     Q_OBJECT
 public:
@@ -40,8 +40,8 @@ private:
 class NodeBar;
 class TransferLine;
 
-/// Selects the archive that receives the DICOM objects of a case and shows the transfer progress; deletes itself when
-/// closed.
+/// Dialog that selects the PACS to which the DICOM objects of a case are sent, and shows the transfer progress; deletes
+/// itself when closed.
 class SendDialog : public QDialog {
     Q_OBJECT
 public:
@@ -50,9 +50,9 @@ public:
     NodeBar& nodes() { return *nodes_; }
     TransferLine& line() { return *line_; }
 
-    void showState();   ///< updates which actions are available
-    void showNode();   ///< shows the selected archive, or that there is none
-    void showSent(const QString& words);   ///< the transfer is complete
+    void showState();   ///< enables the actions that are currently possible
+    void showNode();   ///< shows the selected archive, or that none is configured
+    void showSent(const QString& words);   ///< shows that the transfer is complete
 
 signals:
     void sendRequested();

@@ -30,7 +30,7 @@ TransferLine::TransferLine(QWidget* parent)
     layout->addWidget(progress_);
     layout->addWidget(words_, 1);
     layout->addWidget(stop_);
-    setMinimumHeight(stop_->sizeHint().height());   // keeps the layout stable when the button appears
+    setMinimumHeight(stop_->sizeHint().height());   // keeps the layout stable when Stop appears
     progress_->hide();
     stop_->hide();
     connect(stop_, &QPushButton::clicked, this, [this] {

@@ -8,17 +8,17 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// Shows the running archive transfer with progress and Stop, then its outcome.
+/// Row that shows the running archive transfer with its progress and a Stop button, then the outcome.
 class TransferLine : public QWidget {
     Q_OBJECT
 public:
     explicit TransferLine(QWidget* parent = nullptr);
 
-    void showHint(const QString& words);   ///< what to do next
-    void showBusy(const QString& words);   ///< indeterminate progress
+    void showHint(const QString& words);   ///< shows what to do next
+    void showBusy(const QString& words);   ///< shows indeterminate progress
     void showProgress(const QString& words, qsizetype done, qsizetype all);
     void showDone(const QString& words);
-    void showProblem(const QString& words);   ///< the problem and its remedy
+    void showProblem(const QString& words);   ///< shows the problem and its remedy
     bool isBusy() const { return isBusy_; }
     QString words() const;
 

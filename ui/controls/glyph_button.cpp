@@ -10,7 +10,7 @@ namespace {
 
 using Glyph = GlyphButton::Glyph;
 
-/// Adds an arrowhead at its tip; `along` is the unit vector of its direction.
+/// Adds an arrowhead with its point at `tip`; `along` is the unit vector in which it points.
 void addHead(QPainterPath& path, const QPointF& tip, const QPointF& along)
 {
     constexpr double length = 3.2;

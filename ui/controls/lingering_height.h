@@ -7,11 +7,11 @@ class QWidget;
 
 namespace angiopose::ui {
 
-/// Minimum height of a widget with changing content: grows at once and shrinks only after the content has been stable
-/// for a while, to keep the widgets below it from jumping under the pointer.
+/// Keeps the minimum height of a widget with changing content: grows at once, but shrinks only after a pause, to keep
+/// the widgets below from jumping under the pointer.
 class LingeringHeight : public QObject {
 public:
-    /// `minPx` is the initial minimum height. Owned by the widget.
+    /// `minPx` is the initial minimum height. The widget owns this object.
     LingeringHeight(QWidget& widget, int minPx);
 
     void ask(int heightPx);

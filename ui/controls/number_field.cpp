@@ -22,7 +22,7 @@ namespace {
 
 constexpr QChar fieldMinusSign{0x2212};
 
-/// Returns the combo box, spin box or slider whose value a wheel event over the widget would change.
+/// Returns `watched` if it is a combo box, spin box or slider, whose value the wheel would change; otherwise null.
 QWidget* guarded(QObject* watched)
 {
     const bool holdsValue = qobject_cast<QComboBox*>(watched) || qobject_cast<QAbstractSpinBox*>(watched) ||
@@ -37,7 +37,7 @@ NumberField::NumberField(NumberFormat format, QWidget* parent) : QLineEdit(paren
     setProperty("role", "number");
     setUnit(format_.unit);
     connect(this, &QLineEdit::returnPressed, this, &NumberField::commit);
-    speak(this, [this] { showValue(value_); });   // decimal separator of the language
+    speak(this, [this] { showValue(value_); });   // updates the decimal separator when the language changes
 }
 
 void NumberField::setUnit(const QString& unit)
@@ -67,7 +67,7 @@ void NumberField::setAsking(bool asking)
 
 bool NumberField::event(QEvent* event)
 {
-    // Up, Down and Esc go to the focused field, not to the window's shortcuts.
+    // Reserves Up, Down and Esc for the focused field; otherwise the window's shortcuts would consume them.
     if (event->type() == QEvent::ShortcutOverride) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_Escape) {
@@ -95,7 +95,7 @@ void NumberField::wheelEvent(QWheelEvent* event)
         event->ignore();
         return;
     }
-    // Alt and Shift make the wheel horizontal on some desktops.
+    // On some desktops, Alt and Shift turn vertical wheel steps into horizontal ones.
     const QPoint delta = event->angleDelta();
     const int notches = delta.y() != 0 ? delta.y() : delta.x();
     stepBy(notches / 120.0, event->modifiers());
@@ -196,7 +196,7 @@ bool WheelGuard::eventFilter(QObject* watched, QEvent* event)
         }
     } else if (event->type() == QEvent::Wheel) {
         if (const QWidget* box = guarded(watched); box && !box->hasFocus()) {
-            event->ignore();   // passed on to the surrounding scroll area
+            event->ignore();   // lets the surrounding scroll area handle the event
             return true;
         }
     }

@@ -14,12 +14,12 @@ struct NumberFormat {
     double max = 0.0;
     int decimals = 0;
     QString unit;
-    double step = 1.0;   ///< step of arrow keys and wheel; ×10 with Shift, ×0.1 with Ctrl
+    double step = 1.0;   ///< increment of arrow keys and wheel; ×10 with Shift, ×0.1 with Ctrl
     NumberSign sign = NumberSign::WhenNegative;
 };
 
-/// Number field with its unit shown inside in a muted tone. Accepts '.' and ','; the wheel changes it only while it has
-/// focus; Enter or losing focus commits, Esc reverts.
+/// Number field that shows its unit in a muted color. Accepts '.' and ','. The wheel changes the value only while the
+/// field has focus; Enter or losing focus commits it, Esc reverts it.
 class NumberField : public QLineEdit {
     Q_OBJECT
 public:
@@ -29,7 +29,7 @@ public:
     std::optional<double> value() const { return value_; }
     void setUnit(const QString& unit);
     void setDecimals(int decimals) { format_.decimals = decimals; }   ///< takes effect at the next update
-    void setAsking(bool asking);   ///< highlights a value to be entered or confirmed
+    void setAsking(bool asking);   ///< highlights a value that the user must enter or confirm
 
 signals:
     void edited(double value);

@@ -9,8 +9,8 @@
 namespace angiopose::ui {
 namespace {
 
-/// Label that caches its height for a width: layouts ask for it whenever a column folds or unfolds, and each answer
-/// would lay the text out again.
+/// Label that caches its height per width: layouts request the height whenever a column folds or unfolds, and each
+/// request would lay out the text again.
 class WrappedLabel : public QLabel {
 public:
     using QLabel::QLabel;
@@ -21,7 +21,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    mutable QString askedAbout_;   ///< text and role of the cached heights
+    mutable QString askedAbout_;   ///< text and role to which the cached heights belong
     mutable QHash<int, int> heightAt_;
 };
 
@@ -30,7 +30,7 @@ int WrappedLabel::heightForWidth(int width) const
     if (!wordWrap()) {
         return QLabel::heightForWidth(width);
     }
-    const QString about = property("role").toString() + text();   // each role has its own font and padding
+    const QString about = property("role").toString() + text();   // font and padding depend on the role
     if (about != askedAbout_) {
         askedAbout_ = about;
         heightAt_.clear();
@@ -85,7 +85,7 @@ Section::Section(const char* name, const Words& title, Folding folding, QWidget*
         fold_ = new QToolButton;
         fold_->setProperty("role", "fold");
         fold_->setArrowType(Qt::DownArrow);
-        fold_->setFocusPolicy(Qt::TabFocus);   // no focus rectangle after a click
+        fold_->setFocusPolicy(Qt::TabFocus);   // avoids a focus rectangle after a click
         withName(fold_, [title] { return tr("Collapse or expand %1").arg(title()); });
         connect(fold_, &QToolButton::clicked, this, [this] { setFolded(!isFolded()); });
         title_->installEventFilter(this);

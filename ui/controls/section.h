@@ -28,7 +28,7 @@ enum class Folding { Fixed, Foldable };
 class Section : public QWidget {
     Q_OBJECT
 public:
-    /// `name` is the object name, used as the key of the saved folding state.
+    /// `name` is the object name and the key under which the folding state is saved.
     Section(const char* name, const Words& title, Folding folding, QWidget* parent = nullptr);
 
     void setHint(const QString& hint);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double thinnestPx = 1.2;
 
-/// "LAO 30° · CRA 10°"
+/// Formats gantry angles, e.g. "LAO 30° · CRA 10°".
 QString angleWords(const core::GantryAngles& angles)
 {
     const auto words = [](double deg, const char* negative, const char* positive) {
@@ -81,7 +81,7 @@ void SimulatedView::paintEvent(QPaintEvent*)
 
 void SimulatedView::paintBranch(QPainter& painter, const core::VesselBranch& branch, double scale) const
 {
-    const Palette& tones = ui::palette(ThemeMode::Dark);   // dark background in every theme
+    const Palette& tones = ui::palette(ThemeMode::Dark);   // the background is dark in every theme
     QPen pen(toQColor(branch.id == branchId_ ? tones.accent : tones.label));
     pen.setCapStyle(Qt::RoundCap);
     std::optional<Eigen::Vector2d> before;

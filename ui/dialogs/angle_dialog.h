@@ -22,7 +22,7 @@ class SimulatedView : public QWidget {
 public:
     explicit SimulatedView(QWidget* parent = nullptr);
 
-    /// Without a sight, nothing is shown.
+    /// Shows the vessels; leaves the view empty if `sight` has no value.
     void showVessels(std::shared_ptr<const core::VesselTree> tree, int branchId,
                      const std::optional<core::Sight>& sight);
     QSize sizeHint() const override { return {230, 230}; }
@@ -48,14 +48,14 @@ struct GantryReach {
     core::AngleRange secondary;
 };
 
-/// Finds C-arm angles that show a branch well: angle map, best angles and a simulated view of the selected angles.
-/// Non-modal; displays the values it is given and emits signals for user actions.
+/// Dialog that finds C-arm angles showing a branch well: angle map, best angles and a simulated view at the selected
+/// angles. Non-modal passive view: shows what its owner sets and emits signals for user actions.
 class AngleDialog : public QDialog {
     Q_OBJECT
 public:
     AngleDialog(const GantryReach& reach, QWidget* parent);
 
-    void showBranch(const QString& title, const QString& hint);   ///< target branch and notes about it
+    void showBranch(const QString& title, const QString& hint);   ///< shows the target branch and notes about it
     void showMap(const std::optional<core::AngleMap>& map, const std::optional<core::AngleSuggestion>& now);
     void showPicked(const core::AngleSuggestion& picked);
     void showVessels(std::shared_ptr<const core::VesselTree> tree, int branchId,
@@ -65,7 +65,7 @@ public:
     GantryReach reach() const;
 
 signals:
-    void questionChanged();   ///< origin only, or gantry limits
+    void questionChanged();   ///< origin-only option or gantry limits changed
     void picked(const core::GantryAngles& angles);
 
 private:

@@ -46,7 +46,7 @@ AuxiliaryDialog::AuxiliaryDialog(QWidget* parent)
     setObjectName(QStringLiteral("auxiliaryDialog"));
     setWindowTitle(tr("Auxiliary branches"));
     setAttribute(Qt::WA_DeleteOnClose);
-    resize(auxiliaryDialogWidth, 1);   // height follows from the text, see showAdvice
+    resize(auxiliaryDialogWidth, 1);   // the text determines the height, see showAdvice
     auto* words = wrapped("hint");
     words->setText(
         tr("The alternating methods solve for these branches first: choose opacified, stationary, clearly separated "
@@ -129,7 +129,7 @@ void AuxiliaryDialog::showAdvice(const AuxiliaryAdvice& advice)
     for (std::size_t row = 0; row < cells_.size(); ++row) {
         const bool isKnown = row < advice.steps.size();
         const PinnedStep step = isKnown ? advice.steps[row] : PinnedStep{};
-        const bool isAngle = step.unit == QStringLiteral("°");   // no space before the unit
+        const bool isAngle = step.unit == QStringLiteral("°");   // degrees take no space before the unit
         const auto plusMinus = [&step, isAngle](double std) {
             return (isAngle ? QStringLiteral("±%1%2") : QStringLiteral("±%1 %2")).arg(numberText(std, 2), step.unit);
         };
@@ -156,7 +156,7 @@ void AuxiliaryDialog::showAdvice(const AuxiliaryAdvice& advice)
     enable(byRadius_, radius_, advice.largestRadiusMm.has_value(), tr("This tree has no radii."));
     layout()->activate();
     if (const int needed = layout()->totalHeightForWidth(width()); needed > height()) {
-        resize(width(), needed);   // wrapped labels do not report their height
+        resize(width(), needed);   // size hints omit the height of wrapped labels
     }
 }
 

@@ -16,25 +16,25 @@ class NumberField;
 
 /// Constraint of one pose parameter: expected standard deviations and the branches that determine it.
 struct PinnedStep {
-    QString name;   ///< "depth"
+    QString name;   ///< e.g. "depth"
     QString unit;
-    double stdOfAll = 0.0;   ///< expected 1-σ with all branches …
-    double stdOfChosen = 0.0;   ///< … and with the auxiliary branches only
-    QString pinnedBy;   ///< branches that constrain it best
+    double stdOfAll = 0.0;   ///< expected standard deviation with all branches
+    double stdOfChosen = 0.0;   ///< expected standard deviation with the auxiliary branches only
+    QString pinnedBy;   ///< branches that constrain this parameter best
 };
 
 /// Assessment of the current set of auxiliary branches.
 struct AuxiliaryAdvice {
     std::vector<PinnedStep> steps;
-    QString suggestion;   ///< names of the suggested branches; empty: none
-    QString preview;   ///< branches that the alternation would use now
-    QString otherMethod;   ///< method that uses the subset throughout; empty: the current method already does
-    int generations = 0;   ///< highest known generation + 1; 0: unknown
-    std::optional<double> largestRadiusMm;   ///< empty: the tree has no radii
+    QString suggestion;   ///< names of the suggested branches; empty if there is no suggestion
+    QString preview;   ///< branches that the alternating method would use now
+    QString otherMethod;   ///< method that uses the subset throughout; empty if it is already selected
+    int generations = 0;   ///< highest known generation + 1; 0 if unknown
+    std::optional<double> largestRadiusMm;   ///< empty if the tree has no radii
 };
 
-/// Selects the auxiliary branches and shows how well they constrain the pose. Non-modal; displays the values it is
-/// given and emits signals for user actions.
+/// Dialog that selects the auxiliary branches and shows how well they constrain the pose. Non-modal passive view: shows
+/// what its owner sets and emits signals for user actions.
 class AuxiliaryDialog : public QDialog {
     Q_OBJECT
 public:
@@ -43,13 +43,13 @@ public:
     void showAdvice(const AuxiliaryAdvice& advice);
 
 signals:
-    void generationRequested(int last);   ///< generations 0 … last
+    void generationRequested(int last);   ///< requests generations 0 to `last`
     void radiusRequested(double atLeastMm);
-    void viewRequested();   ///< branches visible in the view
+    void viewRequested();   ///< requests the branches visible in the view
     void lassoRequested();
     void suggestionRequested();
     void clearRequested();
-    void methodRequested();   ///< switches to `otherMethod`
+    void methodRequested();   ///< requests a switch to `otherMethod`
 
 private:
     QLayout* makeWays();

@@ -14,13 +14,13 @@ class QPushButton;
 namespace angiopose::ui {
 
 struct PackChoice {
-    Choice identity = Choice::Off;   ///< whether the identity is kept
+    Choice identity = Choice::Off;   ///< keeps the patient identity
     Choice shiftedDates = Choice::Off;   ///< shifts dates instead of removing them
     Choice blackedOut = Choice::Off;   ///< masks burned-in text
-    QString pseudonym;   ///< empty: generated
+    QString pseudonym;   ///< generated if empty
 };
 
-/// Asks how to share a case; de-identifies it unless the user keeps the identity. Emits `chosen` on Pack.
+/// Dialog for sharing a case, which is de-identified unless the user keeps the identity. Emits `chosen` on Pack.
 class PackDialog : public QDialog {
     Q_OBJECT
 public:
@@ -40,12 +40,12 @@ private:
 
 /// Files to de-identify, the destination and the options.
 struct DeidentifyChoice {
-    QStringList paths;   ///< files and folders
+    QStringList paths;   ///< input files and folders
     QString outputFolder;
-    PackChoice how;   ///< always without identity
+    PackChoice how;   ///< `identity` is always off
 };
 
-/// Asks which files and folders to de-identify. The receiver of its requests opens the file dialogs.
+/// Dialog that collects the files and folders to de-identify. The receiver of its signals opens the file dialogs.
 class DeidentifyDialog : public QDialog {
     Q_OBJECT
 public:

@@ -7,7 +7,7 @@ class QString;
 
 namespace angiopose::ui {
 
-/// Creates the button row of a dialog: Cancel, and the default button that accepts (also by Enter).
+/// Creates the button row of a dialog: Cancel, and `accept` as the default button (also triggered by Enter).
 QHBoxLayout* dialogButtons(QDialog& dialog, const QString& cancel, QPushButton& accept);
 
 }   // namespace angiopose::ui

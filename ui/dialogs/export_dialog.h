@@ -25,11 +25,11 @@ struct ExportChoice {
     int widthPx = 1024;
     Choice residualColors = Choice::On;
     Choice identity = Choice::Off;
-    Choice english = Choice::Off;   ///< English labels although the window uses another language
-    Choice cutout = Choice::Off;   ///< swipe or lens, if active in the window
-    Choice startBeside = Choice::Off;   ///< second image with the vessels at the initial pose
+    Choice english = Choice::Off;   ///< English labels even if the window uses another language
+    Choice cutout = Choice::Off;   ///< includes the swipe or lens if active in the window
+    Choice startBeside = Choice::Off;   ///< adds a second image with the vessels at the initial pose
     PictureFormat format = PictureFormat::Png;
-    PicturePart part = PicturePart::Overlay;   ///< Frame16 (16-bit gray values): PNG only, native size
+    PicturePart part = PicturePart::Overlay;   ///< Frame16 (16-bit gray values) exists only as PNG at native size
     int dotsPerInch = 300;
 };
 
@@ -37,11 +37,11 @@ struct ExportChoice {
 class ExportDialog : public QDialog {
     Q_OBJECT
 public:
-    /// `viewWidthPx` is the current width of the view, `aspect` the height/width ratio of the image.
+    /// `viewWidthPx` is the current width of the view; `aspect` is the image height divided by its width.
     ExportDialog(int viewWidthPx, double aspect, QWidget* parent);
 
     void showChoice(const ExportChoice& choice);
-    void offerCutout(bool hasCutout);   ///< checked if the window shows a cutout
+    void offerCutout(bool hasCutout);   ///< initially checked if the window shows a swipe or lens
     ExportChoice choice() const;
 
 signals:
@@ -73,17 +73,17 @@ enum class DicomPart { Picture, Run, Report, State, Registration, Segmentation, 
 
 struct DicomChoice {
     std::vector<DicomPart> parts;
-    Choice identity = Choice::Off;   ///< burned into images and report
+    Choice identity = Choice::Off;   ///< burns the patient identity into images and report
 };
 
 enum class DicomPurpose { Export, Send };
 
-/// Asks which DICOM objects to create from a case. Objects that the case cannot provide are disabled. Emits `chosen` on
-/// Export or Send.
+/// Dialog that selects the DICOM objects to create from a case; objects that the case cannot provide are disabled.
+/// Emits `chosen` on Export or Send.
 class DicomDialog : public QDialog {
     Q_OBJECT
 public:
-    /// The `possible` objects are enabled and initially checked.
+    /// Enables and initially checks the objects in `possible`.
     DicomDialog(const std::vector<DicomPart>& possible, DicomPurpose purpose, QWidget* parent);
 
     DicomChoice choice() const;
@@ -94,7 +94,7 @@ signals:
 private:
     void showState();
 
-    std::vector<QCheckBox*> boxes_;   ///< one per DicomPart
+    std::vector<QCheckBox*> boxes_;   ///< in the order of DicomPart
     QCheckBox* identity_;
     QPushButton* export_;
 };

@@ -89,7 +89,7 @@ GoodFit::GoodFit(QWidget* parent) : QDialog(parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(20, 18, 20, 16);
     layout->setSpacing(14);
-    auto* area = new QScrollArea;   // small screens cannot show all six examples
+    auto* area = new QScrollArea;   // scrolls on screens too small for all six examples
     area->setWidget(pictures);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);

@@ -13,7 +13,7 @@ namespace angiopose::ui {
 enum class FitExample { Right, Unopacified, Deformed, Shifted, Turned, Tilted };
 inline constexpr int fitExampleCount = 6;
 
-/// "What a good fit looks like": three good and three bad fits with one sentence each. Images are added as they are
+/// "What a good fit looks like": three good and three bad fits with one sentence each. Images appear as they are
 /// rendered. Deletes itself when closed.
 class GoodFit : public QDialog {
     Q_OBJECT

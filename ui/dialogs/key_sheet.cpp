@@ -36,7 +36,7 @@ bool isModifier(int key)
     return std::ranges::find(modifiers, key) != modifiers.end();
 }
 
-/// Returns the key in shortcut notation: "?" instead of "Shift+?", and keypad digits like the others.
+/// Returns the key as written in shortcuts: "?" instead of "Shift+?", and digits without distinguishing the keypad.
 QKeySequence keyOf(const QKeyEvent& event)
 {
     Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeypadModifier;
@@ -48,7 +48,7 @@ QKeySequence keyOf(const QKeyEvent& event)
     return QKeySequence(QKeyCombination(modifiers, static_cast<Qt::Key>(event.key())));
 }
 
-/// True for keys that navigate dialogs, hide the overlay or cancel; no command may use them without a modifier.
+/// True for keys that navigate dialogs or hide the overlay, which no command may use without a modifier.
 bool isReserved(const QKeySequence& key)
 {
     static const std::array reserved{QKeySequence(Qt::Key_H),      QKeySequence(Qt::Key_Tab),

@@ -15,14 +15,14 @@ class QTreeWidgetItem;
 
 namespace angiopose::ui {
 
-/// Lists all shortcuts; typing filters them, Enter on a line records a new shortcut. Detects conflicts but changes
-/// nothing itself. Deletes itself when closed.
+/// Lists all shortcuts; typing filters the list, and Enter on a line records a new shortcut. Reports conflicts but
+/// never changes shortcuts itself. Deletes itself when closed.
 class KeySheet : public QDialog {
     Q_OBJECT
 public:
     KeySheet(std::vector<KeyLine> lines, QWidget* parent);
 
-    void showLines(std::vector<KeyLine> lines);   ///< keeps search text and selection
+    void showLines(std::vector<KeyLine> lines);   ///< replaces the lines; keeps search text and selection
     bool isListening() const { return listening_ != nullptr; }
 
 signals:
@@ -43,9 +43,9 @@ private:
     std::vector<KeyLine> lines_;
     QLineEdit* search_;
     QTreeWidget* list_;
-    QLabel* word_;   ///< instruction or result
+    QLabel* word_;   ///< instruction, or outcome of the last assignment
     QAction* listening_ = nullptr;
-    QKeySequence warnedOf_;   ///< conflicting key that was pressed once
+    QKeySequence warnedOf_;   ///< conflicting key after its first press, which only warns
 };
 
 }   // namespace angiopose::ui

@@ -39,7 +39,7 @@ QVBoxLayout* makeBody(QDialog* dialog, const Message& message)
     return layout;
 }
 
-/// Indents continuation lines to the message text, behind the time.
+/// Indents wrapped lines to align with the message text after the time.
 void indentBehindTime(QTextEdit& text)
 {
     text.ensurePolished();
@@ -113,7 +113,7 @@ QuestionDialog::QuestionDialog(const Message& message, const QStringList& verbs,
     }
     layout->addLayout(buttons);
     if (buttons->count() > 1) {
-        buttons->itemAt(buttons->count() - 1)->widget()->setFocus();   // Enter triggers the highlighted button
+        buttons->itemAt(buttons->count() - 1)->widget()->setFocus();   // makes Enter trigger the highlighted button
     }
     connect(this, &QDialog::finished, this,
             [this](int code) { emit answered(code == 0 ? meantByClosing_ : code - 1); });

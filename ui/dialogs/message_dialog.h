@@ -6,14 +6,14 @@
 
 namespace angiopose::ui {
 
-/// Error or notice: a heading, one sentence with problem and remedy, and details to copy.
+/// Error or notice: a heading, one sentence stating problem and remedy, and details that can be copied.
 struct Message {
     QString heading;
     QString text;
     QString details;
 };
 
-/// Shows one message above its parent; details expand and can be copied. Deletes itself when closed.
+/// Shows a message above its parent, with expandable details that can be copied. Deletes itself when closed.
 class MessageDialog : public QDialog {
     Q_OBJECT
 public:
@@ -22,8 +22,8 @@ public:
     static void show(const Message& message, QWidget* parent);
 };
 
-/// Question whose answers are verbs; Enter selects the first. `answered` carries the index of the selected answer;
-/// closing selects the last one by default.
+/// Question with verbs as answers; Enter selects the first. `answered` carries the index of the selected answer; by
+/// default, closing the dialog selects the last.
 class QuestionDialog : public QDialog {
     Q_OBJECT
 public:
@@ -38,7 +38,7 @@ private:
     int meantByClosing_;
 };
 
-/// Message log, newest last, for reading and copying. Deletes itself when closed.
+/// Dialog that shows the message log, newest message last; text can be copied. Deletes itself when closed.
 class MessageHistory : public QDialog {
     Q_OBJECT
 public:

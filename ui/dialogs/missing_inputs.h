@@ -14,7 +14,7 @@ namespace angiopose::ui {
 class MissingInputs : public QDialog {
     Q_OBJECT
 public:
-    /// `missing` holds full paths; `startFolder` is the initial folder of the file dialog.
+    /// `missing` holds full paths; `startFolder` is the folder in which the file dialog opens.
     MissingInputs(const QString& caseName, const QStringList& missing, const QString& startFolder, QWidget* parent);
 
     void offerWithout(bool possible);   ///< offers to open the case without the missing files

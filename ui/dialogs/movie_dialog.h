@@ -18,21 +18,21 @@ struct MovieChoice {
     int widthPx = 1024;
     double framesPerSecond = 15.0;
     Choice identity = Choice::Off;
-    Choice english = Choice::Off;   ///< English labels although the window uses another language
-    Choice residualColors = Choice::Off;   ///< for convergence movies
+    Choice english = Choice::Off;   ///< English labels even if the window uses another language
+    Choice residualColors = Choice::Off;   ///< used in convergence movies only
 };
 
-/// Available movie content, and the outcome of a set of options.
+/// Movie content that is available, and the result that given options would produce.
 struct MovieOffer {
-    bool hasRun = false;   ///< more than one frame
+    bool hasRun = false;   ///< the angiogram has more than one frame
     bool hasConvergence = false;
     std::function<double(MoviePart)> usualPerSecond;
     struct Outcome {
         std::size_t pictures = 0;
         double seconds = 0.0;
         QSize size;
-        QString words;   ///< frame range and poses used
-        QString problem;   ///< reason why it cannot be written; empty: writable
+        QString words;   ///< description of the frame range and poses used
+        QString problem;   ///< reason why the movie cannot be written; empty if it can
     };
     std::function<Outcome(const MovieChoice&)> outcomeOf;
 };
@@ -43,7 +43,7 @@ class MovieDialog : public QDialog {
 public:
     MovieDialog(MovieOffer offer, QWidget* parent);
 
-    void showChoice(const MovieChoice& choice);   ///< replaces options that are not available
+    void showChoice(const MovieChoice& choice);   ///< shows the options; replaces unavailable ones
     MovieChoice choice() const;
 
 signals:

@@ -45,7 +45,7 @@ enum PoseColumn {
     PoseColumnCount
 };
 
-/// Sorts by the numeric value behind the text.
+/// Row that sorts by the numeric values behind the displayed text.
 class Row : public QTreeWidgetItem {
 public:
     using QTreeWidgetItem::QTreeWidgetItem;
@@ -58,7 +58,7 @@ public:
     }
 };
 
-/// Keeps measured values read-only.
+/// Delegate for columns that cannot be edited.
 class ReadOnly : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;

@@ -19,14 +19,14 @@ class QTreeWidgetItem;
 
 namespace angiopose::ui {
 
-/// One row of the comparison: a snapshot (or the current pose, id 0) and its difference from the reference.
+/// Row of the comparison: a snapshot (or the current pose with ID 0) and its difference from the reference.
 struct PoseRow {
     core::PoseSnapshot snapshot;
     core::PoseDifference difference;
 };
 
-/// Compares poses, methods and observers. Non-modal; displays the values it is given and emits signals for user
-/// actions.
+/// Table that compares poses, methods and observers. Non-modal passive view: shows what its owner sets and emits
+/// signals for user actions.
 class PoseTable : public QDialog {
     Q_OBJECT
 public:
@@ -34,16 +34,16 @@ public:
 
     void showRows(const std::vector<PoseRow>& rows, int referenceId);   ///< emits no signal
     void showChosenMethods(const std::vector<std::string>& methodIds);
-    void showRun(const QString& what, double progress);   ///< progress of the running registrations
+    void showRun(const QString& what, double progress);   ///< shows the progress of the running registrations
     void showIdle(const QString& words);
     QTreeWidget* table() const { return table_; }
 
 signals:
-    void wasPicked(int snapshotId);   ///< snapshot to display; 0: the current pose
+    void wasPicked(int snapshotId);   ///< snapshot to display; 0 is the current pose
     void referenceRequested(int snapshotId);
     void restoreRequested(int snapshotId);
     void removeRequested(const std::set<int>& snapshotIds);
-    void textEdited(const core::PoseSnapshot& edited);   ///< name, author or note edited
+    void textEdited(const core::PoseSnapshot& edited);   ///< the user edited name, author or note
     void runRequested(const std::vector<std::string>& methodIds);
     void stopRequested();
     void exportRequested();

@@ -16,7 +16,7 @@ struct PruneLimits {
     double minRadiusMm = 0.0;
 };
 
-/// Asks for the length and radius below which end branches are removed, and shows how many that would be.
+/// Dialog for the length and radius below which terminal branches are removed; shows the number of branches affected.
 class PruneDialog : public QDialog {
     Q_OBJECT
 public:

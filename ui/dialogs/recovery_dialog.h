@@ -12,13 +12,13 @@ namespace angiopose::ui {
 
 /// Recovery copy left by a session that ended unexpectedly.
 struct RecoveryRow {
-    QString path;   ///< path of the copy
+    QString path;   ///< path of the recovery copy
     QString name;   ///< name of the case
     QString when;
-    QString folder;   ///< folder of the case; empty: never saved
+    QString folder;   ///< folder of the case; empty if never saved
 };
 
-/// Offers recovery copies of unsaved work: open one, delete any, or keep all for later.
+/// Dialog that offers recovery copies of unsaved work: the user opens one, deletes any, or keeps all for later.
 class RecoveryDialog : public QDialog {
     Q_OBJECT
 public:

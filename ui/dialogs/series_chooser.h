@@ -17,14 +17,14 @@ struct SeriesRow {
     QString description;
     QString modality;
     int imageCount = 0;
-    QString size;   ///< "512 × 512 × 300"
-    QString spacingMm;   ///< "0.49 × 0.49 × 0.75"
+    QString size;   ///< e.g. "512 × 512 × 300"
+    QString spacingMm;   ///< e.g. "0.49 × 0.49 × 0.75"
     QString date;
-    QStringList notes;   ///< warnings, or the reason why it cannot be opened
+    QStringList notes;   ///< warnings, or the reason why the series cannot be opened
     bool isOpenable = true;
 };
 
-/// Asks which series of a folder to open. Deletes itself when closed.
+/// Dialog that selects one series of a folder to open. Deletes itself when closed.
 class SeriesChooser : public QDialog {
     Q_OBJECT
 public:

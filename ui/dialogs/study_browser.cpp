@@ -191,8 +191,8 @@ void StudyBrowser::showChoice()
     open_->setEnabled(!isReading_ && (hasChoice || (current && current->use != StudySeriesRow::Use::None)));
 }
 
-/// Emits the checked series, or the selected row if none is checked. A series may still be incomplete while files are
-/// being read.
+/// Emits the checked series, or the selected row if none is checked. While files are still being read, a series may be
+/// incomplete.
 void StudyBrowser::takeChoice()
 {
     if (isReading_) {

@@ -15,8 +15,8 @@ namespace angiopose::ui {
 
 class StudyList;
 
-/// Lists the content of a folder or disc for selection: one series for the vessels, cine runs for the views. Displays
-/// results while scanning; deletes itself when closed.
+/// Browser for the content of a folder or disc: the user selects one series for the vessels and cine runs for the
+/// views. Updates while scanning; deletes itself when closed.
 class StudyBrowser : public QDialog {
     Q_OBJECT
 public:
@@ -25,8 +25,8 @@ public:
     void showRows(const std::vector<PatientRow>& patients);
     void showPicture(const QString& key, const QImage& picture);
     void showProgress(qsizetype read, qsizetype found);
-    /// Reports that scanning has ended. `words` summarizes what was read; `damaged` lists file names; `offer` describes
-    /// files that were not read, empty if none.
+    /// Shows that scanning has ended. `words` summarizes the result, `damaged` lists damaged files, and `offer`
+    /// describes files that were not read (empty if none).
     void showEnd(const QString& words, const QStringList& damaged, const QString& offer);
     void choose(const QString& key);
     StudyList& list() { return *list_; }

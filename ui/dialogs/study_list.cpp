@@ -15,12 +15,12 @@ namespace {
 constexpr int keyRole = Qt::UserRole;
 constexpr int studyOrderRole = Qt::UserRole + 1;
 constexpr int wordsRole = Qt::UserRole + 2;
-constexpr int glanceMs = 60;   // rows scrolled past faster than this need no thumbnail
+constexpr int glanceMs = 60;   // rows visible for less time while scrolling need no thumbnail
 constexpr int headingHeight = 30;
 
 enum Column { Description, Number, Modality, Images, Size, Pace, BodyPart, ColumnCount };
 
-/// Sorts numbers by value; patients and studies keep their order unless sorted by name.
+/// Item that sorts numbers by value; patients and studies keep their order unless sorted by name.
 class Item : public QTreeWidgetItem {
 public:
     using QTreeWidgetItem::QTreeWidgetItem;
@@ -36,7 +36,7 @@ public:
     }
 };
 
-/// Centers the image on a square thumbnail; empty thumbnail if there is no image yet.
+/// Centers the image on a square tile; without an image, the tile is empty.
 QIcon tileOf(const QImage& picture, double ratio)
 {
     const auto side = static_cast<int>(StudyList::pictureSize * ratio);
@@ -50,7 +50,7 @@ QIcon tileOf(const QImage& picture, double ratio)
     }
     tile.setDevicePixelRatio(ratio);
     QIcon icon(tile);
-    icon.addPixmap(tile, QIcon::Selected);   // not tinted when the row is selected
+    icon.addPixmap(tile, QIcon::Selected);   // keeps the thumbnail untinted in selected rows
     return icon;
 }
 
@@ -82,7 +82,7 @@ StudyList::StudyList(QWidget* parent) : QTreeWidget(parent)
     connect(this, &QTreeWidget::itemCollapsed, this, [this] { looked_.start(); });
 }
 
-/// Returns the item of a key below `parent` (null: a patient) and creates it if needed.
+/// Returns the item with this key below `parent` (null for patients) and creates it if needed.
 QTreeWidgetItem* StudyList::itemFor(const QString& key, QTreeWidgetItem* parent, int place)
 {
     QTreeWidgetItem*& item = items_[key];
@@ -177,13 +177,13 @@ void StudyList::fillSeries(QTreeWidgetItem& item, const StudySeriesRow& row)
     }
 }
 
-/// Removes items that are no longer listed: series change their keys while more of them is found.
+/// Removes items that are no longer listed; the key of a series can change while more of its files are found.
 void StudyList::removeOthers(const std::set<QString>& kept)
 {
-    const QSignalBlocker quiet(this);   // rows are inconsistent here; choiceChanged follows
+    const QSignalBlocker quiet(this);   // rows are inconsistent until the caller emits choiceChanged
     for (const QString& key : items_.keys()) {
         QTreeWidgetItem* item = kept.contains(key) ? nullptr : items_.value(key);
-        if (item) {   // otherwise already deleted with its parent
+        if (item) {   // false if already deleted with its parent
             forget(*item);
             delete item;
         }

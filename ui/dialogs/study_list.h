@@ -15,32 +15,32 @@ namespace angiopose::ui {
 struct StudySeriesRow {
     enum class Use { Vessels, View, None };
 
-    QString key;   ///< unique, and stable while more files are found
+    QString key;   ///< unique; for parts of a split series, changes as more files are found
     Use use = Use::None;
     int number = 0;
     QString modality;
     QString description;
     int imageCount = 0;
-    QString size;   ///< "512 × 512"
-    QString pace;   ///< slice spacing, or frames per second
-    double paceValue = 0.0;   ///< sort value
+    QString size;   ///< e.g. "512 × 512"
+    QString pace;   ///< slice spacing or frame rate, as text
+    double paceValue = 0.0;   ///< value by which `pace` is sorted
     QString bodyPart;
-    QStringList notes;   ///< reason why it cannot be opened, missing parts, warnings
+    QStringList notes;   ///< warnings, missing parts, or the reason why the series cannot be opened
 };
 
 struct StudyRow {
     QString key;
-    QString words;   ///< date, description, accession number
+    QString words;   ///< description of the study: date, description, accession number
     std::vector<StudySeriesRow> series;
 };
 
 struct PatientRow {
     QString key;
-    QString words;   ///< name, ID, birth date; may be empty
+    QString words;   ///< name, ID and birth date of the patient; may be empty
     std::vector<StudyRow> studies;
 };
 
-/// Patients with their studies and series as thumbnails. Check boxes select one series for the vessels and any number
+/// Tree of patients, studies and series with thumbnails. Check boxes select one series for the vessels and any number
 /// of cine runs.
 class StudyList : public QTreeWidget {
     Q_OBJECT
@@ -49,12 +49,12 @@ public:
 
     explicit StudyList(QWidget* parent = nullptr);
 
-    /// Updates the rows; checked, expanded and selected items stay so if they still exist.
+    /// Updates the rows; items that still exist stay checked, expanded and selected.
     void showRows(const std::vector<PatientRow>& patients);
     void showPicture(const QString& key, const QImage& picture);
     void search(const QString& words);
 
-    QString chosenVessels() const { return vessels_; }   ///< series key; empty: none
+    QString chosenVessels() const { return vessels_; }   ///< series key; empty if none
     QStringList chosenViews() const;   ///< in list order
     const StudySeriesRow* currentRow() const;
     const StudySeriesRow* rowOf(const QString& key) const;
@@ -63,8 +63,8 @@ public:
 
 signals:
     void choiceChanged();
-    void openRequested();   ///< double click or Enter on a series
-    void picturesWanted(const QStringList& keys);   ///< visible rows, from top to bottom
+    void openRequested();   ///< emitted on double-click or Enter on a series
+    void picturesWanted(const QStringList& keys);   ///< keys of the visible rows, from top to bottom
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -81,13 +81,13 @@ private:
     void showMatches();
     void wantPictures();
 
-    QHash<QString, QTreeWidgetItem*> items_;   ///< by key
+    QHash<QString, QTreeWidgetItem*> items_;   ///< index of the items by key
     QHash<QString, StudySeriesRow> series_;
     QHash<QString, QImage> pictures_;
     QString vessels_;
     std::set<QString> views_;
     QStringList words_;
-    QTimer looked_;   ///< delays thumbnail requests after scrolling
+    QTimer looked_;   ///< delays thumbnail requests until scrolling pauses
     bool isFilling_ = false;
 };
 

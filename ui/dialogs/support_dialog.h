@@ -9,13 +9,13 @@ class QPlainTextEdit;
 
 namespace angiopose::ui {
 
-/// One text file of a support bundle.
+/// Text file in a support bundle.
 struct SupportPart {
     QString name;
     QString text;
 };
 
-/// Shows every text of a support bundle before it is written; emits `saveRequested` on Save.
+/// Dialog that shows every text of a support bundle before the bundle is written; emits `saveRequested` on Save.
 class SupportDialog : public QDialog {
     Q_OBJECT
 public:

@@ -13,7 +13,7 @@
 #include <QTextList>
 #include <QVBoxLayout>
 
-/// Registers the resources of the static library; Q_INIT_RESOURCE works only outside any namespace.
+/// Registers the resources of the static library; Q_INIT_RESOURCE must be called outside any namespace.
 static void loadPages()
 {
     Q_INIT_RESOURCE(help);
@@ -22,7 +22,7 @@ static void loadPages()
 namespace angiopose::ui {
 namespace {
 
-/// Maps "angiopose::ui::PosePanel" to "panels/pose_panel", the name of its source file.
+/// Returns the name of the class's source file, e.g. "panels/pose_panel" for "angiopose::ui::PosePanel".
 QString pageOfClass(const QWidget& widget)
 {
     static const QRegularExpression wordStart(QStringLiteral("(?<=[a-z0-9])(?=[A-Z])"));
@@ -30,7 +30,7 @@ QString pageOfClass(const QWidget& widget)
     return QStringLiteral("panels/") + name.replace(wordStart, QStringLiteral("_")).toLower();
 }
 
-/// Adds paragraph spacing, and headings that differ in weight more than in size; Markdown provides neither.
+/// Adds what Markdown does not provide: paragraph spacing, and headings that differ in weight more than in size.
 void setType(QTextDocument& document, const QFont& font)
 {
     constexpr double gapPx = 8.0;

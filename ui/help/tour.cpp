@@ -93,7 +93,7 @@ Tour::Tour(std::vector<TourStop> stops, QWidget* window)
 
 Tour::~Tour()
 {
-    delete frame_;   // null if the window has already deleted it
+    delete frame_;   // null if already deleted with the window
 }
 
 void Tour::goTo(int stop)
@@ -158,7 +158,7 @@ void Tour::keyPressEvent(QKeyEvent* event)
         case Qt::Key_Escape:
             end();
             break;
-        case Qt::Key_Return:   // presses the focused button, as in a dialog
+        case Qt::Key_Return:   // Enter presses the focused button, as in a dialog
         case Qt::Key_Enter:
             if (auto* button = qobject_cast<QPushButton*>(focusWidget())) {
                 button->click();

@@ -11,24 +11,24 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// One stop of the tour.
+/// Stop of the tour: a widget and its explanation.
 struct TourStop {
     QPointer<QWidget> target;
     QString heading;
     QString text;
-    QString way{};   ///< label of the next button; empty: "Next"
-    std::function<void()> onLeave{};   ///< called when that button is pressed at this stop; may be empty
+    QString way{};   ///< label of the button that leaves this stop; "Next" if empty
+    std::function<void()> onLeave{};   ///< called when that button is pressed; may be empty
 };
 
-/// Guided tour: a bubble that moves from widget to widget and explains each. It does not block the window, so work can
-/// continue. Deletes itself at the end.
+/// Guided tour: a bubble that moves from widget to widget and explains each. The window remains usable meanwhile.
+/// Deletes itself at the end.
 class Tour : public QWidget {
     Q_OBJECT
 public:
     Tour(std::vector<TourStop> stops, QWidget* window);
     ~Tour() override;
 
-    void goTo(int stop);   ///< ends the tour after the last stop
+    void goTo(int stop);   ///< shows a stop; ends the tour after the last one
     int current() const { return current_; }
     int stopCount() const { return static_cast<int>(stops_.size()); }
 
@@ -45,7 +45,7 @@ private:
     void goOn();
     void place();
     void end();
-    QRect targetRect() const;   ///< in window coordinates
+    QRect targetRect() const;   ///< target in window coordinates
 
     std::vector<TourStop> stops_;
     int current_ = 0;

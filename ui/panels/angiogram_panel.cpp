@@ -31,7 +31,7 @@ NumberFormat grayFormat(double lowest)
     return {lowest, 1e9, 0, QString(), 10.0};
 }
 
-/// Formats frame numbers, counted from 1.
+/// Formats a list of frame numbers, counted from 1.
 QString framesText(const std::vector<int>& frames)
 {
     QStringList parts;
@@ -126,7 +126,7 @@ void AngiogramPanel::buildBrightness()
 void AngiogramPanel::showWindowLevel(double window, double level)
 {
     for (NumberField* field : {window_, level_}) {
-        field->setDecimals(std::abs(window) < 10.0 ? 3 : 0);   // intensities, or their logarithms
+        field->setDecimals(std::abs(window) < 10.0 ? 3 : 0);   // small ranges are logarithms of intensities
     }
     window_->showValue(window);
     level_->showValue(level);

@@ -17,27 +17,27 @@ namespace angiopose::ui {
 struct RunState {
     core::RunTreatment treatment;
     core::Polarity polarity = core::Polarity::VesselsDark;   ///< polarity in use
-    std::vector<int> maskFrames;   ///< mask frames in use, or the suggested ones; empty: none
-    bool hasRun = false;   ///< more than one frame
+    std::vector<int> maskFrames;   ///< mask frames in use, otherwise the suggested ones; empty if there are none
+    bool hasRun = false;   ///< the angiogram has more than one frame
     bool isComputing = false;
 };
 
-/// Preprocessing of the frames before tracing (mask subtraction, min-IP composite, meaning of the pixel values) and the
-/// main tracing options.
+/// Panel for the preprocessing of frames before tracing (mask subtraction, min-IP composite, meaning of the pixel
+/// values) and for the main tracing options.
 class AngiogramPanel : public Section {
     Q_OBJECT
 public:
     explicit AngiogramPanel(QWidget* parent = nullptr);
 
     void showRun(const RunState& state);   ///< emits no signal
-    void showWindowLevel(double window, double level);   ///< window and level of the gray values; emits no signal
+    void showWindowLevel(double window, double level);   ///< shows window and level in gray values; emits no signal
     void showTracing(const core::TraceOptions& options, double widestPx);   ///< emits no signal; radius in use
 
 signals:
     void windowLevelTyped(double window, double level);
     void treatmentEdited(const core::RunTreatment& treatment, const ui::Words& what);
     void shiftByHandRequested();
-    void editingRequested();   ///< manual editing of the traced curves
+    void editingRequested();   ///< requests the mode for editing the traced curves
     void tracingEdited(const core::TraceOptions& options, const ui::Words& what);
 
 private:

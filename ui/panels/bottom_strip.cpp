@@ -13,7 +13,7 @@ namespace {
 
 constexpr int progressSteps = 1000;
 constexpr int stripHeight = 88;
-constexpr int besideProgressPx = 10;   // progress bar and the gap above it
+constexpr int besideProgressPx = 10;   // width of the progress bar and the gap before it
 
 }   // namespace
 
@@ -51,7 +51,7 @@ BottomStrip::BottomStrip(QWidget* parent)
     });
 }
 
-/// Lays out the frame bars, with playback controls and a note below them.
+/// Lays out the frame bars with the playback controls and a note below.
 QLayout* BottomStrip::placedFrames()
 {
     auto* frames = new QVBoxLayout;
@@ -70,7 +70,7 @@ QLayout* BottomStrip::placedFrames()
     return frames;
 }
 
-/// Lays out the running task, its progress and Stop, which keeps its space while idle.
+/// Lays out the running task with its progress and a Stop button, whose space stays reserved while idle.
 QLayout* BottomStrip::placedTask()
 {
     status_->setWordWrap(true);

@@ -13,7 +13,7 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// Strip below the image: autosave and undo on the left, frames in the middle, the running task on the right.
+/// Bottom strip of the window: autosave and undo on the left, frames in the middle, the running task on the right.
 class BottomStrip : public QWidget {
     Q_OBJECT
 public:
@@ -23,16 +23,16 @@ public:
     void showFrames(const FrameCurve& curve);
     void showMasks(const std::vector<int>& frames, bool inUse);   ///< marks mask frames below their bars
     void showCurrentFrame(int frame);
-    void showLoop(const core::FrameRange& range);   ///< playback range
+    void showLoop(const core::FrameRange& range);   ///< shows the playback range
     void showFrameNote(const QString& note);
     void showSaveState(const QString& text);
     void showUndoState(const QString& text);
-    void showStatus(const QString& text);   ///< current activity, or "Ready"
-    void showBusy(const QString& text);   ///< task with indeterminate progress
+    void showStatus(const QString& text);   ///< shows the current activity, or "Ready"
+    void showBusy(const QString& text);   ///< shows a task with indeterminate progress
     void showProgress(const QString& text, double fraction);
     void showIdle(const QString& text);
     void remember(const QString& text) { reported_.add(text); }   ///< logs a message that is shown elsewhere
-    const MessageLog& reported() const { return reported_; }   ///< without progress messages
+    const MessageLog& reported() const { return reported_; }   ///< message log, without progress messages
 
 signals:
     void frameRequested(int frame);
@@ -50,7 +50,7 @@ private:
     void showTask(const QString& text);
     void fitTask();
 
-    QString task_;   ///< full text, not elided
+    QString task_;   ///< full status text, not elided
     MessageLog reported_;
     FrameBars* frames_;
     PlayBar* play_;

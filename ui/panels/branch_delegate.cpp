@@ -18,7 +18,7 @@ constexpr int residualWidth = 44;
 constexpr int pillWidth = 40;
 constexpr int crossWidth = 20;
 constexpr int nameIndent = 20;
-constexpr int generationWidth = 32;   // "10级", the widest text
+constexpr int generationWidth = 32;   // width of "10级", the longest text in any language
 
 void paintBackground(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index)
 {
@@ -43,7 +43,7 @@ QColor residualTone(const QModelIndex& index)
     return toQColor(residualColor(std::clamp(residual.toDouble() / scaleMm, 0.0, 1.0)));
 }
 
-/// Darkens the tone if needed to be readable as text on the light theme.
+/// Darkens the color in the light theme to make it readable as text.
 QColor readable(const QColor& tone)
 {
     const QColor strong = toQColor(activePalette().textStrong);
@@ -81,14 +81,14 @@ void paintCross(QPainter& painter, const QRect& area, bool excluded)
     painter.drawLine(center + QPointF(-3.5, 3.5), center + QPointF(3.5, -3.5));
 }
 
-/// Returns the rectangle between the color chip and the generation.
+/// Returns the rectangle of the name, between the color chip and the generation.
 QRect nameRectIn(const QStyleOptionViewItem& option, int right)
 {
     const int left = option.rect.left() + margin + nameIndent;
     return {left, option.rect.top(), right - left - generationWidth, option.rect.height()};
 }
 
-/// Paints the name, followed by the generation if the full name leaves room.
+/// Paints the name, followed by the generation if the full name fits beside it.
 void paintName(QPainter& painter, QRect area, const QFont& font, const QModelIndex& index)
 {
     const Palette& tones = activePalette();
@@ -120,7 +120,7 @@ void paintName(QPainter& painter, QRect area, const QFont& font, const QModelInd
 
 void BranchDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const
 {
-    // Updates of marks and residuals must not overwrite a name being typed.
+    // Prevents updates of marks and residuals from overwriting a name being typed.
     const auto* field = qobject_cast<QLineEdit*>(editor);
     if (!field || !field->isModified()) {
         QStyledItemDelegate::setEditorData(editor, index);

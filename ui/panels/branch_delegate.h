@@ -4,8 +4,8 @@
 
 namespace angiopose::ui {
 
-/// Paints a branch row (chip, name, generation, length, auxiliary pill, exclude cross, residual) and handles clicks on
-/// its toggles.
+/// Paints a row of the branch list (color chip, name, generation, length, auxiliary toggle, exclude toggle, residual)
+/// and handles clicks on the toggles.
 class BranchDelegate : public QStyledItemDelegate {
     Q_OBJECT
 public:
@@ -14,7 +14,7 @@ public:
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
-    void setEditorData(QWidget* editor, const QModelIndex& index) const override;   ///< keeps typed text
+    void setEditorData(QWidget* editor, const QModelIndex& index) const override;   ///< does not overwrite typed text
     void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                               const QModelIndex& index) const override;
 

@@ -9,7 +9,7 @@
 
 namespace angiopose::ui {
 
-/// Branches of a tree with their marks and residuals, one per row.
+/// List model of the branches of a tree with their marks and residuals, one branch per row.
 class BranchModel : public QAbstractListModel {
     Q_OBJECT
 public:
@@ -19,13 +19,13 @@ public:
         LengthRole,
         RadiusRole,   ///< mean radius, mm; −1 if unknown
         GenerationRole,   ///< −1 if unknown
-        OrderRole,   ///< position in the tree
+        OrderRole,   ///< index of the branch in the tree
         AuxiliaryRole,
         ExcludedRole,
         HiddenRole,
         HoveredRole,
         ResidualRole,
-        ResidualScaleRole   ///< end of the residual scale, mm; 0: none
+        ResidualScaleRole   ///< upper end of the residual scale, mm; 0 if there is none
     };
 
     using QAbstractListModel::QAbstractListModel;
@@ -34,7 +34,7 @@ public:
     void setMarks(const BranchMarks& marks);
     void setResiduals(const std::map<int, double>& residualMm, double scaleMaximumMm);   ///< medians by branch id
 
-    int rowOf(int branchId) const;   ///< −1 if there is none
+    int rowOf(int branchId) const;   ///< −1 if the tree has no such branch
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -48,7 +48,7 @@ private:
     struct Row {
         int id = 0;
         QString name;   ///< displayed name
-        QString ownName;   ///< empty if the branch is unnamed
+        QString ownName;   ///< user-defined name; empty if the branch is unnamed
         double lengthMm = 0.0;
         double radiusMm = -1.0;
         int generation = -1;

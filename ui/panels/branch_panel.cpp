@@ -30,7 +30,7 @@ struct Order {
     Qt::SortOrder direction;
 };
 
-/// Sort orders of the list; longest, widest and worst-fitting branches come first.
+/// Sort orders of the list; the longest, widest or worst-fitting branch comes first.
 constexpr std::array orders{
     Order{QT_TRANSLATE_NOOP("angiopose::ui::BranchPanel", "in tree order"), BranchModel::OrderRole, Qt::AscendingOrder},
     Order{QT_TRANSLATE_NOOP("angiopose::ui::BranchPanel", "by name"), BranchModel::NameRole, Qt::AscendingOrder},
@@ -94,7 +94,7 @@ BranchPanel::BranchPanel(QWidget* parent)
             [this](int id) { emit auxiliaryToggled(affectedBy(id)); });
     connect(delegate, &BranchDelegate::excludeClicked, this, [this](int id) { emit excludedToggled(affectedBy(id)); });
     connect(list_, &QListView::entered, this, [this](const QModelIndex& index) { emit hovered(idAt(index)); });
-    // Queued: the answer is a new tree, which must not delete the editor while it is in use.
+    // Queued: the owner replies with a new tree, which would otherwise delete the editor while it is in use.
     connect(model_, &BranchModel::renamed, this, &BranchPanel::renamed, Qt::QueuedConnection);
     connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &BranchPanel::reportSelection);
     connect(list_, &QWidget::customContextMenuRequested, this, &BranchPanel::showContextMenu);
@@ -108,7 +108,7 @@ QWidget* BranchPanel::makeFilterRow()
     speak(filter_, [this] { filter_->setPlaceholderText(tr("Find a branch")); });
     withName(filter_, [] { return tr("Find a branch"); });
     filter_->setClearButtonEnabled(true);
-    order_->setSizeAdjustPolicy(QComboBox::AdjustToContents);   // fits the texts of every language
+    order_->setSizeAdjustPolicy(QComboBox::AdjustToContents);   // fits the texts in every language
     withName(order_, [] { return tr("Branch order"); });
     withTip(order_, [] { return tr("Branch order"); });
     speak(order_, [this] {

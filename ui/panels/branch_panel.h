@@ -19,8 +19,8 @@ namespace angiopose::ui {
 
 class BranchModel;
 
-/// Branch list. Reports hovering and selection as they happen; switching branches on or off is a request that the owner
-/// answers with `showMarks`.
+/// Panel with the branch list. Reports hovering and selection immediately; toggling auxiliary or excluded branches only
+/// requests a change, to which the owner replies with `showMarks`.
 class BranchPanel : public Section {
     Q_OBJECT
 public:
@@ -29,9 +29,9 @@ public:
     void showTree(const core::VesselTree& tree);
     void showMarks(const BranchMarks& marks);   ///< emits no signal
     void showResiduals(const std::map<int, double>& residualMm, double scaleMaximumMm);
-    /// Shows a defect of the tree, "" for none; `isMendable`: one click repairs it.
+    /// Shows a defect of the tree ("" if there is none); `isMendable` offers a button that repairs it.
     void showAdvice(const QString& text, bool isMendable);
-    void setEditActions(const QList<QAction*>& actions);   ///< actions of the context menu
+    void setEditActions(const QList<QAction*>& actions);   ///< sets the actions of the context menu
     void editName(int branchId);
     void focusFilter();
     QListView* list() const { return list_; }
@@ -57,7 +57,7 @@ private:
     QWidget* makeAdviceRow();
     void sortBy(int choice);
     void selectMarked();
-    QModelIndex indexOf(int branchId) const;   ///< in the sorted and filtered list
+    QModelIndex indexOf(int branchId) const;   ///< index in the sorted and filtered list
     std::set<int> selectedIds() const;
     std::set<int> affectedBy(int branchId) const;   ///< the selection if it contains the branch, otherwise the branch
     void showContextMenu(const QPoint& position);

@@ -12,7 +12,7 @@ class QToolButton;
 
 namespace angiopose::ui {
 
-/// Buttons for editing the traced curves, at the bottom of the angiogram while that mode is on.
+/// Bar with the tools for editing the traced curves, at the bottom of the angiogram while the mode is on.
 class CurveEditBar : public QFrame {
     Q_OBJECT
 public:
@@ -20,19 +20,19 @@ public:
 
     void showEdit(CurveEdit edit);
     struct Counts {
-        int curves = 0;   ///< all curves except devices
-        int suspects = 0;   ///< curves that may be devices
-        int devices = 0;   ///< curves marked as devices
+        int curves = 0;   ///< number of curves except devices
+        int suspects = 0;   ///< number of curves that may be devices
+        int devices = 0;   ///< number of curves marked as devices
 
         bool operator==(const Counts&) const = default;
     };
     void showCurves(const Counts& counts);
-    void setEdited(bool edited);   ///< enables tracing again, which needs edited curves
+    void setEdited(bool edited);   ///< enables Trace again, which discards edits
 
 signals:
     void editChosen(ui::CurveEdit edit);
     void traceAgainRequested();
-    void followRequested();   ///< track the marked catheter or guidewire
+    void followRequested();   ///< requests tracking of the marked catheter or guidewire
     void doneRequested();
 
 private:

@@ -69,7 +69,7 @@ const std::array<GeometryValueKind, geometryValueCount>& kinds()
     return table;
 }
 
-/// Returns one coordinate of a point, or of its substitute.
+/// Returns one coordinate of `point`, or of its substitute if the point is unknown.
 template <class Point>
 Sourced<double> coordinate(const Sourced<Point>& point, const std::optional<Point>& standIn, Eigen::Index index,
                            const char* standInBasis)
@@ -166,7 +166,7 @@ core::CArm withValue(const GeometryState& state, GeometryValue value, double num
             }
             break;
         case GeometryValue::Spacing: {
-            // Keeps the pixel aspect ratio of the header.
+            // Preserves the pixel aspect ratio of the header.
             const bool hasBoth = state.cArm.columnSpacingMm.value && state.cArm.rowSpacingMm.value;
             const double aspect = hasBoth ? *state.cArm.rowSpacingMm.value / *state.cArm.columnSpacingMm.value : 1.0;
             cArm.columnSpacingMm = typed;

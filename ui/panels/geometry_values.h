@@ -18,19 +18,19 @@ struct GeometryState {
     std::vector<core::HeaderTag> headerTags;
     Eigen::Vector2i imageSizePx = Eigen::Vector2i::Zero();   ///< columns, rows; zero without an image
     Eigen::Vector2d turnedDeg = Eigen::Vector2d::Zero();   ///< gantry rotation of this frame relative to the first
-    std::optional<Eigen::Vector3d> vesselCentroidMm;   ///< substitute for the isocenter
+    std::optional<Eigen::Vector3d> vesselCentroidMm;   ///< used in place of an unknown isocenter
     std::optional<core::ProjectionCamera> cameraOverride;   ///< from the case file; overrides distances and spacing
-    std::optional<double> vesselMmPerPx;   ///< scale at the vessels, if there is a pose
+    std::optional<double> vesselMmPerPx;   ///< scale at the vessels; requires a pose
     core::Messages contradictions;
-    QString missing;   ///< missing inputs of the camera or the initial pose; empty if complete
+    QString missing;   ///< inputs still missing for the camera or the initial pose; empty if complete
 };
 
-/// Editable numbers of a C-arm.
+/// Numeric C-arm parameters that can be edited.
 enum class GeometryValue {
     Sid,
     Sod,
     Spacing,
-    FieldWidth,   ///< alternative input for the spacing
+    FieldWidth,   ///< detector width, from which the spacing can be derived
     Primary,
     Secondary,
     Roll,
@@ -43,7 +43,7 @@ enum class GeometryValue {
 inline constexpr std::size_t geometryValueCount = 12;
 inline constexpr GeometryValue firstSeldomValue = GeometryValue::Roll;   ///< folded from here on
 
-/// Label and number format of a value, and the typical C-arm value assumed when it is unknown.
+/// Label and number format of a value, and the typical value assumed while it is unknown.
 struct GeometryValueKind {
     const char* label;
     const char* help;
@@ -53,10 +53,10 @@ struct GeometryValueKind {
 };
 const GeometryValueKind& kindOf(GeometryValue value);
 
-/// Returns the effective value: the value of the case, or its substitute.
+/// Returns the value in use: from the case, or its substitute.
 core::Sourced<double> shownValue(const GeometryState& state, GeometryValue value);
 
-/// Returns the C-arm with this value entered or assumed.
+/// Returns the C-arm of `state` with `value` set to `number`, either entered or assumed.
 core::CArm withValue(const GeometryState& state, GeometryValue value, double number, core::Origin origin,
                      const std::string& basis);
 

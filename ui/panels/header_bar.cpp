@@ -9,7 +9,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// Styles the overflow button of the menu bar; Qt's own icon suits light windows only.
+/// Styles the overflow button of the menu bar; Qt's own icon suits only light windows.
 void showRestOf(QMenuBar& menuBar)
 {
     if (auto* rest = menuBar.findChild<QToolButton*>(QStringLiteral("qt_menubar_ext_button"))) {

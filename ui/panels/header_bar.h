@@ -7,13 +7,13 @@
 
 namespace angiopose::ui {
 
-/// Top row of the window: case title, study, menus and the permanent notice.
+/// Top row of the window: case title, study, menus and the permanent "not for clinical use" notice.
 class HeaderBar : public QWidget {
     Q_OBJECT
 public:
     explicit HeaderBar(QWidget* parent = nullptr);
 
-    void showTitle(const QString& title);   ///< includes `*` for unsaved changes
+    void showTitle(const QString& title);   ///< the title includes `*` if there are unsaved changes
     void showStudy(const QString& study);
     QMenuBar* menuBar() const { return menuBar_; }
 

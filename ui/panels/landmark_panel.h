@@ -15,20 +15,20 @@ namespace angiopose::ui {
 /// Values shown by the landmark panel.
 struct LandmarkState {
     std::vector<core::Landmark> landmarks;
-    std::vector<double> errorPx;   ///< reprojection error of each pair at the current pose; empty without a pose
-    QString verdict;   ///< parameters that the pairs determine, or what is missing
-    bool isEnough = false;   ///< the pairs determine a pose
+    std::vector<double> errorPx;   ///< reprojection error of each pair at the current pose, px; empty without a pose
+    QString verdict;   ///< pose parameters that the pairs determine, or what is still missing
+    bool isEnough = false;   ///< the pairs suffice to determine a pose
 };
 
-/// Landmark pairs for the initial pose: a list with the residual of each pair, removal, and the command that registers
-/// from them.
+/// Panel for the landmark pairs that determine the initial pose: lists each pair with its residual, removes pairs, and
+/// registers from them.
 class LandmarkPanel : public Section {
     Q_OBJECT
 public:
     explicit LandmarkPanel(QWidget* parent = nullptr);
 
     void showLandmarks(const LandmarkState& state);
-    void bindMode(QAction& action);   ///< action that toggles landmark picking
+    void bindMode(QAction& action);   ///< connects the action that toggles landmark picking
 
 signals:
     void removeRequested(const std::vector<int>& indices);

@@ -25,7 +25,7 @@ void LockDot::paintEvent(QPaintEvent*)
     painter.setBrush(isChecked() ? QBrush(ring) : QBrush(Qt::NoBrush));
     painter.drawRoundedRect(QRectF(center.x() - 4.5, center.y() - 0.5, 9.0, 6.5), 1.0, 1.0);
     painter.setBrush(Qt::NoBrush);
-    const double lift = isChecked() ? 0.0 : 2.0;   // open shackle
+    const double lift = isChecked() ? 0.0 : 2.0;   // the shackle of an open padlock is raised
     const QRectF shackle(center.x() - 3.0, center.y() - 5.5 - lift, 6.0, 6.0);
     QPainterPath path(QPointF(shackle.left(), center.y() - 0.5));
     path.lineTo(shackle.left(), shackle.center().y());

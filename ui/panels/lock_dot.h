@@ -4,7 +4,7 @@
 
 namespace angiopose::ui {
 
-/// Padlock beside a degree of freedom: open means free, closed and amber means locked.
+/// Padlock toggle for one degree of freedom: open if free, closed and amber if locked.
 class LockDot : public QAbstractButton {
     Q_OBJECT
 public:

@@ -175,7 +175,7 @@ void MarkPanel::showMarks(const std::vector<MarkRow>& rows, const QString& note)
     showBasis();
 }
 
-/// Shows the basis of the selected mark, otherwise the note.
+/// Shows how the value of the selected mark was obtained; without a selection, shows the note.
 void MarkPanel::showBasis()
 {
     const std::set<int> places = chosen();
@@ -208,7 +208,7 @@ bool MarkPanel::eventFilter(QObject* watched, QEvent* event)
         return Section::eventFilter(watched, event);
     }
     const int key = static_cast<QKeyEvent*>(event)->key();
-    if (event->type() == QEvent::ShortcutOverride) {   // in this list, these keys act on marks, not branches
+    if (event->type() == QEvent::ShortcutOverride) {   // in this list, these keys act on marks instead of branches
         event->setAccepted(key == Qt::Key_Delete || key == Qt::Key_F2);
         return event->isAccepted();
     }

@@ -14,28 +14,28 @@ class QTreeWidget;
 
 namespace angiopose::ui {
 
-/// One row of the mark list.
+/// Row of the mark list.
 struct MarkRow {
     QString name;
     QString value;   ///< error, width or type of the mark
-    QString basis;   ///< basis of the value, in sentences
-    bool isDoubtful = false;   ///< error larger than the pose uncertainty
+    QString basis;   ///< full sentences on how the value was obtained
+    bool isDoubtful = false;   ///< the error exceeds the pose uncertainty
 };
 
-/// Target points, rings, arrows and texts: the modes that set them, and the list in which they are selected, renamed
-/// and removed.
+/// Panel for target points, ostium rings, arrows and texts: buttons for the modes that create them, and a list to
+/// select, rename and remove them.
 class MarkPanel : public Section {
     Q_OBJECT
 public:
     explicit MarkPanel(QWidget* parent = nullptr);
 
     void showMarks(const std::vector<MarkRow>& rows, const QString& note);   ///< emits no signal, keeps the selection
-    void bindMode(std::size_t mode, QAction& action);   ///< indexed by ui::MarkMode
-    std::set<int> chosen() const;   ///< row indices
+    void bindMode(std::size_t mode, QAction& action);   ///< connects the action of a mode; `mode` is a ui::MarkMode
+    std::set<int> chosen() const;   ///< indices of the selected rows
     void choose(int place);
 
 signals:
-    void choiceChanged();   ///< see `chosen`
+    void choiceChanged();   ///< the selection changed, see `chosen`
     void renamed(int place, const QString& name);
     void removeRequested(const std::set<int>& places);
     void exportRequested();

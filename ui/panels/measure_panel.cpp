@@ -188,7 +188,7 @@ void MeasurePanel::showMeasurements(const MeasureState& state)
     showBasis();
 }
 
-/// Shows the basis of the selected measurement, otherwise that of the plane.
+/// Shows how the selected measurement was obtained; without a selection, explains the measurement plane.
 void MeasurePanel::showBasis()
 {
     const std::set<int> places = chosen();

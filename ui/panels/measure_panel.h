@@ -17,24 +17,24 @@ class QTreeWidget;
 
 namespace angiopose::ui {
 
-/// One row of the measurement list.
+/// Row of the measurement list.
 struct MeasureRow {
     QString name;   ///< user-defined name, or the type of measurement
-    QString value;   ///< measured value, or why there is none
-    QString basis;   ///< basis of the value, in sentences
-    bool isDoubtful = false;   ///< no value, or based on assumptions
+    QString value;   ///< measured value, or the reason why it is missing
+    QString basis;   ///< full sentences on how the value was obtained
+    bool isDoubtful = false;   ///< the value is missing or based on assumptions
 };
 
 /// Values shown by the measurement panel.
 struct MeasureState {
     std::vector<MeasureRow> rows;
     core::MeasurementPlane plane = core::MeasurementPlane::Vessels;   ///< of the selected measurements, or the next one
-    QString basis;   ///< basis of the plane
+    QString basis;   ///< explanation of the plane
     std::optional<double> typedMmPerPx;
 };
 
-/// Measurements in the image and in slices: the plane assumed for image measurements, the drawing modes, and the list
-/// in which measurements are selected, renamed and removed.
+/// Panel for measurements in the angiogram and in slices: the plane assumed for the angiogram, buttons for the drawing
+/// modes, and a list to select, rename and remove measurements.
 class MeasurePanel : public Section {
     Q_OBJECT
 public:
@@ -42,12 +42,12 @@ public:
 
     void showMeasurements(const MeasureState& state);   ///< emits no signal, keeps the selection
     void bindMode(core::MeasurementKind kind, QAction& action);
-    std::set<int> chosen() const;   ///< row indices
+    std::set<int> chosen() const;   ///< indices of the selected rows
 
 signals:
     void planePicked(core::MeasurementPlane plane);
-    void scaleTyped(double mmPerPx);   ///< 0: none
-    void choiceChanged();   ///< see `chosen`
+    void scaleTyped(double mmPerPx);   ///< 0 if the user cleared the scale
+    void choiceChanged();   ///< the selection changed, see `chosen`
     void renamed(int place, const QString& name);
     void removeRequested(const std::set<int>& places);
     void exportRequested();

@@ -7,13 +7,13 @@
 
 namespace angiopose::ui {
 
-/// One entry of the message log.
+/// Entry of the message log.
 struct LoggedMessage {
     QDateTime time;
     QString text;
 };
 
-/// Recent messages; a repeated message is listed once.
+/// Log of the most recent messages; repeated messages are listed once.
 class MessageLog {
 public:
     static constexpr std::size_t kept = 500;

@@ -21,13 +21,13 @@ QString fromView(std::string_view text)
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-/// Returns a readable text for a key of the case file: "largest_squared" becomes "largest squared".
+/// Returns a readable text for a key of the case file, e.g. "largest squared" for "largest_squared".
 QString choiceText(std::string_view key)
 {
     return termText(fromView(key).replace(QLatin1Char('_'), QLatin1Char(' ')));
 }
 
-/// Step size that suits the range: 1, 0.1, …, never below the last displayed digit.
+/// Returns a step size that suits the number of decimals: 1, 0.1, …, but at least one unit of the last displayed digit.
 double stepOf(const core::NumberOption& number)
 {
     return std::max(std::pow(10.0, -number.decimals), std::min(1.0, std::pow(10.0, 1 - number.decimals)));

@@ -12,7 +12,7 @@ class QFormLayout;
 
 namespace angiopose::ui {
 
-/// Editors for the options of the selected method, built from core::optionFields().
+/// Form with an editor for each option of the selected method, built from core::optionFields().
 class OptionForm : public QWidget {
     Q_OBJECT
 public:
@@ -34,7 +34,7 @@ private:
     core::RegistrationOptions options_;
     QFormLayout* form_;
     std::string shownMethod_;
-    std::vector<std::function<void()>> refreshers_;   ///< one per editor: displays the option's value
+    std::vector<std::function<void()>> refreshers_;   ///< one function per editor, which updates the displayed value
 };
 
 }   // namespace angiopose::ui

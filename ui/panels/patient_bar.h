@@ -8,14 +8,14 @@ namespace angiopose::ui {
 
 class ElidedLabel;
 
-/// Patient identity of the case, in one line.
+/// Texts of the patient bar, shown in one line.
 struct PatientLine {
-    QString doubt;   ///< identity problem, shown first; empty: none
+    QString doubt;   ///< problem with the patient identity, shown first; empty if none
     QString name;
-    QString details;   ///< ID, birth date, sex and the inputs they come from
+    QString details;   ///< ID, birth date and sex, and the inputs that state them
 };
 
-/// Bar above the case with the patient of the inputs; hidden if the inputs do not identify a patient.
+/// Bar above the views with the patient identity stated by the inputs; hidden if the inputs state none.
 class PatientBar : public QWidget {
     Q_OBJECT
 public:

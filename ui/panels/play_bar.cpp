@@ -14,7 +14,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// Short speed label, e.g. "½×", the same in every language.
+/// Formats a playback speed, e.g. "½×"; the same in every language.
 QString speedName(double speed)
 {
     const QString number = speed == 0.25  ? QStringLiteral("¼")

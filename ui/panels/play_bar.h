@@ -15,21 +15,21 @@ class GlyphButton;
 /// Playback speeds, relative to the acquisition frame rate.
 inline constexpr std::array playSpeeds{0.25, 0.5, 1.0, 2.0, 4.0};
 
-/// Frame time of the run and its source.
+/// Frame time of a run.
 struct FrameTime {
     double ms = 0.0;
-    bool isAssumed = false;   ///< not given by the header
+    bool isAssumed = false;   ///< the DICOM header does not state the frame time
 };
 
-/// Play/pause, speed, and whether playback loops or reverses at the end. Displays the values it is given and emits
-/// signals for user actions.
+/// Playback controls: play/pause, speed, and whether playback loops or reverses at the end. Passive view: shows what
+/// its owner sets and emits signals for user actions.
 class PlayBar : public QWidget {
     Q_OBJECT
 public:
     explicit PlayBar(QWidget* parent = nullptr);
 
     void showFrameTime(const FrameTime& time);
-    void showSpeed(double speed);   ///< snaps to the nearest of `playSpeeds`
+    void showSpeed(double speed);   ///< selects the nearest of `playSpeeds`
     void showOrder(core::CineOrder order);
     void showPlaying(bool playing);
 

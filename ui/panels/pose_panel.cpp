@@ -92,7 +92,7 @@ void PosePanel::showLocks(const PoseLocks& locks)
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         rows_[i].lock->setChecked(locks[i]);
         rows_[i].field->setReadOnly(locks[i]);
-        if (locks[i]) {   // cancels a selection in the locked field
+        if (locks[i]) {   // clears the text selection in the locked field
             rows_[i].field->deselect();
         }
     }
@@ -124,7 +124,7 @@ void PosePanel::showDepthDoubt(std::optional<double> depthSigmaMm)
     mark();
 }
 
-/// Returns the axis label, with the uncertainty if it is large: "along ray ±4".
+/// Returns the axis label, for depth with its uncertainty if that is large, e.g. "along ray ±4".
 QString PosePanel::wordsOf(PoseAxis axis) const
 {
     return axis == PoseAxis::AlongRay && depthSigmaMm_
@@ -132,7 +132,7 @@ QString PosePanel::wordsOf(PoseAxis axis) const
                : labelOf(axis);
 }
 
-/// Marks axes that are locked or poorly constrained by the image in amber.
+/// Shows the labels of locked axes, and of depth if it is poorly constrained, in amber.
 void PosePanel::mark()
 {
     for (const PoseAxis axis : poseAxes) {
@@ -155,7 +155,7 @@ void PosePanel::toggleLock(PoseAxis axis)
     PoseLocks wanted = locks_;
     wanted[static_cast<std::size_t>(axis)] = !wanted[static_cast<std::size_t>(axis)];
     emit locksEdited(wanted);
-    showLocks(locks_);   // restores the current locks: the edit may have been rejected
+    showLocks(locks_);   // restores the current locks, since the owner may have rejected the edit
 }
 
 }   // namespace angiopose::ui

@@ -8,14 +8,14 @@
 
 namespace angiopose::ui {
 
-/// Pose relative to the initial pose, in mm and degrees, with a lock per degree of freedom. Displays the values it is
-/// given and emits signals for user actions; makes no decisions.
+/// Panel for the pose relative to the initial pose, in mm and degrees, with a lock per degree of freedom. Passive view:
+/// shows what its owner sets and emits signals for user actions.
 class PosePanel : public Section {
     Q_OBJECT
 public:
     explicit PosePanel(QWidget* parent = nullptr);
 
-    void showOffset(const std::optional<core::PoseOffset>& offset);   ///< empty: no pose to edit yet
+    void showOffset(const std::optional<core::PoseOffset>& offset);   ///< without a value, there is no pose to edit yet
     void showLocks(const PoseLocks& locks);
     void showPickedPivot(bool isPicked);   ///< otherwise the rotation center is the centroid
     void showNudgeMode(bool on);

@@ -12,19 +12,19 @@ namespace angiopose::ui {
 
 class ProfilePlot;
 
-/// Measurements along one branch: its values, their limitations, and its profile.
+/// Panel with the measurements along one branch: values, their limitations, and the profile plot.
 class ProfilePanel : public Section {
     Q_OBJECT
 public:
     explicit ProfilePanel(QWidget* parent = nullptr);
 
     void showProfile(const core::VesselBranch& branch, const core::BranchProfile& profile);
-    void showNothing(const QString& why, bool hasBranches);   ///< `hasBranches`: a table can be exported
+    void showNothing(const QString& why, bool hasBranches);   ///< `hasBranches` enables the export of the table
     ProfilePlot& plot() { return *plot_; }
 
 signals:
-    void tableRequested();   ///< table of all branches
-    void profileRequested();   ///< profile of the shown branch
+    void tableRequested();   ///< requests the table of all branches
+    void profileRequested();   ///< requests the profile of the displayed branch
 
 private:
     QWidget* makeNumbers();
@@ -38,7 +38,7 @@ private:
     QPushButton* profile_;
 };
 
-/// Formats a stenosis: "63 % at 24.5 mm (1.30 of 3.50 mm, 8.5 mm long)".
+/// Formats a stenosis, e.g. "63 % at 24.5 mm (1.30 of 3.50 mm, 8.5 mm long)".
 QString stenosisWords(const core::StenosisMeasure& stenosis);
 
 }   // namespace angiopose::ui

@@ -25,7 +25,7 @@ namespace {
 constexpr int tileSize = 44;
 constexpr int listWidth = 480;
 constexpr int rowHeight = 54;
-constexpr std::size_t seenRows = 5;   // visible rows; more are reached by scrolling or search
+constexpr std::size_t seenRows = 5;   // maximum number of visible rows; the user scrolls or searches for others
 
 /// Returns the central square of the thumbnail, sharp at any scale, or a tile with the program icon.
 QIcon tileOf(const QImage& picture, double ratio)
@@ -48,7 +48,7 @@ QIcon tileOf(const QImage& picture, double ratio)
     return tile;
 }
 
-/// Elides a case name that is wider than the list.
+/// Button that elides a case name wider than the list.
 class RecentButton : public QPushButton {
 public:
     explicit RecentButton(const QString& name) : QPushButton(name), name_(name) { setAccessibleName(name); }
@@ -130,7 +130,7 @@ QString RecentList::labelOf(const QString& path, RecentCase::State state)
     return name;
 }
 
-/// Creates a row: a button with thumbnail and name of the case, a pin and a remove button.
+/// Creates the row of a case: a button with thumbnail and name, a pin toggle and a remove button.
 QWidget* RecentList::makeRow(const RecentCase& recent)
 {
     const bool isGone = recent.state == RecentCase::State::Missing;
@@ -206,7 +206,7 @@ void RecentList::showMatches()
     }
     nothing_->setVisible(seen == 0 && !cases_.empty());
     area_->setVisible(seen > 0);
-    // The search field keeps its position regardless of the number of matches.
+    // Fixes the height, so that the search field stays in place regardless of the number of matches.
     const std::size_t kept = std::clamp<std::size_t>(search_->isHidden() ? seen : cases_.size(), 1, seenRows);
     const int keptHeight = static_cast<int>(kept) * (rowHeight + rowLayout_->spacing());
     area_->setFixedHeight(keptHeight);

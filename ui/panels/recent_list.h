@@ -18,12 +18,12 @@ struct RecentCase {
     enum class State { Present, Missing, InputsMissing };
 
     QString path;
-    QImage picture;   ///< thumbnail; null: none was saved
+    QImage picture;   ///< thumbnail; null if none was saved
     State state = State::Present;
     bool isPinned = false;
 };
 
-/// Recent cases with thumbnails, pins, missing cases marked, and a search field for long lists.
+/// List of recent cases with thumbnails and pins; marks missing files and offers a search field if long.
 class RecentList : public QWidget {
     Q_OBJECT
 public:
@@ -35,7 +35,7 @@ public:
 
 signals:
     void openRequested(const QString& path);
-    void removeRequested(const QString& path);   ///< removes it from the list only
+    void removeRequested(const QString& path);   ///< removes the case from the list but not from disk
     void pinToggled(const QString& path, bool pinned);
     void picturesToggled(bool wanted);
     void clearRequested();

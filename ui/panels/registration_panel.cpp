@@ -79,7 +79,7 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
     speak(this, [this] { sayWords(); });
 }
 
-/// Updates texts that depend on more than the language.
+/// Updates the texts that depend on the language and on the current state.
 void RegistrationPanel::sayWords()
 {
     int index = 0;

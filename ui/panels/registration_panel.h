@@ -13,17 +13,17 @@ namespace angiopose::ui {
 
 class OptionForm;
 
-/// Method, options, Register and Stop. Displays the values it is given and emits signals for user actions; makes no
-/// decisions.
+/// Panel with the registration method, its options, Register and Stop. Passive view: shows what its owner sets and
+/// emits signals for user actions.
 class RegistrationPanel : public Section {
     Q_OBJECT
 public:
     explicit RegistrationPanel(QWidget* parent = nullptr);
 
     void showOptions(const core::RegistrationOptions& options);   ///< emits no signal
-    void showAuxiliary(int branchCount);   ///< 0: the auxiliary problem uses the nodes
-    void showViewCount(int count);   ///< views available for joint registration; 1 hides the choice
-    void showReady(const QString& whyNot);   ///< empty: Register is enabled
+    void showAuxiliary(int branchCount);   ///< number of auxiliary branches; at 0, the auxiliary problem uses the nodes
+    void showViewCount(int count);   ///< number of views available for joint registration; 1 hides the option
+    void showReady(const QString& whyNot);   ///< reason why Register is disabled; empty enables it
     void setRunning(bool running);
     QPushButton* registerButton() const { return register_; }
 

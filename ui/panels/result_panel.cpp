@@ -35,7 +35,7 @@ void showIn(QLabel* box, const QStringList& sentences)
     box->setVisible(!sentences.isEmpty());
 }
 
-/// Keeps the layout stable while the pose is moved manually and sentences appear and disappear.
+/// Keeps the layout stable while the user moves the pose and sentences appear and disappear.
 void keepRoom(QLabel* box, bool isKept)
 {
     const int heightPx = isKept && box->isVisible() ? box->height() : box->minimumHeight();
@@ -72,7 +72,7 @@ QString sourceWords(const JudgedPose& judged)
     return ResultPanel::tr("%1 · initial pose").arg(median);
 }
 
-/// Formats the median, e.g. "median 0.26 mm"; if only part of the tree is assessed, adds the value of the whole tree.
+/// Formats the median, e.g. "median 0.26 mm"; if only part of the tree is assessed, adds the median of the whole tree.
 QString medianWords(const JudgedPose& judged)
 {
     const QString median = numberText(judged.result.metrics.medianMm, 2);
@@ -82,7 +82,7 @@ QString medianWords(const JudgedPose& judged)
                : ResultPanel::tr("median %1 mm").arg(median);
 }
 
-/// Describes the origin of a pose; empty for the pose of the latest registration.
+/// Describes the origin of a pose; empty for the latest registration and for tracked poses.
 QString originWords(PoseSource source)
 {
     switch (source) {

@@ -19,23 +19,23 @@ enum class PoseSource {
     Start,
     Edited,
     Run,
-    EarlierRun,   ///< registered, but the inputs may have changed since
+    EarlierRun,   ///< registered earlier; the inputs may have changed since
     Followed
 };
 
-/// Assessment of one pose as shown in the result panel.
+/// Assessment of a pose as shown in the result panel.
 struct JudgedPose {
-    core::RegistrationResult result;   ///< of the registration, or an assessment of the current pose
+    core::RegistrationResult result;   ///< result of the registration, or an assessment of the current pose
     PoseSource source = PoseSource::Start;
-    std::vector<double> residualsMm;   ///< residuals of all used tree points
+    std::vector<double> residualsMm;   ///< residuals of all tree points in use
     double scaleMaximumMm = 0.0;
     double millimetersPerPixel = 0.0;   ///< scale at the vessels
-    double judgedShare = 1.0;   ///< share of the tree that the residuals cover
-    double wholeMedianMm = 0.0;   ///< median over the whole tree
+    double judgedShare = 1.0;   ///< fraction of the tree covered by the residuals
+    double wholeMedianMm = 0.0;   ///< median residual of the whole tree
     core::Messages basis;   ///< branches the residuals cover if not the whole tree: excluded, auxiliary
 };
 
-/// One-line statement of the confidence in a pose: on the image, above the numbers and in the status.
+/// One-line verdict on the confidence in a pose, shown on the image, above the numbers and in the status.
 struct FitVerdict {
     VerdictTone tone = VerdictTone::Doubtful;
     QString words;
@@ -50,12 +50,12 @@ public:
 
     void showJudgement(const JudgedPose& judged, const core::VesselTree& tree);
     void showNothing(const QString& why);
-    void setDimmed(bool dimmed);   ///< while another pose is previewed
+    void setDimmed(bool dimmed);   ///< true while another pose is previewed
     void startRun();   ///< clears the convergence plot
     void showProgress(const core::IterationReport& report);
     void showHistory(const std::vector<core::IterationReport>& history);
     SolutionStrip& solutions() { return *solutions_; }
-    void showMotion(const std::vector<FrameMotion>& motion);   ///< hidden if empty
+    void showMotion(const std::vector<FrameMotion>& motion);   ///< hides the plot if `motion` is empty
     MotionPlot& motion() { return *motion_; }
 
 private:
@@ -77,7 +77,7 @@ private:
     HistogramPlot* histogram_;
     ConvergencePlot* convergence_;
     MotionPlot* motion_;
-    QTimer* rest_;   ///< fires after the pose has not moved for a while
+    QTimer* rest_;   ///< fires once the pose has been at rest for a while
 };
 
 }   // namespace angiopose::ui

@@ -17,9 +17,9 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double agreeingMm = 0.5;   ///< branches with a lower median count as in agreement
+constexpr double agreeingMm = 0.5;   ///< branches with a median residual up to this value count as agreeing
 
-/// Translation context of this file.
+/// Translation context of the sentences in this file.
 struct ResultWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::ui::ResultSentences)
 };
@@ -64,13 +64,13 @@ QString agreement(const std::vector<core::BranchResidual>& branches, double mmPe
         .arg(numberText(agreeingMm, 1));
 }
 
-/// "97", limited to 99: the calibration does not reach further.
+/// Formats a probability in percent, e.g. "97", limited to 1–99, the range of the calibration.
 QString percentText(double probability)
 {
     return numberText(std::clamp(100.0 * probability, 1.0, 99.0), 0);
 }
 
-/// States the calibrated probability if the result has one; skips contradictory results of earlier versions.
+/// States the calibrated probability if available; omits it where results saved by earlier versions contradict it.
 QString likelihood(const core::RegistrationResult& result)
 {
     constexpr double trusted = 0.8;
@@ -78,18 +78,18 @@ QString likelihood(const core::RegistrationResult& result)
     return result.probabilityWithin2Mm && agrees
                ? ResultWords::tr("%1 % probability that the overlay is within 2 mm of the vessels.")
                      .arg(percentText(*result.probabilityWithin2Mm))
-                     .replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"))   // avoids a line break
+                     .replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"))   // non-breaking space
                : QString();
 }
 
-/// True if geometry errors make depth clearly less certain than the image does.
+/// True if geometry errors contribute clearly more depth uncertainty than the image.
 bool dependsOnGeometry(const core::PoseUncertainty& uncertainty)
 {
     return uncertainty.depthMm > 1.5 * byImage(uncertainty).depthMm && uncertainty.depthMm > 1.0;
 }
 
-/// States the 3-D uncertainty including the geometry, which the image cannot correct; the overlay does not depend on
-/// it.
+/// States the 3-D uncertainty including geometry errors, which the image cannot correct and which do not affect the
+/// overlay.
 QString geometryWords(const core::PoseUncertainty& uncertainty)
 {
     return dependsOnGeometry(uncertainty)
@@ -98,7 +98,7 @@ QString geometryWords(const core::PoseUncertainty& uncertainty)
                : QString();
 }
 
-/// Empty if the solver's warnings or the geometry sentence already mention depth.
+/// States the depth uncertainty; empty if a solver warning or the geometry sentence already mentions depth.
 QString depthWords(const core::RegistrationResult& result)
 {
     const core::PoseUncertainty& uncertainty = result.uncertainty;
@@ -117,8 +117,8 @@ QString depthWords(const core::RegistrationResult& result)
                : ResultWords::tr("Depth ±%1 mm: not determined by a single view.").arg(resultNumber(*depthMm));
 }
 
-/// Names the branches that disagree and are neither reported as unopacified, nor explained by deformation, nor near a
-/// guidewire.
+/// Names the branches with large residuals that are not reported as unopacified, not explained by deformation and not
+/// near a guidewire.
 QString disagreement(const core::RegistrationResult& result, const core::VesselTree& tree, double mmPerPx)
 {
     const core::DisagreeingBranches found = core::disagreeingBranches(result, mmPerPx);

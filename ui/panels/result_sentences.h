@@ -9,7 +9,7 @@
 
 namespace angiopose::ui {
 
-/// Interpretation of a pose assessment in clinical terms.
+/// Sentences that interpret a pose assessment in clinical terms.
 struct ResultSentences {
     QStringList certain;   ///< shown in green
     QStringList doubtful;   ///< shown in amber: limits of a single view, disagreeing branches and possible reasons
@@ -18,11 +18,11 @@ struct ResultSentences {
 ResultSentences sentencesOf(const core::RegistrationResult& result, const core::VesselTree& tree,
                             double millimetersPerPixel);
 
-/// Returns the 1-σ depth uncertainty if the image constrains depth much less than the other parameters; otherwise
-/// empty.
+/// Returns the standard deviation in depth, mm, if the image constrains depth much less than the other parameters;
+/// otherwise empty.
 std::optional<double> doubtfulDepthMm(const core::PoseUncertainty& uncertainty);
 
-/// Returns the branch name, e.g. "LAD", or "Branch 3" if the branch is unnamed.
+/// Returns the branch name, e.g. "LAD", or "Branch 3" if unnamed.
 QString displayName(const core::VesselBranch& branch);
 
 }   // namespace angiopose::ui

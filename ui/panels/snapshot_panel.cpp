@@ -191,7 +191,7 @@ void SnapshotPanel::showMarks(const SnapshotMarks& marks)
     color();
 }
 
-/// Applies the colors of the theme, which may change.
+/// Sets the item colors; called again when the theme changes.
 void SnapshotPanel::color()
 {
     const QScopedValueRollback quiet(showing_, true);
@@ -249,7 +249,7 @@ bool SnapshotPanel::eventFilter(QObject* watched, QEvent* event)
         return Section::eventFilter(watched, event);
     }
     const int key = static_cast<QKeyEvent*>(event)->key();
-    if (event->type() == QEvent::ShortcutOverride) {   // in this list, these keys act on poses, not branches
+    if (event->type() == QEvent::ShortcutOverride) {   // in this list, these keys act on snapshots instead of branches
         event->setAccepted(key == Qt::Key_Delete || key == Qt::Key_F2);
         return event->isAccepted();
     }

@@ -22,8 +22,8 @@ struct SnapshotMarks {
     bool operator==(const SnapshotMarks&) const = default;
 };
 
-/// List of snapshots and, folded below it, the registration results. Displays the values it is given and emits signals
-/// for user actions.
+/// Panel with the list of snapshots and, in a collapsed group below, the registration results. Passive view: shows what
+/// its owner sets and emits signals for user actions.
 class SnapshotPanel : public Section {
     Q_OBJECT
 public:
@@ -31,7 +31,7 @@ public:
 
     void showSnapshots(const std::vector<core::PoseSnapshot>& snapshots);   ///< emits no signal, keeps the selection
     void showMarks(const SnapshotMarks& marks);
-    void editName(int snapshotId);   ///< opens the name editor in its row
+    void editName(int snapshotId);   ///< starts editing the name in its row
     QTreeWidget* list() const { return list_; }
 
 signals:
@@ -41,7 +41,7 @@ signals:
     void restoreRequested(int snapshotId);
     void renamed(int snapshotId, const QString& name);
     void removeRequested(const std::set<int>& snapshotIds);
-    void markRequested(int snapshotId, bool isA);   ///< mark as A, otherwise as B
+    void markRequested(int snapshotId, bool isA);   ///< marks the snapshot as A if `isA`, otherwise as B
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

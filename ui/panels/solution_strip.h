@@ -9,14 +9,14 @@ class QListWidget;
 
 namespace angiopose::ui {
 
-/// One candidate pose that explains the image: one-line summary and details.
+/// Texts of one candidate pose: a one-line summary, and details for the tooltip.
 struct SolutionLine {
     QString words;
     QString toolTip;
 };
 
-/// Solutions of the last registration as thumbnails, best first. Hidden if there is only one. Displays the values it is
-/// given and emits signals for user actions.
+/// Strip with the solutions of the last registration as thumbnails, best first; hidden if there is only one. Passive
+/// view: shows what its owner sets and emits signals for user actions.
 class SolutionStrip : public Section {
     Q_OBJECT
 public:
@@ -25,11 +25,11 @@ public:
     void showSolutions(const std::vector<SolutionLine>& solutions);   ///< emits no signal; thumbnails follow
     void showPicture(int index, const core::ColorImage& picture);
     void showCurrent(int index);   ///< emits no signal
-    int pictureWidthPx() const;   ///< in device px
+    int pictureWidthPx() const;   ///< thumbnail width in device pixels
     QListWidget* list() const { return list_; }
 
 signals:
-    void wasPicked(int index);   ///< solution to display; 0 is the pose itself
+    void wasPicked(int index);   ///< solution to display; 0 is the registered pose
     void takeRequested(int index);
 
 private:

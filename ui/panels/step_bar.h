@@ -14,18 +14,18 @@ inline constexpr int stepCount = 7;
 
 enum class StepMark { Open, Done, Look };
 
-/// State of one step: its mark and a short hint about the current situation.
+/// State of a workflow step: its mark, and a short hint about what has been done or is missing.
 struct StepState {
     StepMark mark = StepMark::Open;
     QString hint;
-    QString whyNotReady;   ///< shown as tooltip
+    QString whyNotReady;   ///< tooltip that explains why the step is not ready
 
     bool operator==(const StepState&) const = default;
 };
 
 class StepButton;
 
-/// Workflow steps in a row, each with a check mark or an exclamation mark; all are clickable.
+/// Bar with the workflow steps, each with a check mark or an exclamation mark; every step can be clicked.
 class StepBar : public QWidget {
     Q_OBJECT
 public:

@@ -74,7 +74,7 @@ void StepButton::setHintRoom(HintRoom room)
 
 int StepButton::widthWith(HintRoom room) const
 {
-    // Reserves the width of the bold name of the current step, so that the layout stays stable.
+    // The current step has a bold name; reserving its width for every step keeps the layout stable.
     const QFontMetrics nameMetrics(nameFont(font(), QFont::DemiBold));
     int width = 2 * sideMargin + nameMetrics.horizontalAdvance(text());
     if (state_.mark != StepMark::Open) {

@@ -9,7 +9,7 @@ namespace angiopose::ui {
 
 enum class HintRoom { Shown, Dropped };
 
-/// One step: mark, name, hint; underlined in the accent color while current.
+/// Button of one workflow step with mark, name and hint; underlined in the accent color if current.
 class StepButton : public QAbstractButton {
     Q_OBJECT
 public:

@@ -5,7 +5,7 @@
 
 namespace angiopose::ui {
 
-/// Shows that a blind trial is running and how to end it. Hidden otherwise.
+/// Bar shown during a blind trial, which explains how to end it.
 class TrialBar : public QWidget {
     Q_OBJECT
 public:

@@ -17,10 +17,10 @@ namespace {
 
 constexpr int viewPictureSize = 52;
 constexpr int minPictureSize = 28;
-constexpr int viewItemPadding = 32;   // around and between thumbnail and text
-constexpr int numberPadding = 22;   // … and for a number only
-constexpr int listRim = 4;   // space of the list around its items
-constexpr int fewestWordsPx = 40;   // narrower text is not readable
+constexpr int viewItemPadding = 32;   // padding around and between thumbnail and text
+constexpr int numberPadding = 22;   // padding around and between thumbnail and number
+constexpr int listRim = 4;   // padding of the list around its items
+constexpr int fewestWordsPx = 40;   // minimum width of readable text
 
 QPixmap emptyPicture(double ratio)
 {
@@ -79,7 +79,7 @@ void ViewStrip::setUpList()
     });
 }
 
-/// Stacks the toggles vertically to leave the width to the thumbnails.
+/// Stacks the toggle buttons vertically to leave more width to the thumbnails.
 QLayout* ViewStrip::placedSwitches()
 {
     sideBySide_->setIcon(QIcon(QStringLiteral(":/icons/side_by_side.svg")));
@@ -112,7 +112,7 @@ bool ViewStrip::eventFilter(QObject* watched, QEvent* event)
     if (watched != list_ || !isKey || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Delete) {
         return QWidget::eventFilter(watched, event);
     }
-    event->accept();   // in the strip, this key acts on views, not branches
+    event->accept();   // in the strip, Delete acts on views instead of branches
     if (event->type() == QEvent::KeyPress) {
         emit removeRequested(list_->currentRow());
     }
@@ -172,7 +172,7 @@ int ViewStrip::wordsWidthPx(int index) const
     return viewPictureSize + viewItemPadding + widest;
 }
 
-/// Shows text on the toggles if every thumbnail still has room for text, otherwise icons.
+/// Shows text on the toggle buttons if text still fits beside every thumbnail, otherwise icons.
 void ViewStrip::fit()
 {
     const int count = std::min(list_->count(), static_cast<int>(views_.size()));
@@ -205,7 +205,7 @@ void ViewStrip::fitSwitches(bool hasWords)
     }
 }
 
-/// A width of 0 shows a number instead of text.
+/// Sets the text and width of an item; with `widthPx` 0, a number replaces the text.
 void ViewStrip::fitItem(int index, int widthPx)
 {
     const ViewLine& view = views_[static_cast<std::size_t>(index)];
@@ -226,10 +226,10 @@ void ViewStrip::showPicture(int index, const core::ColorImage& picture)
     }
     const uchar* bytes = picture.rgb.data();
     const QImage image(bytes, picture.width, picture.height, qsizetype{3} * picture.width, QImage::Format_RGB888);
-    QPixmap pixmap = QPixmap::fromImage(image.copy());   // deep copy: the source image is temporary
+    QPixmap pixmap = QPixmap::fromImage(image.copy());   // deep copy, since the image buffer is temporary
     pixmap.setDevicePixelRatio(devicePixelRatioF());
     QIcon icon(pixmap);
-    icon.addPixmap(pixmap, QIcon::Selected);   // no selection tint over the thumbnail
+    icon.addPixmap(pixmap, QIcon::Selected);   // keeps the thumbnail untinted in the selected item
     item->setIcon(icon);
 }
 

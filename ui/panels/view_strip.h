@@ -14,12 +14,12 @@ namespace angiopose::ui {
 
 /// Texts of one view in the strip.
 struct ViewLine {
-    QString words;   ///< angles; agreement of the view below them
+    QString words;   ///< two lines: gantry angles, and agreement of the view
     QString toolTip;
 };
 
-/// Thumbnails of the case's views with the shown one marked; hidden if there is only one view. If text does not fit
-/// beside the thumbnails, numbers replace it and the tooltips show it.
+/// Thumbnails of the views of a case, with the current view marked; hidden if there is only one. If the texts do not
+/// fit beside the thumbnails, numbers replace the texts, which then appear in the tooltips.
 class ViewStrip : public QWidget {
     Q_OBJECT
 public:
@@ -27,10 +27,10 @@ public:
 
     void showViews(const std::vector<ViewLine>& views, int shown);   ///< keeps thumbnails if the count is unchanged
     void showPicture(int index, const core::ColorImage& picture);
-    int pictureWidthPx() const;   ///< in device pixels
+    int pictureWidthPx() const;   ///< thumbnail width in device pixels
     int count() const;
-    void showSideBySide(bool on);   ///< state of the side-by-side toggle
-    void showCrosshair(bool on);   ///< state of the linked cross-hair toggle
+    void showSideBySide(bool on);   ///< sets the state of the side-by-side toggle
+    void showCrosshair(bool on);   ///< sets the state of the linked crosshair toggle
 
 signals:
     void viewPicked(int index);
@@ -50,7 +50,7 @@ private:
     void fit();
     void fitSwitches(bool hasWords);
     void fitItem(int index, int widthPx);
-    int wordsWidthPx(int index) const;   ///< width of a thumbnail with its text
+    int wordsWidthPx(int index) const;   ///< width of the item with thumbnail and full text
 
     std::vector<ViewLine> views_;
     QListWidget* list_;

@@ -49,7 +49,7 @@ WelcomePage::WelcomePage(QWidget* parent)
 
     auto* list = new QHBoxLayout;
     list->addStretch(1);
-    list->addWidget(recent_, 1000);   // takes all available width up to its maximum
+    list->addWidget(recent_, 1000);   // large stretch factor: the list grows to its maximum width first
     list->addStretch(1);
     auto* layout = new QVBoxLayout(page_);
     layout->setSpacing(12);
@@ -62,7 +62,7 @@ WelcomePage::WelcomePage(QWidget* parent)
     layout->addSpacing(16);
     layout->addLayout(list);
     layout->addStretch(3);
-    auto* area = new QScrollArea;   // a screen at 200 % may be too small for the page
+    auto* area = new QScrollArea;   // scrolls where the screen is too small, e.g. at 200 %
     area->setWidget(page_);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);

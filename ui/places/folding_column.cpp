@@ -46,7 +46,7 @@ ColumnRail::ColumnRail(ColumnSide side, const Words& behind, QWidget* parent) : 
     withName(this, [behind] { return tr("Expand panel: %1").arg(behind()); });
     withTip(this, [side, behind] { return tipWithKey(tr("Expand: %1").arg(behind()), commandOf(side)); });
     setCursor(Qt::PointingHandCursor);
-    setFocusPolicy(Qt::TabFocus);   // no focus rectangle after a click
+    setFocusPolicy(Qt::TabFocus);   // avoids a focus rectangle after a click
     setAttribute(Qt::WA_Hover);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
 }
@@ -61,7 +61,7 @@ int ColumnRail::wordsRoomPx(int height)
     return height - wordsFromTop - 8;
 }
 
-/// Draws the text rotated clockwise along the rail.
+/// Draws the text along the rail, rotated clockwise.
 void ColumnRail::paintEvent(QPaintEvent*)
 {
     const Palette& tones = activePalette();
@@ -94,7 +94,7 @@ FoldButton::FoldButton(ColumnSide side, const Words& folds, QWidget* parent) : Q
                           side == ColumnSide::Left ? Command::FoldLeft : Command::FoldRight);
     });
     setCursor(Qt::PointingHandCursor);
-    setFocusPolicy(Qt::TabFocus);   // no focus rectangle after a click
+    setFocusPolicy(Qt::TabFocus);   // avoids a focus rectangle after a click
     setAttribute(Qt::WA_Hover);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
 }
@@ -158,7 +158,7 @@ void FoldingColumn::setFolded(bool folded)
     placeRail();
     emit foldedChanged(folded);
     showContent();
-    if (hadFocus) {   // moves the focus to the rail, or back to the button
+    if (hadFocus) {   // moves the keyboard focus to the rail after folding, or to the fold button after unfolding
         QWidget* next = folded ? rail_ : button_;
         next->setFocus(Qt::OtherFocusReason);
     }
@@ -217,14 +217,14 @@ ColumnLayout columnsFor(Work work, int windowWidth)
 {
     ColumnLayout columns;
     switch (work) {
-        case Work::Tracing:   // slices and 3-D view are enlarged
+        case Work::Tracing:   // enlarges the slices and the 3-D view
             columns.leftWidth = shareOf(windowWidth, 0.34, 300, 760);
             columns.cornerShare = 0.68;
             columns.isRightFolded = true;
             break;
         case Work::Registering:
             break;
-        case Work::Reviewing:   // image and result are enlarged
+        case Work::Reviewing:   // enlarges the image and the result panel
             columns.rightWidth = shareOf(windowWidth, 0.28, 320, 480);
             columns.isLeftFolded = true;
             break;

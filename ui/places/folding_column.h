@@ -13,7 +13,7 @@ namespace angiopose::ui {
 
 enum class ColumnSide { Left, Right };
 
-/// Rail of a folded column: a narrow button with vertical text that names the hidden content.
+/// Rail shown in place of a folded column: a narrow button with vertical text that names the hidden content.
 class ColumnRail : public QAbstractButton {
     Q_OBJECT
 public:
@@ -21,7 +21,7 @@ public:
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {sizeHint().width(), 80}; }
-    static int wordsRoomPx(int height);   ///< length available for the text on a rail of this height
+    static int wordsRoomPx(int height);   ///< length available for text on a rail of this height
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -30,10 +30,10 @@ private:
     ColumnSide side_;
 };
 
-/// Paints a chevron that points to `side`, centered at `at`, with the painter's pen.
+/// Paints a chevron that points to `side`, centered at `at`, with the current pen of the painter.
 void paintChevron(QPainter& painter, const QPointF& at, ColumnSide side);
 
-/// Visible handle on a column's border: a chevron towards the side to which the column folds.
+/// Button on the border of a column with a chevron that points to the side toward which the column folds.
 class FoldButton : public QAbstractButton {
     Q_OBJECT
 public:
@@ -48,21 +48,21 @@ private:
     ColumnSide side_;
 };
 
-/// Column of the window that folds to a rail and remembers its width. The content stays alive while folded.
+/// Window column that folds into a rail and remembers its width. Folding hides the content without destroying it.
 class FoldingColumn : public QWidget {
     Q_OBJECT
 public:
-    /// Takes ownership of the content. `behind` is its display name.
+    /// Takes ownership of the content, whose display name is `behind`.
     FoldingColumn(ColumnSide side, QWidget& content, const Words& behind, QWidget* parent = nullptr);
 
     bool isFolded() const { return isFolded_; }
     void setFolded(bool folded);
-    void holdOpen(bool hold);   ///< shows the content while true, even if folded
+    void holdOpen(bool hold);   ///< while true, shows the content even if folded
 
     int openWidth() const { return openWidth_; }   ///< current width, or the width before folding
     void setOpenWidth(int width) { openWidth_ = width; }
 
-    /// Places the fold button in the middle of the column's border.
+    /// Places the fold button in the middle of the splitter handle.
     void placeButton(QSplitterHandle& border);
 
 signals:
@@ -86,7 +86,7 @@ private:
     bool isHeldOpen_ = false;
 };
 
-inline constexpr int columnBorderWidth = 9;   ///< includes the fold button
+inline constexpr int columnBorderWidth = 9;   ///< leaves room for the fold button
 
 /// Widths and folding of the columns beside the image, and the share of the left column's height used by the 3-D view.
 struct ColumnLayout {
@@ -99,22 +99,22 @@ struct ColumnLayout {
     bool operator==(const ColumnLayout&) const = default;
 };
 
-/// Activity of a step that determines the layout: tracing a scan, registering vessels, or reviewing a result.
+/// User activity that determines the layout: tracing a scan, registering vessels, or reviewing a result.
 enum class Work { Tracing, Registering, Reviewing };
 
-/// Default columns for an activity in a window of this width.
+/// Returns the default columns for an activity in a window of this width.
 ColumnLayout columnsFor(Work work, int windowWidth);
 
-/// Window layout of one activity.
+/// Window layout saved for one activity.
 struct WorkLayout {
     ColumnLayout columns;
     bool areSlicesLarge = false;
-    int cornerPlane = 0;   ///< 0: 3-D, then indices into `core::bodyPlanes`
+    int cornerPlane = 0;   ///< 0 for the 3-D view, otherwise 1 + index into `core::bodyPlanes`
 
     bool operator==(const WorkLayout&) const = default;
 };
 
-/// Serializes and restores a layout; returns none for invalid bytes.
+/// Serialize and restore a layout; `workLayoutOf` returns no value for invalid bytes.
 QByteArray bytesOf(const WorkLayout& layout);
 std::optional<WorkLayout> workLayoutOf(const QByteArray& bytes);
 

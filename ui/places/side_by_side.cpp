@@ -46,7 +46,7 @@ void PaneTitle::showWords(const QString& title, const QString& note, const QStri
     }
 }
 
-/// Hides the note in a narrow pane to leave room for the name.
+/// Shows the note only if the pane is wide enough for the view name too.
 void PaneTitle::showNote()
 {
     constexpr int narrowPx = 220;
@@ -171,7 +171,7 @@ void SideBySide::setPaneCount(std::size_t count)
     place();
 }
 
-/// Arranges the panes in a grid whose number of columns keeps them about square.
+/// Arranges the panes in a grid with the number of columns that makes them most nearly square.
 void SideBySide::place()
 {
     const std::size_t columns = count_ > panesInOneColumn ? 2 : 1;

@@ -12,16 +12,16 @@ namespace angiopose::ui {
 
 class ElidedLabel;
 
-/// Title above one of several images: the name of the view and how its pose relates to the others. A click selects the
-/// view.
+/// Title above an image in the side-by-side layout: name of the view, and how its pose relates to the current view. A
+/// click selects the view.
 class PaneTitle : public QWidget {
     Q_OBJECT
 public:
     explicit PaneTitle(QWidget* parent = nullptr);
 
-    /// Shows `note` at the right; `tip` explains it in full sentences.
+    /// Shows the title with `note` on the right; `tip` explains the note in full sentences.
     void showWords(const QString& title, const QString& note, const QString& tip);
-    void setShown(bool shown);   ///< title of the current view: not clickable, bold name
+    void setShown(bool shown);   ///< marks the title of the current view: bold and not clickable
     QString title() const;
     QString note() const;
 
@@ -45,8 +45,8 @@ private:
 class AngiogramView;
 class PaneTitle;
 
-/// Additional view of the case for viewing only: title, image with the vessels, frame slider. Select the view to work
-/// on it.
+/// Pane with a view other than the current one: title, image with the vessels, and frame slider. Read-only; the user
+/// selects a view to work on it.
 class ViewPane : public QWidget {
     Q_OBJECT
 public:
@@ -54,11 +54,11 @@ public:
 
     AngiogramView& image() { return *image_; }
     PaneTitle& title() { return *title_; }
-    void showFrame(int frame, int count);   ///< counted from 0; no slider if count < 2
+    void showFrame(int frame, int count);   ///< `frame` counts from 0; the slider is hidden if `count` < 2
 
 signals:
-    void chosen();   ///< click on the title, or double click in the image
-    void frameRequested(int frame);   ///< within the range of the run
+    void chosen();   ///< emitted on a click on the title or a double-click in the image
+    void frameRequested(int frame);   ///< `frame` is always within the run
     void menuRequested(const QPoint& globalPosition);
 
 private:
@@ -77,18 +77,18 @@ class ViewPane;
 class SideBySide : public QWidget {
     Q_OBJECT
 public:
-    explicit SideBySide(AngiogramView& shown, QWidget* parent = nullptr);   ///< takes ownership
+    explicit SideBySide(AngiogramView& shown, QWidget* parent = nullptr);   ///< takes ownership of `shown`
 
-    /// 0: only the current image, without title.
+    /// Sets the number of panes; 0 leaves only the current image, without title.
     void setPaneCount(std::size_t count);
     std::size_t paneCount() const { return count_; }
     ViewPane& pane(std::size_t index) { return *panes_[index]; }
     PaneTitle& title() { return *title_; }   ///< title of the current image
     AngiogramView& shown() { return *shown_; }
-    std::vector<AngiogramView*> images();   ///< the current image first, then those of the panes
+    std::vector<AngiogramView*> images();   ///< current image first, then the images of the panes
 
 signals:
-    void paneMade(ui::ViewPane* pane);   ///< once per pane: hidden panes are reused
+    void paneMade(ui::ViewPane* pane);   ///< emitted once per pane, since hidden panes are reused
 
 private:
     void place();

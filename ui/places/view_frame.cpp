@@ -109,7 +109,7 @@ void ViewFrame::leave()
     if (window()->isVisible()) {
         show();
     } else {
-        QTimer::singleShot(0, window_, show);   // during layout restore: after the main window is shown
+        QTimer::singleShot(0, window_, show);   // while a layout is restored, waits until the main window is visible
     }
 }
 
@@ -120,9 +120,9 @@ void ViewFrame::comeBack()
     setCurrentWidget(home_);
     view_->show();
     window_->hide();
-    window_->deleteLater();   // deferred: may run inside its close event
+    window_->deleteLater();   // deferred, since this may run inside the close event of `window_`
     window_ = nullptr;
-    window()->activateWindow();   // some desktops do not pass on the focus
+    window()->activateWindow();   // some desktops do not return the focus to the main window
 }
 
 void ViewFrame::setFullScreen(bool on)

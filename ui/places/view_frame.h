@@ -8,15 +8,15 @@
 
 namespace angiopose::ui {
 
-/// Window of a popped-out view, on another screen if there is one. The main window's shortcuts work in it too. Closing
-/// it only requests that the view return.
+/// Window of a popped-out view, on another screen if available. The shortcuts of the main window also work here.
+/// Closing the window only emits `closeRequested`; its owner then docks the view.
 class ViewWindow : public QWidget {
     Q_OBJECT
 public:
     ViewWindow(QWidget* mainWindow, const Words& title);
 
     void hold(QWidget& view);
-    void goToAnotherScreen();   ///< no effect with a single screen
+    void goToAnotherScreen();   ///< no effect if there is only one screen
 
 signals:
     void closeRequested();
@@ -27,17 +27,17 @@ protected:
 
 class ViewWindow;
 
-/// Place of a view in the main window. The view can pop out to its own window and returns when that is closed;
-/// meanwhile a placeholder offers to bring it back.
+/// Frame that docks a view in the main window. The view can pop out into a window and returns when that window is
+/// closed; meanwhile a placeholder offers to bring the view back.
 class ViewFrame : public QStackedWidget {
     Q_OBJECT
 public:
-    /// Takes ownership of the view. `title` is the title of its own window.
+    /// Takes ownership of the view; `title` is the title of the popped-out window.
     ViewFrame(QWidget& view, const Words& title, QWidget* parent = nullptr);
 
     bool isOut() const { return isOut_; }
     void setOut(bool out);
-    void setFullScreen(bool on);   ///< full screen of the popped-out window; no effect while docked
+    void setFullScreen(bool on);   ///< applies to the popped-out window; no effect while docked
 
     QByteArray windowPlace() const;   ///< last geometry of its window; empty if never popped out
     void setWindowPlace(const QByteArray& place) { place_ = place; }

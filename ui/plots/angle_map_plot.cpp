@@ -15,7 +15,7 @@ namespace {
 
 constexpr int angleLabelHeight = 20;
 constexpr int angleLabelWidth = 58;
-constexpr double hiddenCost = 1.0;   // foreshortening plus overlap at the end of the color ramp
+constexpr double hiddenCost = 1.0;   // foreshortening plus overlap at the upper end of the color ramp
 constexpr double primaryTickDeg = 30.0;
 constexpr double secondaryTickDeg = 20.0;
 
@@ -26,7 +26,7 @@ QImage imageOf(const core::AngleMap& map)
     QImage image(columns, rows, QImage::Format_RGB32);
     for (int y = 0; y < rows; ++y) {
         for (int x = 0; x < columns; ++x) {
-            const auto row = static_cast<std::size_t>(rows - 1 - y);   // cranial at the top
+            const auto row = static_cast<std::size_t>(rows - 1 - y);   // flipped: cranial is at the top
             const double cost = map.at(static_cast<std::size_t>(x), row).cost();
             image.setPixelColor(x, y, toQColor(residualColor(std::min(1.0, cost / hiddenCost))));
         }
@@ -40,7 +40,7 @@ QString tickText(double deg, const char* negative, const char* positive)
     return deg == 0.0 ? number : QLatin1String(deg < 0.0 ? negative : positive) + QLatin1Char(' ') + number;
 }
 
-/// Contrasts with the map's colors in every theme.
+/// Returns a color that contrasts with the map in every theme.
 QColor markTone()
 {
     return toQColor(palette(ThemeMode::Dark).textStrong);

@@ -8,15 +8,15 @@
 
 namespace angiopose::ui {
 
-/// Visibility of a vessel segment for all gantry angles: RAO to LAO horizontally, CAU to CRA upwards, in the residual
-/// colors from well visible to hidden. A click or the arrow keys select angles.
+/// Map of how well a vessel segment is visible at each pair of gantry angles: RAO to LAO horizontally, CAU to CRA
+/// upward, colored from well visible to hidden with the residual color ramp. A click or the arrow keys select angles.
 class AngleMapPlot : public QWidget {
     Q_OBJECT
 public:
     explicit AngleMapPlot(QWidget* parent = nullptr);
 
     void showMap(const std::optional<core::AngleMap>& map);
-    void showNow(const std::optional<core::GantryAngles>& angles);   ///< current gantry angles
+    void showNow(const std::optional<core::GantryAngles>& angles);   ///< marks the current gantry angles
     void showPicked(const core::GantryAngles& angles);
     QSize sizeHint() const override { return {440, 230}; }
 
@@ -32,7 +32,7 @@ protected:
 private:
     QRectF area() const;
     QPointF placeOf(const core::GantryAngles& angles) const;
-    core::GantryAngles anglesAt(const QPointF& place) const;   ///< nearest angles inside the map
+    core::GantryAngles anglesAt(const QPointF& place) const;   ///< returns the nearest angles inside the map
     void paintAxes(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
 

@@ -14,10 +14,10 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double captionHeight = 17.0;
-constexpr double sampleWidth = 18.0;   // length of the line sample beside the caption
-constexpr double most = 4.0;   // maximum span in decades; lower values are negligible
+constexpr double sampleWidth = 18.0;   // length of the line sample next to the caption
+constexpr double most = 4.0;   // maximum span in decades; smaller values are negligible
 
-/// Paints a sample of the line followed by its caption, above the lane.
+/// Paints the caption of a lane above it, after a sample of the line.
 void paintCaption(QPainter& painter, const QRectF& area, const LogLane& lane)
 {
     const double middle = std::round(area.top() + captionHeight / 2.0) + 0.5;
@@ -30,7 +30,7 @@ void paintCaption(QPainter& painter, const QRectF& area, const LogLane& lane)
     painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, words);
 }
 
-/// Paints a grid line with its value at 10, 1, 0.1 …
+/// Paints a labeled grid line at every power of ten (10, 1, 0.1 …).
 void paintDecades(QPainter& painter, const QRectF& area, const LogSpan& span, const QString& unit)
 {
     const Palette& tones = activePalette();
@@ -51,7 +51,7 @@ constexpr double laneGap = 5.0;   // gap between the lanes
 constexpr int emptyConvergenceHeight = 34;   // height before the first registration
 constexpr int fullConvergenceHeight = 148;
 
-/// Labels the first and the last step.
+/// Labels the first and the last step on the x axis.
 void paintAxis(QPainter& painter, const QRectF& room, int first, int last)
 {
     painter.setPen(toQColor(activePalette().hint));

@@ -13,16 +13,16 @@ class QPainter;
 
 namespace angiopose::ui {
 
-/// One curve of the convergence plot: a caption with a line sample above it, decade lines behind it.
+/// Lane of the convergence plot: a curve over decade grid lines, with caption and line sample above.
 struct LogLane {
     QString caption;
     QString unit;
     QPen pen;
     std::span<const int> positions;   ///< x positions, ascending
-    std::span<const double> values;   ///< 0 is drawn at the bottom: it has no logarithm
+    std::span<const double> values;   ///< nonnegative; 0 has no logarithm and is drawn at the bottom
 };
 
-/// Range of a lane as powers of ten; at least one decade, which keeps constant values looking constant.
+/// Range of a lane as powers of ten, at least one decade to keep small fluctuations from filling the lane.
 struct LogSpan {
     double bottom = 0.0, top = 1.0;
 };
@@ -32,8 +32,8 @@ void paintLane(QPainter& painter, const QRectF& area, const LogLane& lane);
 
 class LingeringHeight;
 
-/// Convergence of a registration in two lanes over its steps: the median distance of the tree to the traced vessels,
-/// and the movement of the tree per step. Both are logarithmic with separate scales.
+/// Plot of the convergence of a registration in two logarithmic lanes with separate scales: median distance between the
+/// tree and the traced vessels, and movement of the tree, per step.
 class ConvergencePlot : public QWidget {
     Q_OBJECT
 public:

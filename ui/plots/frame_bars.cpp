@@ -15,7 +15,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double laneHeight = 9.0;   // above the bars
+constexpr double laneHeight = 9.0;   // height of the lane above the bars, px
 constexpr double grabPx = 7.0;
 constexpr double gripWidth = 4.0;
 
@@ -126,7 +126,7 @@ void FrameBars::paintCell(QPainter& painter, int frame) const
     }
 }
 
-/// Paints the playback range as a line between two grips.
+/// Paints the playback range as a line with a grip at each end.
 void FrameBars::paintLoop(QPainter& painter) const
 {
     const Palette& tones = activePalette();
@@ -143,7 +143,7 @@ void FrameBars::paintLoop(QPainter& painter) const
     painter.setBrush(Qt::NoBrush);
 }
 
-/// Paints a spike above each R wave in the lane above the bars.
+/// Paints a spike at each R wave in the lane above the bars.
 void FrameBars::paintBeats(QPainter& painter) const
 {
     painter.setPen(QPen(toQColor(activePalette().textStrong), 1.2));
@@ -206,7 +206,7 @@ std::optional<FrameBars::LoopEnd> FrameBars::loopEndAt(const QPointF& place) con
 void FrameBars::dragLoop(int frame)
 {
     core::FrameRange range = loop_;
-    if (range.count() == 1) {   // coinciding grips: the drag direction decides
+    if (range.count() == 1) {   // both grips at the same frame: the drag direction decides
         dragged_ = frame < range.first ? LoopEnd::First : LoopEnd::Last;
     }
     if (*dragged_ == LoopEnd::First) {

@@ -10,15 +10,15 @@
 
 namespace angiopose::ui {
 
-/// Properties of the frames of a run.
+/// Opacification and timing of the frames of a run.
 struct FrameCurve {
-    std::vector<double> opacification;   ///< 0…1, one per frame
+    std::vector<double> opacification;   ///< contrast opacification per frame, 0…1
     int suggested = 0;
-    double frameTimeMs = 0.0;   ///< 0 if unknown
-    std::vector<int> rWaves = {};   ///< frames at the R waves of the ECG
+    double frameTimeMs = 0.0;   ///< time between frames; 0 if unknown
+    std::vector<int> rWaves = {};   ///< indices of the frames at ECG R waves
 };
 
-/// Describes a frame, e.g. "Frame 5, 0.33 s", with its special properties.
+/// Describes a frame, e.g. "Frame 5 · 0.33 s · 80 % · mask": time, opacification and role.
 QString describeFrame(const FrameCurve& curve, const std::vector<int>& masks, int frame);
 
 /// Frames of a run as opacification bars; a click or ← → selects a frame. Shift marks mask frames: by dragging, or with
@@ -37,8 +37,8 @@ public:
 signals:
     void frameRequested(int frame);
     void maskRangeMarked(int first, int last);
-    void loopMarked(const angiopose::core::FrameRange& range);   ///< emitted during the drag
-    void plotRequested();   ///< double click: opens the large plot
+    void loopMarked(const angiopose::core::FrameRange& range);   ///< emitted continuously while dragging
+    void plotRequested();   ///< emitted on a double-click, to open the large plot
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -66,7 +66,7 @@ private:
     FrameCurve curve_;
     std::vector<int> masks_;
     bool masksInUse_ = false;
-    std::optional<std::pair<int, int>> marking_;   ///< first and last frame
+    std::optional<std::pair<int, int>> marking_;   ///< first and last frame of the range being marked
     core::FrameRange loop_;
     std::optional<LoopEnd> dragged_;
     int current_ = 0;

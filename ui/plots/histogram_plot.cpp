@@ -14,7 +14,7 @@ namespace {
 
 constexpr int binCount = 22;
 constexpr int histogramLabelHeight = 18;
-constexpr int emptyHistogramHeight = 34;   // height while there is nothing to show
+constexpr int emptyHistogramHeight = 34;   // height without data
 constexpr int fullHistogramHeight = 92;
 
 }   // namespace
@@ -46,7 +46,7 @@ void HistogramPlot::paintEvent(QPaintEvent*)
     painter.setPen(toQColor(tones.line));
     painter.drawLine(area.bottomLeft(), area.bottomRight());
     const double tallest = std::max(1, *std::ranges::max_element(counts_));
-    // An empty slot separates the "above" bar from the scale.
+    // Leaves one slot empty between the scale and the bar for larger values.
     const double slot = area.width() / (binCount + 2);
     for (int i = 0; i <= binCount; ++i) {
         const double height = counts_[static_cast<std::size_t>(i)] / tallest * area.height();

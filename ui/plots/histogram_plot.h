@@ -8,8 +8,8 @@ namespace angiopose::ui {
 
 class LingeringHeight;
 
-/// Histogram of the residuals of all points in the colors of the overlay's ramp; the last bar counts all values above
-/// the scale.
+/// Histogram of the residuals of all points, in the colors of the overlay; the last bar counts the values above the
+/// scale.
 class HistogramPlot : public QWidget {
     Q_OBJECT
 public:

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int motionLabelHeight = 18;
 constexpr double dotPx = 2.2;
-constexpr double minHighestMm = 0.5;   // minimum range: keeps a static position looking static
+constexpr double minHighestMm = 0.5;   // minimum range of the y axis, to keep noise from looking like motion
 
 }   // namespace
 

@@ -6,17 +6,17 @@
 
 namespace angiopose::ui {
 
-/// Displacement of the vessels in one frame from the registered position.
+/// Displacement of the vessels in one frame relative to the registered pose.
 struct FrameMotion {
     int frame = 0;
     double inPlaneMm = 0.0;
-    double depthMm = 0.0;   ///< positive: away from the source
+    double depthMm = 0.0;   ///< positive away from the X-ray source
     double rotationDeg = 0.0;
     bool isTrustworthy = false;
 };
 
-/// Motion over the frames of a run: the in-plane shift as a line, frames that could not be tracked as open dots. A
-/// click or ← → selects a frame.
+/// Plot of the vessel motion over the frames of a run: in-plane shift as a line, frames that could not be tracked as
+/// open dots. A click or ← → selects a frame.
 class MotionPlot : public QWidget {
     Q_OBJECT
 public:

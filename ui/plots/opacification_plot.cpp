@@ -20,7 +20,7 @@ constexpr double rightMargin = 26.0;
 constexpr double topMargin = 26.0;
 constexpr double bottomMargin = 34.0;
 
-/// Returns a round label interval that gives about eight labels below the curve.
+/// Returns a round interval between labels that gives about eight labels on the x axis.
 int labelStep(int frameCount)
 {
     int step = 1;

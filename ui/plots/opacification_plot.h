@@ -4,8 +4,8 @@
 
 namespace angiopose::ui {
 
-/// Large opacification curve of a run: marks the mask frames and the peak-opacification frame, shows frame and time
-/// under the mouse. A click or ← → selects a frame.
+/// Large plot of the opacification curve of a run: marks the mask frames and the peak-opacification frame, and shows
+/// frame and time under the pointer. A click or ← → selects a frame.
 class OpacificationPlot : public QWidget {
     Q_OBJECT
 public:
@@ -15,7 +15,7 @@ public:
     void showMasks(const std::vector<int>& frames);
     void showCurrent(int frame);
     std::optional<int> hoveredFrame() const { return hovered_; }
-    QPointF pointOf(int frame) const;   ///< point on the curve, widget px
+    QPointF pointOf(int frame) const;   ///< returns the point on the curve in widget px
     QSize sizeHint() const override { return {720, 320}; }
 
 signals:

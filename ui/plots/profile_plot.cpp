@@ -18,7 +18,7 @@ namespace {
 
 constexpr int profileLabelHeight = 18;
 constexpr double minHighestCurvature =
-    0.02;   // minimum curvature range, 1/mm: keeps a straight vessel looking straight
+    0.02;   // 1/mm: minimum range of the curvature axis, to keep noise from looking like curvature
 
 double diameterIn(const core::ProfileSample& sample)
 {
@@ -39,7 +39,7 @@ double highestOf(const core::BranchProfile& profile, double (*value)(const core:
 {
     double highest = least;
     for (const core::ProfileSample& sample : profile.samples) {
-        highest = std::fmax(highest, value(sample));   // ignores NaN
+        highest = std::fmax(highest, value(sample));   // fmax ignores NaN
     }
     return highest;
 }

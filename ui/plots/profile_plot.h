@@ -8,19 +8,19 @@
 
 namespace angiopose::ui {
 
-/// Profile of a branch from start to end: the diameter as a line over the dashed reference diameter, the narrowest
-/// point as a dot, the curvature as a thin line on its own scale. The mouse or ← → points at a position, a click
+/// Plot of the profile of a branch from start to end: diameter as a line over the dashed reference diameter, minimum
+/// diameter as a dot, curvature as a thin line on a separate scale. The mouse or ← → highlights a position; a click
 /// selects it.
 class ProfilePlot : public QWidget {
     Q_OBJECT
 public:
     explicit ProfilePlot(QWidget* parent = nullptr);
 
-    void showProfile(const core::BranchProfile& profile);   ///< without samples, the plot is empty
+    void showProfile(const core::BranchProfile& profile);   ///< leaves the plot empty if the profile has no samples
     QSize sizeHint() const override { return {240, 130}; }
 
 signals:
-    void pointed(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< empty: no longer pointing
+    void pointed(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< empty once the pointer has left the plot
     void placeRequested(const Eigen::Vector3d& pointInPatient);
 
 protected:
@@ -41,7 +41,7 @@ private:
     QString wordsAt(std::size_t index) const;
 
     core::BranchProfile profile_;
-    double highestMm_ = 0.0;   ///< 0: no diameters known
+    double highestMm_ = 0.0;   ///< maximum of the diameter axis; 0 if diameters are unknown
     double highestBend_ = 0.0;
     std::optional<std::size_t> pointedAt_;
 };

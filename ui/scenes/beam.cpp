@@ -7,15 +7,15 @@
 namespace angiopose::ui {
 namespace {
 
-/// Returns the visible parts of a line. In a zoomed view lines can be many thousands of px long.
+/// Returns the segments of a line inside the view; in a zoomed view, a line can be many thousands of px long.
 std::vector<StrokeLine> visibleParts(const StrokeLine& line, const BeamLook& look)
 {
     const Eigen::Vector2d margin = Eigen::Vector2d::Constant(16.0 * look.pixelScale);
     return clipped(line, -margin, look.sizePx + margin);
 }
 
-/// Returns the visible dashes, with the pattern anchored at the start of `line`, so they stay in place when the view
-/// moves.
+/// Returns the visible dashes of `line`. The pattern starts at the beginning of the line, which keeps the dashes in
+/// place when the view moves.
 std::vector<StrokeLine> visibleDashes(const StrokeLine& line, const DashPattern& pattern, const BeamLook& look)
 {
     std::vector<StrokeLine> dashes;
@@ -32,7 +32,7 @@ std::vector<StrokeLine> visibleDashes(const StrokeLine& line, const DashPattern&
 
 Eigen::Matrix4d Beam::patientFromImagePlane() const
 {
-    // On the plane Z = SID: X = (u − cx) SID / fx, Y = (v − cy) SID / fy.
+    // A pixel (u, v) lies on the detector plane Z = SID at X = (u − cx) SID / fx, Y = (v − cy) SID / fy.
     Eigen::Matrix4d cameraFromImage = Eigen::Matrix4d::Identity();
     cameraFromImage(0, 0) = sourceToDetectorMm / camera.fx;
     cameraFromImage(1, 1) = sourceToDetectorMm / camera.fy;

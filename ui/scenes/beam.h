@@ -18,16 +18,16 @@ struct Beam {
     bool hasDetector() const { return sourceToDetectorMm > 0.0 && !core::findProblem(camera); }
     Eigen::Vector3d source() const { return patientFromCamera.translation; }
 
-    /// Maps (u, v, 0) in image px to the point on the detector, patient mm.
+    /// Returns the map from (u, v, 0), image px, to the point on the detector, patient mm.
     Eigen::Matrix4d patientFromImagePlane() const;
 
-    /// Corners of the image on the detector, in the order of the image border.
+    /// Returns the image corners on the detector in patient space, mm, in order around the image border.
     std::array<Eigen::Vector3d, 4> detectorCorners() const;
 };
 
 struct BeamLook {
     Palette tones;
-    Eigen::Vector2d sizePx = Eigen::Vector2d::Zero();   ///< size of the view
+    Eigen::Vector2d sizePx = Eigen::Vector2d::Zero();   ///< size of the view, device px
     double pixelScale = 1.0;
 };
 

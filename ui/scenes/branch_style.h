@@ -8,8 +8,8 @@ namespace angiopose::ui {
 enum class LinePattern { Solid, Dashed };
 enum class Glow { None, Faint, Strong };
 
-/// Style of one branch. Color is never the only cue: excluded branches are dashed, auxiliary ones have dots at their
-/// ends, hovered and selected ones are thicker and glow.
+/// Style of one branch. Color is never the only cue: excluded branches are dashed, auxiliary branches have dots at
+/// their ends, and hovered or selected branches are thicker and glow.
 struct BranchStyle {
     Color color;
     double widthFactor = 1.0;
@@ -17,11 +17,11 @@ struct BranchStyle {
     LinePattern pattern = LinePattern::Solid;
     Glow glow = Glow::None;
     bool hasEndDots = false;
-    int rank = 0;   ///< higher ranks are drawn later, on top
+    int rank = 0;   ///< drawing order: higher ranks are drawn on top
 };
 
-/// Returns the style of a branch. `tones` belong to the background of the branch; images have a black background in
-/// every theme.
+/// Returns the style of a branch on a background whose palette is `tones`; images have a black background in every
+/// theme.
 BranchStyle branchStyle(int branchId, const BranchMarks& marks, const Palette& tones = palette(ThemeMode::Dark));
 
 }   // namespace angiopose::ui

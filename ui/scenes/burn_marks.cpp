@@ -13,7 +13,7 @@ namespace {
 
 constexpr int markBandHeight = 1024;
 
-/// Draws each line twice: a wide dark rim, then the line in its own color.
+/// Adds each line twice: a wide dark outline, then the line in its own color.
 void addMarkLine(StrokeMesh& mesh, const PixelLine& line, int heightPx, const Color& tone, const BurnSizes& sizes)
 {
     const double widthPx = std::max(1.2, sizes.textPx / 9.0);
@@ -38,7 +38,7 @@ void addMarks(StrokeMesh& mesh, const std::vector<ImageMark>& marks, const MarkP
     }
 }
 
-/// Returns the mapping from the image to an exported image that shows `part`.
+/// Returns the map from angiogram px to px of an exported image that shows `part`.
 MarkPlace placeIn(const auto& picture, const ViewRect& part)
 {
     const Eigen::Vector2d scale(picture.width / part.width(), picture.height / part.height());
@@ -47,7 +47,7 @@ MarkPlace placeIn(const auto& picture, const ViewRect& part)
     };
 }
 
-/// Corner areas reserved for the corner texts.
+/// Returns the image corners that are reserved for the corner texts.
 std::vector<ViewRect> cornersOf(const auto& picture, const BurnSizes& sizes)
 {
     const double wide = 0.3 * picture.width;
@@ -81,7 +81,7 @@ void addLabels(auto& picture, const std::vector<ImageMark>& marks, const MarkPla
     }
 }
 
-/// Fills the rows from `top` on through a temporary canvas.
+/// Draws the mesh onto a band of rows that starts at `top`; `band` is the temporary canvas.
 void fillBand(core::ColorImage& picture, const StrokeMesh& mesh, int top, std::vector<std::uint32_t>& band)
 {
     const Canvas canvas{band.data(), picture.width, std::min(markBandHeight, picture.height - top)};

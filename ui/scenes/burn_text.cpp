@@ -53,7 +53,7 @@ void fill(VectorPicture& picture, const Rect& rect, const Color& color, double s
         {{1.0 * rect.left, 1.0 * rect.left + rect.width, 1.0 * rect.top, 1.0 * rect.top + rect.height}, color, share});
 }
 
-/// Rendered lines of text, which determine their size.
+/// Lines of text with their rendered mask, whose size is the size of the block.
 struct TextBlock {
     TextBlock(std::vector<std::string> said, int px, TextAlign side)
         : lines(std::move(said)), sizePx(px), align(side), mask(textMask(lines, px, side))
@@ -106,7 +106,7 @@ std::string formatted(double value, int decimals, char decimalSign)
     return text;
 }
 
-/// Draws one label left of the scale, vertically centered at `y`.
+/// Draws a label of the color scale, with its right edge at `right` and vertically centered at `y`.
 void drawLabel(auto& picture, const std::string& text, int right, int y)
 {
     const TextBlock block({text}, burnSizes(picture.width, picture.height).textPx, TextAlign::Right);
@@ -143,7 +143,7 @@ void drawVerdict(auto& picture, const std::string& text, const BurnSizes& sizes)
     TextBlock block({text}, 2 * sizes.textPx, TextAlign::Left);
     block.tone = palette(ThemeMode::Dark).attention;
     drawText(picture, block, std::max(4, (picture.width - block.mask.width) / 2),
-             sizes.marginPx + 6 * sizes.textPx);   // below the corner texts
+             sizes.marginPx + 6 * sizes.textPx);   // starts below the corner texts
 }
 
 void drawScale(auto& picture, const BurnScale& scale, const BurnSizes& sizes)

@@ -6,13 +6,13 @@
 
 namespace angiopose::ui {
 
-/// Sizes of everything burned into an exported image, in px.
+/// Sizes of text and margins burned into an exported image.
 struct BurnSizes {
     int textPx = 14;
     int marginPx = 14;
 };
 
-/// Returns sizes proportional to the image that are readable in print.
+/// Returns sizes in proportion to the image, readable when printed.
 BurnSizes burnSizes(int width, int height);
 
 void burnTexts(core::ColorImage& picture, const CornerTexts& texts, const BurnSizes& sizes);
@@ -22,22 +22,22 @@ void burnTexts(VectorPicture& picture, const CornerTexts& texts, const BurnSizes
 void burnLabel(core::ColorImage& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes);
 void burnLabel(VectorPicture& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes);
 
-/// Draws a prominent line in the attention color at the top center.
+/// Draws the verdict as a prominent line in the attention color, centered at the top.
 void burnVerdict(core::ColorImage& picture, const std::string& text, const BurnSizes& sizes);
 void burnVerdict(VectorPicture& picture, const std::string& text, const BurnSizes& sizes);
 
-/// Returns the size of such a line in px; zero for empty text.
+/// Returns the size in px of a burned-in line of text; zero if the text is empty.
 Eigen::Vector2d burnedSize(const std::string& text, const BurnSizes& sizes);
 
 /// End value and heading of the color ramp.
 struct BurnScale {
     double maximumPx = 0.0;
-    double maximumMm = 0.0;   ///< 0: labels in px
+    double maximumMm = 0.0;   ///< labels are in px if 0
     char decimalSign = '.';
-    std::string heading = {};   ///< empty: only the unit
+    std::string heading = {};   ///< only the unit is shown if empty
 };
 
-/// Draws the color ramp with its end values at the right edge.
+/// Draws the color ramp with labeled end values at the right edge.
 void burnScale(core::ColorImage& picture, const BurnScale& scale, const BurnSizes& sizes);
 void burnScale(VectorPicture& picture, const BurnScale& scale, const BurnSizes& sizes);
 

@@ -7,7 +7,7 @@
 
 namespace angiopose::ui {
 
-/// Non-owning view of pixels, 0xFFRRGGBB, row by row without padding, top row first.
+/// Non-owning view of a pixel buffer: 0xFFRRGGBB, rows without padding, top row first.
 struct Canvas {
     std::uint32_t* pixels = nullptr;
     int width = 0;

@@ -11,7 +11,7 @@ struct CutoutSpan {
     int to = 0;
 };
 
-/// Returns the columns of row `y` inside the cutout.
+/// Returns the range of columns in row `y` that lies inside the cutout.
 CutoutSpan spanOf(const Cutout& cutout, const Eigen::Vector2d& center, double radius, int y, int width)
 {
     const auto column = [width](double x) { return static_cast<int>(std::clamp(std::round(x), 0.0, 1.0 * width)); };

@@ -10,18 +10,18 @@
 
 namespace angiopose::ui {
 
-/// Region without overlay, for comparison with the plain angiogram.
+/// Region of the image where the overlay is hidden, for comparison with the plain angiogram.
 struct Cutout {
-    enum class Shape { None, RightOf, Disc };   ///< RightOf: swipe, Disc: lens
+    enum class Shape { None, RightOf, Disc };   ///< RightOf is the swipe, Disc the lens
     Shape shape = Shape::None;
-    Eigen::Vector2d at = Eigen::Vector2d::Zero();   ///< image px: edge of the swipe or center of the lens
+    Eigen::Vector2d at = Eigen::Vector2d::Zero();   ///< edge of the swipe or center of the lens, image px
     double radiusPx = 0.0;   ///< radius of the lens, image px
 
     bool operator==(const Cutout&) const = default;
 };
 
-/// Restores the plain pixels inside the cutout and draws its edge, in these rows; `rect` is the image part shown by the
-/// canvas.
+/// In the given rows, replaces the pixels inside the cutout with the plain pixels `bare` and draws the edge of the
+/// cutout; `rect` is the part of the image that the canvas shows.
 void applyCutout(const Cutout& cutout, const ViewRect& rect, const std::vector<std::uint32_t>& bare, Canvas canvas,
                  const Rows& rows);
 

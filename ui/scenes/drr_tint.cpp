@@ -9,14 +9,14 @@
 namespace angiopose::ui {
 namespace {
 
-/// The two source pixels around a target pixel, along one axis.
+/// Two source pixels between which a target pixel is interpolated along one axis.
 struct Tap {
-    int first = -1;   ///< negative: outside the frame
+    int first = -1;   ///< negative if outside the frame
     int second = 0;
     float shareOfSecond = 0.0F;
 };
 
-/// Returns the source position of each of `targetSize` pixels that show `low` … `high` of the frame.
+/// Returns the source pixels for each of the `targetSize` canvas pixels that show `low` … `high` of the frame.
 std::vector<Tap> tapsOf(double low, double high, int targetSize, int frameSize, int sourceSize)
 {
     std::vector<Tap> taps(static_cast<std::size_t>(targetSize));
@@ -49,7 +49,7 @@ void DrrTint::setDrr(const core::ImageF& drr)
     revision_ = nextRevision();
     const float strongest = share_.pixels.empty() ? 1.0F : std::max(1e-6F, *std::ranges::max_element(share_.pixels));
     for (float& pixel : share_.pixels) {
-        pixel = std::sqrt(std::max(0.0F, pixel) / strongest);   // keeps thin vessels visible
+        pixel = std::sqrt(std::max(0.0F, pixel) / strongest);   // square root to keep thin vessels visible
     }
 }
 

@@ -12,16 +12,16 @@ namespace angiopose::ui {
 
 inline constexpr double deepestTint = 0.75;   ///< the angiogram stays visible through the densest vessel
 
-/// DRR of the vessels over the angiogram, as a tint in the accent color, strongest at the densest vessel.
+/// Tints the angiogram with the DRR of the vessels in the accent color, most strongly at the densest vessel.
 class DrrTint {
 public:
     /// `radiograph` covers the whole frame at any resolution, vessels bright on 0; empty: no tint.
     void setDrr(const core::ImageF& drr);
-    const core::ImageF& share() const { return share_; }   ///< strength of the tint, 0 … 1
+    const core::ImageF& share() const { return share_; }   ///< tint strength per pixel, 0 … 1
     std::uint64_t revision() const { return revision_; }   ///< changes with the DRR
     bool isEmpty() const { return share_.pixels.empty(); }
 
-    /// Frame size and the part of it that a canvas shows.
+    /// Frame size and the part of the frame that a canvas shows.
     struct Place {
         int frameWidth = 0, frameHeight = 0;
         ViewRect part;

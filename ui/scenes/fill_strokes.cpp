@@ -8,7 +8,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// Vertex on the canvas: y down, pixel k covers k … k + 1.
+/// Vertex on the canvas: y down, pixel k spans k … k + 1.
 struct StrokeCorner {
     float x, y;
     std::array<float, 4> rgba;
@@ -24,21 +24,21 @@ StrokeCorner cornerOf(const StrokeMesh& mesh, std::int32_t vertex, float top)
              static_cast<float>(rgba[3]) / 255.0F}};
 }
 
-/// First pixel whose center is not before `edge`.
+/// Returns the first pixel whose center is at or beyond `edge`.
 int firstInside(float edge)
 {
-    constexpr float farPx = 1e6F;   // beyond any canvas, safely within int
+    constexpr float farPx = 1e6F;   // beyond any canvas, but safely within the range of int
     return static_cast<int>(std::ceil(std::clamp(edge, -farPx, farPx) - 0.5F));
 }
 
-/// x of the edge a→b (a above b) at a height. Both triangles at the edge compute it from the same vertices in the same
-/// order, which makes the results bit-identical.
+/// Returns the x coordinate of the edge a→b (a above b) at height y. Both triangles sharing the edge compute the value
+/// from the same vertices in the same order, hence bit-identically.
 float crossing(const StrokeCorner& a, const StrokeCorner& b, float y)
 {
     return a.x + (y - a.y) * ((b.x - a.x) / (b.y - a.y));
 }
 
-/// Color and opacity as planes over the canvas.
+/// Color and opacity of a triangle as linear functions of the canvas position.
 struct Shade {
     std::array<float, 4> perX, perY;
     StrokeCorner origin;
@@ -75,7 +75,7 @@ std::uint32_t blended(std::uint32_t under, const std::array<float, 4>& over)
     return 0xFF000000U | (mix(under >> 16U, over[0]) << 16U) | (mix(under >> 8U, over[1]) << 8U) | mix(under, over[2]);
 }
 
-/// Fills the interior of an opaque line, without reading the background.
+/// Fills a span of an opaque triangle without reading the background.
 void coverSpan(const Shade& shade, std::array<float, 4> value, int from, int to, std::uint32_t* row)
 {
     const auto channel = [](float tone) { return static_cast<std::uint32_t>(std::clamp(tone + 0.5F, 0.0F, 255.0F)); };
@@ -133,7 +133,7 @@ void fillTriangle(StrokeCorner a, StrokeCorner b, StrokeCorner c, Canvas canvas,
     }
 }
 
-/// True if the triangle overlaps the range between two heights; its y counts upwards from the mesh's origin.
+/// True if the triangle overlaps the height range `lower` … `upper`, measured upward from the origin of the mesh.
 bool reaches(const StrokeMesh& mesh, const std::int32_t* triangle, float lower, float upper)
 {
     const auto y = [&](int corner) { return mesh.points[3 * static_cast<std::size_t>(triangle[corner]) + 1]; };

@@ -6,12 +6,12 @@
 
 namespace angiopose::ui {
 
-/// Blends the triangles of a mesh onto the canvas in their order. `topOfMesh` is the mesh's y at the canvas's upper
-/// edge (the canvas's height if both cover the same area). Triangles that share an edge neither overlap nor leave gaps:
-/// a pixel belongs to the triangle that contains its center.
+/// Blends the triangles of a mesh onto the canvas, in order. `topOfMesh` is the y of the mesh at the upper edge of the
+/// canvas (equal to the canvas height if both cover the same area). A pixel belongs to the triangle that contains its
+/// center; triangles that share an edge therefore neither overlap nor leave gaps.
 void fillStrokes(const StrokeMesh& mesh, double topOfMesh, Canvas canvas);
 
-/// Does the same for some rows of the canvas only.
+/// Blends only the triangles' pixels in the given rows of the canvas.
 void fillStrokes(const StrokeMesh& mesh, double topOfMesh, Canvas canvas, const Rows& rows);
 
 }   // namespace angiopose::ui

@@ -12,7 +12,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// Rectangle over the whole viewport, in normalized device coordinates.
+/// Returns a rectangle that covers the viewport, in normalized device coordinates.
 vtkSmartPointer<vtkPolyData> wholePicture()
 {
     vtkNew<vtkPoints> points;

@@ -8,7 +8,7 @@
 
 namespace angiopose::ui {
 
-/// Gray image as a texture; uploaded to OpenGL when it changes.
+/// Gray image as an OpenGL texture, uploaded only when the image changes.
 class GrayTexture {
 public:
     GrayTexture();
@@ -22,7 +22,7 @@ private:
     std::uint64_t shownRevision_ = 0;
 };
 
-/// Draws the angiogram over the whole viewport, with the DRR tint and the edge of the cutout.
+/// Layer that shows the angiogram over the whole viewport, with the DRR tint and the edge of the cutout.
 class FrameLayer : public ShaderActor {
 public:
     FrameLayer();

@@ -11,9 +11,9 @@
 
 namespace angiopose::ui {
 
-/// Frame as a textured rectangle from −0.5 to size − 0.5: pixel centers lie on integers. Requests the same kind of
-/// texture for every frame and zoom: in software OpenGL, each further kind compiles a program, which takes longer than
-/// the time budget of a frame.
+/// Angiogram frame as a textured rectangle from −0.5 to size − 0.5, with pixel centers at integers. Uses the same kind
+/// of texture for every frame and zoom, because software OpenGL compiles a program for each kind, which takes longer
+/// than the time budget of a frame.
 class FrameQuad {
 public:
     FrameQuad();

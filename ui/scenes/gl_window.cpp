@@ -48,7 +48,7 @@ void GlWindow::OpenGLInitContext()
 void GlWindow::takeOverState()
 {
     GetState()->Reset();
-    GetState()->vtkglDepthFunc(GL_LEQUAL);   // lines of one layer share a depth: the later one wins
+    GetState()->vtkglDepthFunc(GL_LEQUAL);   // lines in one layer have equal depth: the later one is drawn on top
 }
 
 void GlWindow::readPicture(Canvas canvas)
@@ -59,13 +59,13 @@ void GlWindow::readPicture(Canvas canvas)
     }
     std::uint32_t* pixels = canvas.pixels;
     std::transform(pixels, pixels + canvas.pixelCount(), pixels, [](std::uint32_t pixel) {
-        return 0xFF000000U | pixel;   // canvas pixels are opaque
+        return 0xFF000000U | pixel;   // sets alpha, since canvas pixels are opaque
     });
 }
 
 void GlWindow::letGoOfOldBuffers()
 {
-    constexpr int scenesAtATime = 64;   // maximum of Mesa
+    constexpr int scenesAtATime = 64;   // maximum number of scenes in flight in Mesa
     RenderFramebuffer->Bind();
     for (int i = 0; i < scenesAtATime; ++i) {
         glClear(GL_COLOR_BUFFER_BIT);

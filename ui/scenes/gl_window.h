@@ -6,19 +6,19 @@
 
 namespace angiopose::ui {
 
-/// Render window on an externally owned context, GLX or EGL.
+/// VTK render window that uses an external OpenGL context (GLX or EGL).
 class GlWindow : public vtkGenericOpenGLRenderWindow {
 public:
     static GlWindow* New();
     vtkTypeMacro(GlWindow, vtkGenericOpenGLRenderWindow)
 
         void OpenGLInitContext() override;
-    void Frame() override {}   // would swap buffers of a display that does not exist
+    void Frame() override {}   // no-op: the base class would swap buffers of a nonexistent display
 
     /// Call before every render: others have used the context, which makes VTK's cached state invalid.
     void takeOverState();
 
-    /// Copies the last rendered image to a canvas of the window's size.
+    /// Copies the last rendered image to a canvas of the same size as the window.
     void readPicture(Canvas canvas);
 
     /// Call after the last image for a while. Software OpenGL draws several scenes at a time and keeps the buffers of

@@ -41,7 +41,7 @@ const core::Image2d<std::uint8_t>& GrayFrame::gray() const
     const float base = isInverted_ ? 255.5F : 0.5F;
     for (std::size_t i = 0; i < pixels_.pixels.size(); ++i) {
         const float value = (pixels_.pixels[i] - low) * gain;
-        const float bounded = value > 0.0F ? (value < 255.0F ? value : 255.0F) : 0.0F;   // NaN is shown darkest
+        const float bounded = value > 0.0F ? (value < 255.0F ? value : 255.0F) : 0.0F;   // maps NaN to 0
         gray_.pixels[i] = static_cast<std::uint8_t>(base + sign * bounded);
     }
     return gray_;

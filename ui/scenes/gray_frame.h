@@ -8,7 +8,7 @@
 
 namespace angiopose::ui {
 
-/// Frame mapped to 8-bit gray by window and level; computed on demand.
+/// Frame mapped to 8-bit gray values by window and level; computed on demand.
 class GrayFrame {
 public:
     void setPixels(const core::ImageF& pixels);
@@ -19,7 +19,7 @@ public:
     const core::ImageF& pixels() const { return pixels_; }
     int width() const { return pixels_.width; }
     int height() const { return pixels_.height; }
-    std::uint64_t revision() const { return revision_; }   ///< changes with every setter that changes the gray values
+    std::uint64_t revision() const { return revision_; }   ///< changes whenever a setter changes the gray values
     const core::Image2d<std::uint8_t>& gray() const;
 
 private:

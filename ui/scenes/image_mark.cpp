@@ -14,7 +14,7 @@ std::optional<Eigen::Vector2d> wayBetween(const Eigen::Vector2d& from, const Eig
     return length > 0.0 ? std::optional<Eigen::Vector2d>((to - from) / length) : std::nullopt;
 }
 
-/// Adds a bar across the line from `inner` to its end.
+/// Adds a bar across the end of the segment from `inner` to `end`.
 void addEndBar(std::vector<PixelLine>& lines, const Eigen::Vector2d& inner, const Eigen::Vector2d& end, double sizePx)
 {
     if (const auto way = wayBetween(inner, end)) {
@@ -23,7 +23,7 @@ void addEndBar(std::vector<PixelLine>& lines, const Eigen::Vector2d& inner, cons
     }
 }
 
-/// Adds the shorter arc from one leg to the other.
+/// Adds the shorter arc between the two legs of an angle.
 void addArc(std::vector<PixelLine>& lines, const PixelLine& legs, double sizePx)
 {
     const auto one = wayBetween(legs[1], legs[0]);
@@ -70,7 +70,7 @@ void addHead(std::vector<PixelLine>& lines, const Eigen::Vector2d& from, const E
     }
 }
 
-/// Returns circles or crosses at single points.
+/// Returns the outline of a circle or cross at each point.
 std::vector<PixelLine> signsOf(const ImageMark& mark, const PixelLine& places, double sizePx)
 {
     std::vector<PixelLine> lines;

@@ -8,13 +8,13 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double edgePx = 4.0;
-constexpr double roomPx = 2.0;   // gap between labels
-constexpr double overlapCost = 30.0;   // per px² of overlap with another text
-constexpr double vesselCost = 40.0;   // per covered vessel point
-constexpr double wayCost = 3.0;   // per px of distance from the anchor
+constexpr double roomPx = 2.0;   // margin kept free around labels
+constexpr double overlapCost = 30.0;   // cost per px² of overlap with other text
+constexpr double vesselCost = 40.0;   // cost per covered vessel point
+constexpr double wayCost = 3.0;   // cost per px of distance from the anchor
 const std::array sides{Eigen::Vector2d(1, 1), Eigen::Vector2d(1, -1), Eigen::Vector2d(-1, 1), Eigen::Vector2d(-1, -1),
                        Eigen::Vector2d(1, 0), Eigen::Vector2d(-1, 0), Eigen::Vector2d(0, 1),  Eigen::Vector2d(0, -1)};
-constexpr std::array ways{1.0, 2.0, 3.5, 5.5};   // candidate distances, in gaps
+constexpr std::array ways{1.0, 2.0, 3.5, 5.5};   // candidate distances from the anchor, in multiples of the gap
 
 ViewRect boxAt(const Eigen::Vector2d& corner, const Eigen::Vector2d& size)
 {
@@ -41,7 +41,7 @@ Eigen::Vector2d inside(const Eigen::Vector2d& corner, const Eigen::Vector2d& siz
     return {within(corner.x(), ground.width - size.x()), within(corner.y(), ground.height - size.y())};
 }
 
-/// Returns the corner of a label placed at one side of its anchor.
+/// Returns the upper left corner of a label placed to one side of its anchor.
 Eigen::Vector2d beside(const WantedLabel& label, const Eigen::Vector2d& side, double way)
 {
     const Eigen::Vector2d half = 0.5 * label.size;

@@ -7,23 +7,23 @@
 
 namespace angiopose::ui {
 
-/// Label to place beside an anchor; all lengths in image px, v down.
+/// Label to place next to an anchor; all lengths in image px, y down.
 struct WantedLabel {
-    Eigen::Vector2d at = Eigen::Vector2d::Zero();   ///< anchor
-    Eigen::Vector2d size = Eigen::Vector2d::Zero();   ///< size of the label; zero: no label
-    double gapPx = 8.0;   ///< distance from the anchor
+    Eigen::Vector2d at = Eigen::Vector2d::Zero();   ///< position of the anchor
+    Eigen::Vector2d size = Eigen::Vector2d::Zero();   ///< size of the label; zero if there is no label
+    double gapPx = 8.0;   ///< gap between anchor and label
 };
 
-/// Bounds and obstacles for labels.
+/// Image bounds and obstacles for placing labels.
 struct LabelGround {
     double width = 0.0;   ///< image size; labels stay inside
     double height = 0.0;
-    std::vector<ViewRect> taken;   ///< other texts
-    std::vector<Eigen::Vector2d> avoided;   ///< vessel points
+    std::vector<ViewRect> taken;   ///< areas of other texts
+    std::vector<Eigen::Vector2d> avoided;   ///< vessel points, covered only if unavoidable
 };
 
-/// Returns upper left corners in the order of the labels: beside the anchors, below right if free, otherwise where they
-/// cover no label or text and as few vessel points as possible.
+/// Returns the upper left corner of each label, next to its anchor: at the lower right if free, otherwise where the
+/// label covers no other text and as few vessel points as possible.
 std::vector<Eigen::Vector2d> labelPlaces(const std::vector<WantedLabel>& labels, const LabelGround& ground);
 
 }   // namespace angiopose::ui

@@ -42,7 +42,7 @@ void LineData::clear()
 
 void LineData::addNeighbor(vtkFloatArray& place, vtkFloatArray& direction, const LinePoint* neighbor)
 {
-    constexpr double none = -1.0;   // marks a missing radius
+    constexpr double none = -1.0;   // stored in place of the radius if there is no neighbor
     if (!neighbor) {
         place.InsertNextTuple4(0.0, 0.0, 0.0, none);
         direction.InsertNextTuple3(0.0, 0.0, 0.0);

@@ -14,7 +14,7 @@
 
 namespace angiopose::ui {
 
-/// Point of a line in space, mm.
+/// Point of a line in patient space, mm.
 struct LinePoint {
     Eigen::Vector3d at = Eigen::Vector3d::Zero();
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();   ///< direction of the vessel, perpendicular to its edges
@@ -28,21 +28,21 @@ struct LineLook {
     double opacity = 1.0;
     bool isDashed = false;
     bool hasEndDots = false;
-    bool hasEdges = false;   ///< radii are known: both edges can be drawn
+    bool hasEdges = false;   ///< radii are known, so both edges can be drawn
 };
 
-/// Lines in space as VTK poly data. Every point also stores its neighbors, which lets a shader join the segments for
-/// any camera: the data do not depend on pose or zoom.
+/// Lines in space as VTK poly data. Every point also stores its neighbors, from which a shader joins the segments for
+/// any camera; the data therefore do not depend on pose or zoom.
 class LineData {
 public:
     LineData();
     void clear();
     void add(const std::vector<LinePoint>& line, const LineLook& look);
-    void commit();   ///< call after the last line to publish the data
+    void commit();   ///< publishes the data; call after adding the last line
     vtkPolyData* polyData() { return polyData_; }
     bool isEmpty() const { return points_->GetNumberOfPoints() == 0; }
 
-    /// Names of the arrays that the shader reads as attributes.
+    /// Returns the names of the arrays that the shader reads as vertex attributes.
     static const std::array<const char*, 9>& attributes();
 
 private:

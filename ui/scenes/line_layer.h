@@ -7,24 +7,24 @@
 
 namespace angiopose::ui {
 
-/// Drawing parameters of one layer of lines; lengths in device px.
+/// Drawing parameters of a line layer; lengths in device px.
 struct LinePass {
     enum class Shape { Center, Edges, Inside };
-    Shape shape = Shape::Center;   ///< Edges and Inside need known radii
+    Shape shape = Shape::Center;   ///< Edges and Inside require known radii
     double lineWidthPx = 2.0;   ///< width of a line with width factor 1
-    double widthGain = 1.0;   ///< width = gain × line width × factor + extra
+    double widthGain = 1.0;   ///< width = widthGain × line width × factor + widthExtraPx
     double widthExtraPx = 0.0;
-    double fadePx = 1.0;   ///< fade = this + gain × line width × factor
+    double fadePx = 1.0;   ///< fade = fadePx + fadeGain × line width × factor
     double fadeGain = 0.0;
-    double opacityGain = 1.0;   ///< factor on the line's own opacity
+    double opacityGain = 1.0;   ///< factor applied to the opacity of each line
     double opacity = 1.0;   ///< opacity of the whole layer
-    std::optional<Color> shade;   ///< replaces the lines' own colors
-    std::array<float, 2> dashPx{0.0F, 0.0F};   ///< dash and gap of dashed lines
+    std::optional<Color> shade;   ///< color that replaces the colors of the lines
+    std::array<float, 2> dashPx{0.0F, 0.0F};   ///< dash and gap lengths of dashed lines
     bool hasEndDots = false;
     std::optional<DepthRange> depth;   ///< blends near points towards white, far points towards the background
 };
 
-/// One layer of lines (halos, cores, …) drawn from shared data.
+/// Layer of lines (halos, cores, …); several layers draw the same data.
 class LineLayer : public ShaderActor {
 public:
     explicit LineLayer(LineData& data);

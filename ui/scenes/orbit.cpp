@@ -12,7 +12,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double tiltRad = 33.0 * std::numbers::pi / 180.0;   // angle between line of sight and beam
+constexpr double tiltRad = 33.0 * std::numbers::pi / 180.0;   // angle between the viewing direction and the beam
 constexpr double marginShare = 0.08;
 
 Eigen::AlignedBox3d boxOf(const Beam& beam, const core::VesselTree& tree)
@@ -32,7 +32,7 @@ Eigen::AlignedBox3d boxOf(const Beam& beam, const core::VesselTree& tree)
     return box;
 }
 
-/// Returns the points that must be in view.
+/// Returns the points that a view with this extent must contain.
 std::vector<Eigen::Vector3d> landmarks(const Beam& beam, const core::VesselTree& tree, ViewExtent extent)
 {
     std::vector<Eigen::Vector3d> points;
@@ -52,10 +52,10 @@ struct Look {
     Eigen::Vector3d sight, up;
 };
 
-/// Patient from the front, head up (LPS): default view without an image.
+/// Default view without an image: anterior view of the patient, head up (LPS).
 const Look fromTheFront{Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
 
-/// View from the detector's upper edge, source at the top.
+/// Returns the view from the upper edge of the detector, with the X-ray source at the top.
 Look acrossBeam(const Beam& beam)
 {
     const Eigen::Vector3d along = beam.patientFromCamera.rotation.col(2);

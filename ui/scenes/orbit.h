@@ -11,9 +11,9 @@ namespace angiopose::ui {
 
 struct Beam;
 
-/// Maps patient mm to device px (from the bottom left) of a parallel-projection view.
+/// Maps patient mm to device px (origin at the bottom left) in a parallel projection.
 struct ScreenFromPatient {
-    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();   ///< rows: right, up, towards the viewer
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();   ///< rows point right, up, toward the viewer
     Eigen::Vector3d focalPoint = Eigen::Vector3d::Zero();
     Eigen::Vector2d centerPx = Eigen::Vector2d::Zero();
     double pxPerMm = 1.0;
@@ -27,7 +27,7 @@ struct ScreenFromPatient {
 
 ScreenFromPatient screenFromPatient(vtkCamera& camera, int width, int height);
 
-/// Extent of a view: beam and tree, or only the tree.
+/// Content that a view is framed to: beam and tree, or the tree only.
 enum class ViewExtent { Everything, Vessels };
 
 /// Points a parallel camera at beam and tree from behind the detector, so left and right match the angiogram; source at
@@ -35,10 +35,10 @@ enum class ViewExtent { Everything, Vessels };
 void frameBeam(vtkCamera& camera, const Beam& beam, const core::VesselTree& tree, double aspect,
                ViewExtent extent = ViewExtent::Everything);
 
-/// Moves the camera in its own plane so that the scene follows the mouse.
+/// Translates the camera in its view plane by a mouse movement, so that the scene follows the pointer.
 void pan(vtkCamera& camera, int heightPx, double rightPx, double upPx);
 
-/// Scene bounds in VTK order: x min, x max, y min, …
+/// Returns the scene bounds in VTK order (x min, x max, y min, …).
 std::array<double, 6> sceneBounds(const Beam& beam, const core::VesselTree& tree);
 
 }   // namespace angiopose::ui

@@ -6,17 +6,17 @@
 namespace angiopose::ui {
 namespace {
 
-// At pixel scale 1.
+// Sizes in px at pixel scale 1.
 constexpr double armPx = 19.0;
 constexpr double marginPx = 40.0;
-constexpr double letterRoomPx = 11.0;   // minimum distance between letters
+constexpr double letterRoomPx = 11.0;   // minimum distance between the centers of two letters
 
 struct PatientAxis {
     char letter;
     Eigen::Vector3d direction;
 };
 
-// Patient LPS: x to the left, y to the back, z to the head.
+// Axes in LPS: +x left, +y posterior, +z superior (head).
 const std::array<PatientAxis, 3> patientAxes{{{'L', {1, 0, 0}}, {'P', {0, 1, 0}}, {'H', {0, 0, 1}}}};
 
 bool isTowardsViewer(const Eigen::Vector3d& onScreen)

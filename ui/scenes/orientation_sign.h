@@ -9,17 +9,17 @@
 
 namespace angiopose::ui {
 
-/// Three arms from a common point in the lower right corner, towards the patient's left, back and head in the current
-/// view.
+/// Orientation marker in the lower right corner: three arms from a common point toward the patient's left, back and
+/// head.
 struct OrientationSign {
     ScreenFromPatient toScreen;
     int widthPx = 0;   ///< width of the view, device px
-    double pixelScale = 1.0;   ///< device px per px
+    double pixelScale = 1.0;   ///< device px per logical px
 
-    Eigen::Vector2d center() const;   ///< device px from the bottom left
+    Eigen::Vector2d center() const;   ///< device px from the bottom left corner
 };
 
-/// Letter of the sign (L, P, H) and its center, device px from the bottom left.
+/// Letter of the orientation marker (L, P, H) and its center, device px from the bottom left corner.
 struct OrientationLetter {
     char letter = ' ';
     Eigen::Vector2d at;
@@ -28,8 +28,8 @@ struct OrientationLetter {
 
 void addOrientationSign(StrokeMesh& mesh, const OrientationSign& sign, const Palette& tones);
 
-/// Returns the letters at the ends of the arms; omits a letter if its arm points along the line of sight or it would
-/// cover another letter.
+/// Returns the letters at the tips of the arms, except those whose arm points along the viewing direction and those
+/// that would cover another letter.
 std::vector<OrientationLetter> lettersOf(const OrientationSign& sign);
 
 }   // namespace angiopose::ui

@@ -26,49 +26,49 @@ struct BranchMarks {
     std::set<int> selected;
     std::set<int> auxiliary;
     std::set<int> excluded;
-    std::set<int> hidden;   ///< omitted from the scenes' trees; lists and slices show this
+    std::set<int> hidden;   ///< omitted from the trees of the scenes, but still listed and shown in slices
 
     bool operator==(const BranchMarks&) const = default;
 };
 
 enum class OverlayMode { Centerline, Outline, Tube, Hidden };
 
-/// NearBright brightens vessels near the source.
+/// NearBright brightens vessels close to the X-ray source.
 enum class DepthCue { None, NearBright };
 
-/// Depths of the nearest and farthest point of a projected tree.
+/// Depth of the nearest and of the farthest point of a projected tree.
 struct DepthRange {
     double nearMm = 0.0;
     double farMm = 0.0;
 };
 
-/// Angiogram, overlay and their appearance: the complete input of a renderer.
+/// Complete input of a renderer: angiogram, overlay, and the appearance of both.
 struct OverlayContent {
     GrayFrame frame;
     Interpolation interpolation = Interpolation::Smooth;
     DrrTint drr;
     Cutout cutout;
-    ViewRect viewRect{-0.5, 511.5, -0.5, 511.5};   ///< part of the image that fills the view
+    ViewRect viewRect{-0.5, 511.5, -0.5, 511.5};   ///< part of the image shown in the view
 
     core::VesselTree tree;
     core::ProjectionCamera camera;
     core::RigidTransform cameraFromPatient;
-    ProjectedTree projected;   ///< tree projected with camera and pose
+    ProjectedTree projected;   ///< `tree` projected with `camera` and `cameraFromPatient`
     DepthRange depthRange;   ///< depth range of `projected`
 
     BranchMarks marks;
     OverlayMode mode = OverlayMode::Centerline;
-    bool isVeiled = false;   ///< hides tree and traced curves
+    bool isVeiled = false;   ///< hides the tree and the traced curves
     DepthCue depthCue = DepthCue::None;
     double opacity = 1.0;
-    double lineWidthPx = 2.0;   ///< device px
+    double lineWidthPx = 2.0;   ///< line width, device px
     core::Centerline2d traced;
     bool isTracedShown = false;
     std::map<int, std::vector<double>> residualPx;
-    double scaleMaximumPx = 0.0;   ///< 0: branches in their own colors
+    double scaleMaximumPx = 0.0;   ///< end of the residual scale; if 0, branches have their own colors
 
     std::uint64_t revision = nextRevision();   ///< changes with all but frame, cutout, interpolation and view rect
-    std::uint64_t linesRevision = nextRevision();   ///< changes with points, marks and colors, not with the pose
+    std::uint64_t linesRevision = nextRevision();   ///< changes with points, marks and colors, but not with the pose
 };
 
 }   // namespace angiopose::ui

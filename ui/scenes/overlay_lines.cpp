@@ -12,8 +12,8 @@ namespace {
 
 using LineWays = std::vector<std::array<float, 3>>;
 
-/// Returns the distance of each tree point along its left edge, center and right edge, image px, from the start of each
-/// run of visible points.
+/// Returns, for each tree point, the path length along left edge, center and right edge, image px, from the first point
+/// of the visible run to which the point belongs.
 LineWays waysOf(const ProjectedTree& tree, int branchId, std::size_t pointCount)
 {
     LineWays ways(pointCount, {0.0F, 0.0F, 0.0F});

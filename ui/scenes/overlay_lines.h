@@ -5,10 +5,10 @@
 
 namespace angiopose::ui {
 
-/// Adds the tree's branches in patient space, mm, topmost last.
+/// Fills `lines` with the branches of the tree in patient space, mm; the topmost branch comes last.
 void fillTreeLines(LineData& lines, const OverlayContent& content);
 
-/// Adds the glowing branches in their own colors.
+/// Fills `lines` with the branches that glow, in their own colors.
 void fillGlowLines(LineData& lines, const OverlayContent& content);
 
 /// Adds the traced curves in the camera's frame, mm, on the plane at depth 1000: they project onto themselves.

@@ -9,18 +9,18 @@
 
 namespace angiopose::ui {
 
-/// Draws the angiogram and its overlay on the CPU, without OpenGL or Qt; the same pixels result in a window without a
-/// graphics card, in the exported PNG and in the tests. Caches the resampled angiogram while only the tree moves.
+/// Draws the angiogram and its overlay on the CPU, without OpenGL or Qt, with identical pixels in windows without a
+/// graphics card, in exported PNG files and in tests. Caches the resampled angiogram while only the tree moves.
 class OverlayPainter {
 public:
-    /// Fills the canvas with the scene's view rectangle.
+    /// Draws the view rectangle of the scene over the whole canvas.
     void draw(const OverlayScene& scene, Canvas canvas) { drawRows(scene, canvas, 0, canvas.height); }
 
-    /// Draws a part of a taller image: rows `firstRow` … of `rowCount`.
+    /// Draws a band of an image with `rowCount` rows; `firstRow` is the top row of the canvas.
     void drawRows(const OverlayScene& scene, Canvas canvas, int firstRow, int rowCount);
 
 private:
-    /// Cached angiogram at canvas resolution, valid until the visible part, size or gray mapping changes.
+    /// Cached angiogram at canvas resolution, valid until the visible part, the size or the gray mapping changes.
     struct Backdrop {
         std::vector<std::uint32_t> pixels;
         ViewRect rect;

@@ -9,8 +9,8 @@
 
 namespace angiopose::ui {
 
-/// Scene of the angiogram with the projected tree: content, visible part, and hit testing. Setters only store and mark
-/// as changed; renderers draw the content (OverlayPainter, VtkOverlay).
+/// Scene with the angiogram and the projected tree: content, visible part and hit testing. Setters only store values
+/// and mark them as changed; the renderers OverlayPainter and VtkOverlay draw the content.
 class OverlayScene {
 public:
     OverlayScene();
@@ -30,22 +30,22 @@ public:
     void setVeiled(bool veiled);   ///< temporarily hides tree and traced curves
     void setDepthCue(DepthCue cue);
     void setOpacity(double opacity);
-    /// Sets the DRR of the vessels over the whole frame at any resolution, bright on 0; shown in every mode. Empty:
-    /// none.
+    /// Sets the DRR of the vessels, bright on 0, which covers the whole frame at any resolution and is shown in every
+    /// mode. An empty image removes the DRR.
     void setDrr(const core::ImageF& drr);
     void setCutout(const Cutout& cutout);
     void setLineWidthPx(double devicePixels);
-    void setTracedCenterline(const core::Centerline2d& traced);   ///< thin dotted curves, hidden by default
+    void setTracedCenterline(const core::Centerline2d& traced);   ///< drawn as thin dotted curves; hidden by default
     void showTracedCenterline(bool shown);
 
-    /// Colors the tree by distance to the traced vessels; `residualPx[branch id]` holds one value per tree point. Other
-    /// point values are colored the same way if both arguments use their unit.
+    /// Colors the tree by the distance to the traced vessels; `residualPx[branch id]` holds one value per tree point.
+    /// Also works for other values per point if both arguments have the same unit.
     void setResiduals(const std::map<int, std::vector<double>>& residualPx, double scaleMaximumPx);
-    void recolor();   ///< call after the color scheme changed
+    void recolor();   ///< call after a change of the color scheme
     void clearResiduals();
 
-    /// Copies marks, depth cueing, opacity, traced-curve visibility and inversion from the other scene; content and
-    /// mode stay.
+    /// Copies marks, depth cueing, opacity, visibility of the traced curves and inversion from another scene, but
+    /// neither content nor mode.
     void takeLookOf(const OverlayScene& other);
 
     void setViewRect(const ViewRect& rect);

@@ -3,8 +3,8 @@
 namespace angiopose::ui {
 namespace {
 
-// Computes a point, its neighbors and the vessel's edges beside them, device px: (center, offset from there to the
-// edge).
+// Computes the screen positions, device px, of a point and its neighbors, each with the offset from the centerline to
+// the vessel edge.
 constexpr const char* lineVertexText = R"(//VTK::System::Dec
 //VTK::CustomUniforms::Dec
 in vec4 vertexMC;

@@ -4,8 +4,8 @@
 
 namespace angiopose::ui {
 
-/// GLSL that draws lines in space like the painter draws them on the image: projected by VTK's camera, widened on the
-/// screen, mitered up to 60°, rounded beyond that and at the ends, with faded edges.
+/// GLSL that draws lines in space with the same result as the painter: projected by VTK's camera, given a width on the
+/// screen, mitered up to 60°, rounded at sharper turns and at the ends, with faded edges.
 struct ShaderTexts {
     std::string vertex;
     std::string geometry;
@@ -13,7 +13,7 @@ struct ShaderTexts {
 };
 const ShaderTexts& lineShaders();
 
-/// GLSL that shows the angiogram: resampled like the painter does, with a DRR tint.
+/// Returns GLSL that shows the angiogram, resampled in the same way as by the painter, with a DRR tint.
 const ShaderTexts& frameShaders();
 
 }   // namespace angiopose::ui

@@ -13,7 +13,7 @@ namespace {
 constexpr double clipMarginPx = 64.0;
 constexpr double farPx = 4e4;   // extent of dashes beyond the view, which makes adjacent tiles agree
 
-/// Branch prepared for drawing: its centerline or its two edges, in device px.
+/// Lines that draw a branch, its centerline or its two edges, in device px.
 struct BranchLines {
     const ProjectedBranch* source;
     BranchStyle style;
@@ -32,7 +32,7 @@ Box boxAround(const DeviceFromImage& device, double marginPx)
     return {-margin, Eigen::Vector2d(device.width, device.height) + margin};
 }
 
-/// Returns the vessel's left (+1) or right (−1) edge, or its centerline (0).
+/// Returns the left (+1) or right (−1) edge of the vessel, or its centerline (0).
 StrokeLine edgeOf(const std::vector<ProjectedPoint>& run, const DeviceFromImage& device, const PointTones& tones,
                   double side)
 {
@@ -197,7 +197,7 @@ void addOverlay(StrokeMesh& mesh, const OverlayContent& content, const DeviceFro
         if (content.mode == OverlayMode::Tube) {
             addTubes(mesh, branches, content, device);
         }
-        // Dark borders of all branches first: at a bifurcation no branch may cut into its neighbor.
+        // Draws the dark borders of all branches first; otherwise, at bifurcations, they would cut into other branches.
         for (const BranchLines& branch : branches) {
             addGlow(mesh, branch, widthOf(branch));
         }

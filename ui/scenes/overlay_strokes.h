@@ -15,10 +15,10 @@ struct DeviceFromImage {
     double scale() const { return width / (rect.right - rect.left); }   ///< device px per image px
 };
 
-/// Returns the lines of the whole overlay, lowest first.
+/// Returns the triangles of the whole overlay, in drawing order.
 StrokeMesh overlayStrokes(const OverlayContent& content, const DeviceFromImage& deviceFromImage);
 
-/// Returns the same overlay as vector shapes.
+/// Returns the whole overlay as vector shapes, in drawing order.
 std::vector<StrokeShape> overlayShapes(const OverlayContent& content, const DeviceFromImage& deviceFromImage);
 
 }   // namespace angiopose::ui

@@ -5,16 +5,16 @@
 
 namespace angiopose::ui {
 
-/// Visible part of the image and size of the view. Left and right are exchanged when seen from the source.
+/// Visible part of the image and size of the view. `isMirrored` swaps left and right, as seen from the X-ray source.
 struct PicturePlace {
     ViewRect rect;
-    int width = 1;   ///< device px
+    int width = 1;   ///< width of the view, device px
     int height = 1;
     bool isMirrored = false;
 
     double scale() const { return width / rect.width(); }   ///< device px per image px
 
-    /// Visible part ordered by the view's left and right edges.
+    /// Returns the visible part with `left` and `right` at the left and right edges of the view.
     ViewRect seen() const { return isMirrored ? ViewRect{rect.right, rect.left, rect.top, rect.bottom} : rect; }
 };
 

@@ -11,7 +11,7 @@ Color residualTone(double residualPx, double maximumPx)
     return residualPx > maximumPx ? residualColorAboveScale() : residualColor(residualPx / maximumPx);
 }
 
-/// Blends near points towards white, far points towards the background.
+/// Blends near points toward white and far points toward the background.
 Color withDepth(const Color& color, double depthMm, const DepthRange& range)
 {
     const Palette& tones = palette(ThemeMode::Dark);

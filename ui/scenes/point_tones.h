@@ -8,19 +8,19 @@
 
 namespace angiopose::ui {
 
-/// Color of every point of one branch: its own, by residual, or by depth.
+/// Determines the color of each point of a branch: the branch color, or a color by residual or depth.
 class PointTones {
 public:
     PointTones(const OverlayContent& content, int branchId, const Color& plain);
 
     Color operator()(const ProjectedPoint& point) const;
 
-    /// Color of the tree point `index` without depth cueing.
+    /// Returns the color of the tree point `index` without depth cueing.
     Color flat(std::size_t index) const;
 
 private:
     Color plain_;
-    std::optional<DepthRange> depth_;   ///< used instead of residuals
+    std::optional<DepthRange> depth_;   ///< if set, points are colored by depth instead of residual
     const std::vector<double>* residualPx_ = nullptr;
     double maximumPx_ = 0.0;
 };

@@ -7,7 +7,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double crossArm = 0.32;   // share of the ring's radius
+constexpr double crossArm = 0.32;   // as a fraction of the ring radius
 
 Eigen::Vector2d directionOf(double angleRad)
 {
@@ -70,7 +70,7 @@ void addCross(StrokeMesh& mesh, const PoseHandleLook& look)
     }
 }
 
-/// Adds a line with heads at both ends, for dragging in both directions.
+/// Adds a line with arrowheads at both ends, which indicates that the handle can be dragged in both directions.
 void addDoubleArrow(StrokeMesh& mesh, const StrokeLine& shaft, double widthPx, double pixelScale)
 {
     addWithShade(mesh, shaft, widthPx);
@@ -88,7 +88,7 @@ void addDoubleArrow(StrokeMesh& mesh, const StrokeLine& shaft, double widthPx, d
     addHead(shaft.back(), shaft[shaft.size() - 2]);
 }
 
-/// Returns the shaft of an outer handle, starting at the left or the bottom.
+/// Returns the shaft of an outer handle, from its left or lower end.
 StrokeLine outerShaft(const PoseHandleLook& look, PoseHandle handle, const Color& tone)
 {
     constexpr double below = -0.5 * std::numbers::pi;

@@ -6,23 +6,23 @@ namespace angiopose::ui {
 
 enum class PoseHandle { None, Shift, Roll, LaoRao, CraCau, Depth };
 
-/// Handles around the roll ring: LAO/RAO below it, CRA/CAU at its right, depth at its left.
-inline constexpr double outerHandleGapPx = 30.0;   ///< from ring to handles, device-independent
-inline constexpr double outerHandleHalfRad = 0.5;   ///< half of the angle each handle spans, seen from the center
+/// Layout of the handles around the roll ring: LAO/RAO below, CRA/CAU to the right, depth to the left.
+inline constexpr double outerHandleGapPx = 30.0;   ///< gap between ring and handles, logical px
+inline constexpr double outerHandleHalfRad = 0.5;   ///< half the angle that a handle spans as seen from the center
 
-/// Current appearance of the handles; lengths in device px, y up.
+/// State of the handles to draw; lengths in device px, y up.
 struct PoseHandleLook {
     Eigen::Vector2d center = Eigen::Vector2d::Zero();
-    double radius = 0.0;   ///< radius of the roll ring; 0 hides all handles
+    double radius = 0.0;   ///< radius of the roll ring; all handles are hidden if 0
     double pixelScale = 1.0;
-    PoseHandle hot = PoseHandle::None;   ///< under the mouse
-    PoseHandle active = PoseHandle::None;   ///< being dragged
-    double rollStartRad = 0.0;   ///< counterclockwise from the right
+    PoseHandle hot = PoseHandle::None;   ///< handle under the pointer
+    PoseHandle active = PoseHandle::None;   ///< handle being dragged
+    double rollStartRad = 0.0;   ///< counterclockwise from the +x axis
     double rollSweepRad = 0.0;
-    double slidePx = 0.0;   ///< drag of the active outer handle: to the right, or up
+    double slidePx = 0.0;   ///< drag distance of the active outer handle, positive to the right or up
 };
 
-/// Draws cross, ring, arcs and slider for moving the pose on the image.
+/// Returns the cross, ring, arcs and slider with which the user moves the pose on the image.
 StrokeMesh poseHandleStrokes(const PoseHandleLook& look);
 
 }   // namespace angiopose::ui

@@ -15,21 +15,20 @@ struct ProjectedPoint {
     Eigen::Vector2d along = Eigen::Vector2d::Zero();   ///< vessel direction on the image, unit; 0: along the ray
     double radiusPx = 0.0;   ///< 0 if unknown
     double depthMm = 0.0;   ///< depth from the source along the central ray
-    std::size_t index = 0;   ///< index of the tree point
+    std::size_t index = 0;   ///< index of the point in its branch
 
-    /// Returns the vessel's edge to the left (+1) or right (−1) of the point; 0: the point itself.
+    /// Returns the edge of the vessel to the left (+1) or right (−1) of the point, or the point itself (0).
     Eigen::Vector2d edgePx(double side) const { return px + side * radiusPx * Eigen::Vector2d(-along.y(), along.x()); }
 };
 
-/// Projection of one branch, split into several runs where it passes behind the source.
+/// Projection of one branch, split into runs of points in front of the X-ray source.
 struct ProjectedBranch {
     int id = 0;
     std::vector<std::vector<ProjectedPoint>> runs;
 };
 using ProjectedTree = std::vector<ProjectedBranch>;
 
-/// Returns the unit direction of a vessel at each of its points, smoothed over neighbors and perpendicular to its
-/// edges.
+/// Returns the unit direction of a vessel at each of its points, smoothed over neighboring points.
 std::vector<Eigen::Vector3d> vesselDirections(const std::vector<Eigen::Vector3d>& points);
 
 ProjectedTree projectedTree(const core::VesselTree& tree, const core::ProjectionCamera& camera,

@@ -15,9 +15,9 @@ namespace {
 
 constexpr int largestPicturePx = 16384;
 constexpr int bandHeight = 1024;
-constexpr double lineWidthShare = 0.0022;   // share of the shorter side
+constexpr double lineWidthShare = 0.0022;   // as a fraction of the shorter side
 
-/// Restores the scene's view on destruction.
+/// Restores view rectangle and line width of the scene on destruction.
 class ViewKeeper {
 public:
     explicit ViewKeeper(OverlayScene& scene) : scene_(scene), rect_(scene.viewRect()), lineWidthPx_(scene.lineWidthPx())
@@ -46,7 +46,7 @@ void copyRows(const std::vector<std::uint32_t>& rows, std::size_t pixelCount, st
     }
 }
 
-/// Draws the scene's view rectangle band by band, which limits memory use at any image size.
+/// Draws the view rectangle of the scene in bands, which limits memory use at any image size.
 core::ColorImage drawBands(const OverlayScene& scene, int width, int height)
 {
     core::ColorImage picture{width, height, {}};
@@ -76,7 +76,7 @@ void annotate(auto& picture, const CornerTexts& texts, double scaleMaximumPx, do
     }
 }
 
-/// Returns the stored frame without overlay.
+/// Returns the frame at native resolution without vessels, with the DRR if the scene shows one.
 core::ColorImage bareFrame(OverlayScene& scene)
 {
     const OverlayMode mode = scene.mode();

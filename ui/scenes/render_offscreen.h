@@ -9,23 +9,23 @@
 
 namespace angiopose::ui {
 
-/// Texts burned into an exported overlay, one list per corner.
+/// Texts burned into the corners of an exported overlay, each a list of lines.
 struct CornerTexts {
     std::vector<std::string> topLeft, topRight, bottomLeft, bottomRight;
-    char decimalSign = '.';   ///< decimal separator of the color scale's values
-    std::string scaleHeading = {};   ///< heading of that scale; empty: only the unit
+    char decimalSign = '.';   ///< decimal separator in the labels of the color scale
+    std::string scaleHeading = {};   ///< heading of the color scale; only the unit is shown if empty
 };
 
-/// Renders the scene to an image without display or OpenGL; safe on any thread that owns the scene. `viewRect` fills
-/// the image. `scaleMaximumPx` > 0 draws the residual scale. Fails only for invalid sizes.
+/// Renders the scene to an image without display or OpenGL; any thread that owns the scene may call this. The image
+/// shows `viewRect`. Draws the residual scale if `scaleMaximumPx` > 0. Fails only for invalid sizes.
 core::Result<core::ColorImage> renderOffscreen(OverlayScene& scene, int width, int height, const ViewRect& viewRect,
                                                const CornerTexts& texts = {}, double scaleMaximumPx = 0.0,
                                                double scaleMaximumMm = 0.0);
 
 struct VectorPicture;
 
-/// Returns the same rendering as vector graphics on the frame (with the DRR, if the scene shows one) at its native
-/// resolution.
+/// Returns the rendering of `renderOffscreen` as vector graphics on top of the frame (including the DRR if the scene
+/// shows one) at native resolution.
 core::Result<VectorPicture> drawVectors(OverlayScene& scene, int width, int height, const ViewRect& viewRect,
                                         const CornerTexts& texts = {}, double scaleMaximumPx = 0.0,
                                         double scaleMaximumMm = 0.0);

@@ -9,15 +9,15 @@
 namespace angiopose::ui {
 namespace {
 
-/// Source pixels and weights of each target pixel, along one axis.
+/// Source pixels that contribute to each target pixel, with their weights, along one axis.
 struct Taps {
     struct Target {
         int first = 0;   ///< first source pixel
-        int count = 0;   ///< 0: outside the image
-        std::size_t weights = 0;   ///< index of its first weight
+        int count = 0;   ///< number of source pixels; 0 if outside the image
+        std::size_t weights = 0;   ///< index of the first weight
     };
     std::vector<Target> targets;
-    std::vector<float> weights;   ///< the weights of one target pixel sum to 1
+    std::vector<float> weights;   ///< normalized to a sum of 1 for each target pixel
 };
 
 void addTarget(Taps& taps, double center, double halfWidth, int sourceSize)
@@ -55,11 +55,11 @@ Taps tapsOf(double from, double to, int targetSize, int sourceSize, Interpolatio
     return taps;
 }
 
-/// Blends the source rows for one target row, at source width.
+/// Computes the weighted sum of the source rows of a target row, at source width.
 void blendRows(const core::Image2d<std::uint8_t>& gray, const Taps& down, const Taps::Target& target,
                std::vector<float>& line)
 {
-    std::fill(line.begin(), line.end(), 0.5F);   // for rounding
+    std::fill(line.begin(), line.end(), 0.5F);   // 0.5 rounds the later conversion to integers
     for (int k = 0; k < target.count; ++k) {
         const float share = down.weights[target.weights + static_cast<std::size_t>(k)];
         const std::uint8_t* source = gray.pixels.data() + gray.index(0, target.first + k);

@@ -8,12 +8,12 @@
 
 namespace angiopose::ui {
 
-/// Smooth interpolates between pixels; Nearest shows individual pixels.
+/// Smooth interpolates between pixels; Nearest shows each pixel as a square.
 enum class Interpolation { Smooth, Nearest };
 
-/// Fills the canvas with the part `rect` of a gray image, and with `around` outside it. Smooth is linear when
-/// magnifying; when shrinking, every source pixel contributes (tent filter as wide as a canvas pixel), which avoids
-/// flicker.
+/// Draws the part `rect` of a gray image over the whole canvas, with `around` as the color outside the image. Smooth
+/// interpolates linearly when magnifying; when minifying, every source pixel contributes (tent filter as wide as a
+/// canvas pixel), which avoids flicker.
 void resampleFrame(const core::Image2d<std::uint8_t>& gray, const ViewRect& rect, Interpolation interpolation,
                    const Color& around, Canvas canvas);
 

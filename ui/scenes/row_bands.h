@@ -7,18 +7,18 @@
 
 namespace angiopose::ui {
 
-/// Rows `from` … `to` − 1 of a canvas.
+/// Range of canvas rows, `from` to `to` − 1.
 struct Rows {
     int from = 0;
     int to = 0;
 };
 
-/// Calls `draw` for all rows of a canvas, in bands and on several threads. Rows must be drawn independently, which
-/// makes the result the same for any number of threads.
+/// Calls `draw` for bands that cover all rows of a canvas, on several threads. Drawing a row must not depend on other
+/// rows; the result is then the same for any number of threads.
 template <class Draw>
 void forBands(int height, const Draw& draw)
 {
-    constexpr int bandRows = 160;   // each band traverses all triangles once
+    constexpr int bandRows = 160;   // large, because each band traverses all triangles
     constexpr int maxThreads = 4;
     const int bands = std::max(1, (height + bandRows - 1) / bandRows);
     const auto band = [&](std::size_t index) {

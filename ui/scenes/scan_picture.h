@@ -4,7 +4,7 @@
 
 namespace angiopose::ui {
 
-/// Volume rendering of the scan from one viewpoint: bottom row first, premultiplied alpha.
+/// Volume rendering of the scan from one viewpoint; bottom row first, premultiplied alpha.
 struct ScanPicture {
     core::ParallelSight sight;
     core::Image2d<core::Rgba> pixels;

@@ -11,13 +11,13 @@
 
 namespace angiopose::ui {
 
-/// Shows a scan rendering as a plane in space through its center, facing its viewpoint. The plane turns with the view
-/// until the next rendering arrives.
+/// Shows a rendering of the scan on a plane through the center of the scan, facing the viewpoint of the rendering. The
+/// plane turns with the view until the next rendering arrives.
 class ScanQuad {
 public:
     ScanQuad();
 
-    void show(const ScanPicture& picture);   ///< an empty one hides the quad
+    void show(const ScanPicture& picture);   ///< an empty image hides the plane
     vtkActor* actor() { return actor_; }
 
 private:

@@ -9,13 +9,13 @@ namespace angiopose::ui {
 ShaderActor::ShaderActor(vtkPolyData* data, const ShaderTexts& shaders)
 {
     mapper_->SetInputData(data);
-    mapper_->SetVBOShiftScaleMethod(0);   // the shaders read neighbors in the same coordinates
+    mapper_->SetVBOShiftScaleMethod(0);   // keeps vertices in the coordinates in which the shaders read their neighbors
     mapper_->ScalarVisibilityOff();
     mapper_->StaticOn();
     actor_->SetMapper(mapper_);
-    actor_->ForceOpaqueOn();   // drawn in actor order, blended by the shaders' opacity
+    actor_->ForceOpaqueOn();   // draws actors in the order added; the shaders set the opacity
     actor_->PickableOff();
-    actor_->UseBoundsOff();   // bounds in space are no use for culling on the image
+    actor_->UseBoundsOff();   // spatial bounds must not cull lines drawn on the image
     vtkShaderProperty* property = actor_->GetShaderProperty();
     property->SetVertexShaderCode(shaders.vertex.c_str());
     if (!shaders.geometry.empty()) {

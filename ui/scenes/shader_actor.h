@@ -14,7 +14,7 @@ class vtkUniforms;
 
 namespace angiopose::ui {
 
-/// VTK actor that draws poly data with custom shaders.
+/// VTK actor that draws poly data with custom GLSL shaders.
 class ShaderActor {
 public:
     ShaderActor(vtkPolyData* data, const ShaderTexts& shaders);
@@ -26,7 +26,7 @@ protected:
     vtkUniforms& geometryUniforms();
     vtkUniforms& fragmentUniforms();
 
-    /// Sets the cutout uniforms, which every fragment shader uses.
+    /// Sets the uniforms of cutout and view, which every fragment shader uses.
     void showPlace(const Cutout& cutout, const PicturePlace& place);
 
 private:

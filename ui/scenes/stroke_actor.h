@@ -8,7 +8,7 @@
 
 namespace angiopose::ui {
 
-/// Draws a stroke mesh in pixel coordinates on top of everything else of its renderer.
+/// VTK actor that draws a stroke mesh in pixel coordinates on top of everything else in its renderer.
 class StrokeActor {
 public:
     StrokeActor();

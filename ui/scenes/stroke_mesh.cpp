@@ -7,9 +7,9 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double sharpTurnCosine = 0.5;   // turns sharper than 60° get a round joint instead of a miter
+constexpr double sharpTurnCosine = 0.5;   // sharper turns than 60° get a round joint instead of a miter
 
-/// Half widths and opacity across a stroke: solid up to `inner`, faded out at `outer`.
+/// Half widths and opacity across a stroke: solid up to `inner`, fully faded at `outer`.
 struct Profile {
     double inner;
     double outer;
@@ -35,7 +35,7 @@ std::int32_t addVertex(StrokeMesh& mesh, const Eigen::Vector2d& at, const Color&
     return static_cast<std::int32_t>(mesh.vertexCount()) - 1;
 }
 
-/// Adds four vertices across the line: faded left, solid left, solid right, faded right.
+/// Adds four vertices across the line, from left to right: transparent, solid, solid, transparent.
 std::int32_t addCrossSection(StrokeMesh& mesh, const StrokePoint& point, const Eigen::Vector2d& left,
                              const Profile& profile)
 {
@@ -55,7 +55,7 @@ void joinCrossSections(StrokeMesh& mesh, std::int32_t a, std::int32_t b)
     }
 }
 
-/// Adds a round sector from `startRad` over `sweepRad`, with the profile of the line it ends.
+/// Adds a circular sector that starts at `startRad` and spans `sweepRad`, with the cross profile of the line.
 void addSector(StrokeMesh& mesh, const StrokePoint& center, double startRad, double sweepRad, const Profile& profile)
 {
     const int steps =
@@ -108,7 +108,7 @@ StrokePoint between(const StrokePoint& a, const StrokePoint& b, double fraction)
     return {a.at + fraction * (b.at - a.at), mixed(a.color, b.color, fraction)};
 }
 
-/// Part of a→b inside the box as fractions (Liang and Barsky 1984); empty if from > to.
+/// Fractions of a→b between which the segment lies inside a box (Liang and Barsky 1984); no part does if `from` > `to`.
 struct MeshSpan {
     double from = 0.0;
     double to = 1.0;
@@ -207,7 +207,7 @@ void addRibbon(StrokeMesh& mesh, const StrokeLine& left, const StrokeLine& right
 std::vector<StrokeLine> clipped(const StrokeLine& line, const Eigen::Vector2d& lower, const Eigen::Vector2d& upper)
 {
     std::vector<StrokeLine> parts;
-    bool isOpen = false;   // the last dash continues in the next segment
+    bool isOpen = false;   // the last part continues in the next segment
     for (std::size_t i = 1; i < line.size(); ++i) {
         const MeshSpan span = insideBox(line[i - 1].at, line[i].at, lower, upper);
         if (span.from > span.to) {

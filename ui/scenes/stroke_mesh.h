@@ -17,24 +17,24 @@ using StrokeLine = std::vector<StrokePoint>;
 struct Pen {
     double widthPx = 2.0;
     double opacity = 1.0;
-    double fadePx = 1.0;   ///< width of the soft edge; large values make a glow
+    double fadePx = 1.0;   ///< width of the soft edge; large values produce a glow
 };
 
-/// Vector shape as requested by the caller. A line with one point is a dot.
+/// Line or ribbon before triangulation, for vector export. A line with one point is a dot.
 struct StrokeShape {
     enum class Kind { Line, Ribbon };
     Kind kind = Kind::Line;
-    StrokeLine line;   ///< for a ribbon, one edge
-    StrokeLine other;   ///< for a ribbon, the other edge
-    Pen pen;   ///< for a ribbon, only its opacity is used
+    StrokeLine line;   ///< points of the line, or one edge of a ribbon
+    StrokeLine other;   ///< other edge of a ribbon
+    Pen pen;   ///< a ribbon uses only the opacity
 };
 
-/// Triangles of smooth-edged lines and dots, in device px, y up. Edges fade over one pixel, which makes multisampling
-/// unnecessary.
+/// Triangles that form lines and dots with smooth edges, in device px, y up. Edges fade over one pixel, which makes
+/// multisampling unnecessary.
 struct StrokeMesh {
     std::vector<float> points;   ///< x, y, 0 per vertex
     std::vector<std::uint8_t> colors;   ///< RGBA per vertex
-    std::vector<std::int32_t> triangles;   ///< 3 vertices each
+    std::vector<std::int32_t> triangles;   ///< three vertex indices per triangle
     std::vector<StrokeShape>* shapes = nullptr;   ///< if set, collects shapes instead of triangles, for vector export
 
     void clear();
@@ -46,22 +46,21 @@ struct DashPattern {
     double gapPx = 0.0;
 };
 
-/// Adds a line with round joints and ends; a line without length becomes a dot.
+/// Adds a line with round ends and, at sharp turns, round joints; a line of zero length becomes a dot.
 void addLine(StrokeMesh& mesh, const StrokeLine& raw, const Pen& pen);
 
-/// Adds a filled dot.
 void addDot(StrokeMesh& mesh, const StrokePoint& center, double radiusPx, double opacity);
 
-/// Fills the area between two lines with the same number of points, in the first line's colors.
+/// Fills the area between two lines with the same number of points, with the colors of `left`.
 void addRibbon(StrokeMesh& mesh, const StrokeLine& left, const StrokeLine& right, double opacity);
 
-/// Returns the parts of the line inside `lower`…`upper`, cut at its border.
+/// Returns the parts of the line inside the box `lower` … `upper`.
 std::vector<StrokeLine> clipped(const StrokeLine& line, const Eigen::Vector2d& lower, const Eigen::Vector2d& upper);
 
-/// Returns the dashes of a line.
+/// Splits a line into dashes.
 std::vector<StrokeLine> dashed(const StrokeLine& line, const DashPattern& pattern);
 
-/// Removes points nearer than `minimumStepPx` to their predecessor; keeps both ends.
+/// Removes points closer than `minimumStepPx` to the previous point; keeps both ends.
 StrokeLine thinned(const StrokeLine& line, double minimumStepPx);
 
 }   // namespace angiopose::ui

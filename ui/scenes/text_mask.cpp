@@ -14,13 +14,12 @@
 namespace angiopose::ui {
 namespace {
 
-/// Font file and face index.
 struct FontFace {
-    std::string file;   ///< empty: none
+    std::string file;   ///< path of the font file; empty if no font was found
     int index = 0;
 };
 
-/// Returns the best match; takes ownership of the pattern.
+/// Returns the font that best matches the pattern; frees the pattern.
 FontFace faceFor(FcPattern* wanted)
 {
     FcConfigSubstitute(nullptr, wanted, FcMatchPattern);
@@ -45,14 +44,14 @@ FcPattern* patternOf(const char* name)
     return FcNameParse(reinterpret_cast<const FcChar8*>(name));
 }
 
-/// Font for text in images: Inter if installed, otherwise the system's sans serif.
+/// Returns the font for text in images: Inter if installed, otherwise the sans-serif font of the system.
 const FontFace& interfaceFont()
 {
     static const FontFace face = faceFor(patternOf("Inter,sans-serif:style=Regular:outline=true"));
     return face;
 }
 
-/// Returns a font with the characters the interface font lacks, e.g. Chinese; none if no installed font has them.
+/// Returns a fallback font for characters that the interface font lacks, e.g. Chinese.
 FontFace fontWith(const std::vector<char32_t>& signs)
 {
     FcPattern* wanted = patternOf("sans-serif:style=Regular:outline=true:lang=zh-cn");
@@ -125,7 +124,7 @@ void addGlyph(core::Mask2d& mask, const FT_GlyphSlot glyph, int penX, int baseli
     }
 }
 
-/// Interface font, and a fallback font for characters it lacks.
+/// Interface font with a fallback font for missing characters.
 class Fonts {
 public:
     Fonts(const std::vector<std::string>& lines, int sizePx)
@@ -142,7 +141,7 @@ public:
     }
     explicit operator bool() const { return usual_ != nullptr; }
 
-    /// Loads the glyph of a character, rendered if `flags` request it; null if there is none.
+    /// Loads the glyph of a character, and renders it if `flags` say so; null if neither font has the character.
     FT_GlyphSlot glyph(char32_t sign, FT_Int32 flags) const
     {
         const Face& face = other_ && !has(usual_, sign) ? other_ : usual_;

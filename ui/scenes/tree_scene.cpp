@@ -49,7 +49,7 @@ core::VesselTree cornersOf(const Eigen::AlignedBox3d& box)
     return corners;
 }
 
-/// True if a view of one tree also shows the other; keeps the view while a tree is edited.
+/// True if both trees lie in the same place, so that the view can stay; this is the case while a tree is edited.
 bool lieTogether(const core::VesselTree& shown, const core::VesselTree& next)
 {
     const Eigen::AlignedBox3d before = boxOf(shown);
@@ -60,28 +60,28 @@ bool lieTogether(const core::VesselTree& shown, const core::VesselTree& next)
 }   // namespace
 
 struct TreeScene::Parts {
-    vtkNew<vtkRenderer> ground;   // detector, beam, source: always behind the tree
+    vtkNew<vtkRenderer> ground;   // detector, beam and source, always drawn behind the tree
     vtkNew<vtkRenderer> middle;   // scan rendering
     vtkNew<vtkRenderer> front;   // tree
     FrameQuad detector;
     StrokeActor strokes;
     TreeTubes tubes;
     GrayFrame frame;
-    GrayFrame detectorPicture;   // replaces the frame
+    GrayFrame detectorPicture;   // shown instead of the frame if set
     ScanQuad scan;
     std::optional<Eigen::AlignedBox3d> scanBox;
-    core::VesselTree boxCorners;   // stored as points of a branch
+    core::VesselTree boxCorners;   // corners of `scanBox` as the points of a branch
     core::VesselTree tree;
     Beam beam;
     BranchMarks marks;
     Palette tones = palette(ThemeMode::Dark);
     double pixelScale = 1.0;
     bool isTreeStale = false;
-    bool isGrayStale = false;   // the gray range belongs to another frame
-    bool isViewStale = true;   // the view needs to be framed
+    bool isGrayStale = false;   // the gray range still belongs to the previous frame
+    bool isViewStale = true;   // the camera must be framed again
     ViewExtent extent = ViewExtent::Everything;
-    bool isTouched = false;   // rotated, moved or zoomed since framing
-    double framedAspect = 0.0;   // aspect ratio of the view it was framed for
+    bool isTouched = false;   // the user rotated, moved or zoomed the view since framing
+    double framedAspect = 0.0;   // aspect ratio for which the view was framed
     unsigned long watch = 0;
 
     void showNext(ViewExtent wanted)
@@ -92,7 +92,7 @@ struct TreeScene::Parts {
     vtkCamera& camera() { return *ground->GetActiveCamera(); }
     ScreenFromPatient screen() const;
     bool isEmpty() const { return tree.branches.empty() && !scanBox; }
-    const core::VesselTree& subject() const;   // content that must be in view
+    const core::VesselTree& subject() const;   // content to which the view is framed
     void showDetector();
     void update();
     StrokeMesh groundStrokes(const ScreenFromPatient& toScreen) const;
@@ -120,7 +120,7 @@ StrokeMesh TreeScene::Parts::groundStrokes(const ScreenFromPatient& toScreen) co
 {
     StrokeMesh mesh;
     if (isEmpty()) {
-        return mesh;   // a beam without vessels is meaningless
+        return mesh;   // shows no beam without vessels or scan
     }
     addBeamStrokes(mesh, beam, toScreen, {tones, 2.0 * toScreen.centerPx, pixelScale});
     addOrientationSign(mesh, sign(toScreen), tones);
@@ -132,7 +132,7 @@ const core::VesselTree& TreeScene::Parts::subject() const
     return tree.branches.empty() && scanBox ? boxCorners : tree;
 }
 
-/// Shows the detector image; an image of another resolution than the frame covers the same part of the detector.
+/// Shows the detector image; at any resolution, the image covers the same area of the detector as the frame.
 void TreeScene::Parts::showDetector()
 {
     const GrayFrame& shown = detectorPicture.width() > 0 ? detectorPicture : frame;
@@ -190,7 +190,7 @@ TreeScene::TreeScene() : parts_(std::make_unique<Parts>())
     p.ground->InteractiveOff();
     p.ground->AddActor(p.detector.actor());
     p.ground->AddActor2D(p.strokes.actor());
-    p.detector.actor()->GetProperty()->SetColor(0.55, 0.55, 0.55);   // dim: the tree in front matters
+    p.detector.actor()->GetProperty()->SetColor(0.55, 0.55, 0.55);   // dimmed to make the tree stand out
     p.middle->SetLayer(1);
     p.middle->InteractiveOff();
     p.middle->AddActor(p.scan.actor());
@@ -273,7 +273,7 @@ core::ParallelSight TreeScene::sight(int maxPx) const
     const int* size = parts_->ground->GetSize();
     const double wholePx = std::max(1.0, 1.0 * size[0] * size[1]);
     const double share = std::min(1.0, std::sqrt(maxPx / wholePx));
-    const auto sideOf = [share](int px) {   // never a power of two, for which OpenGL would compile another program
+    const auto sideOf = [share](int px) {   // avoids powers of two, for which OpenGL would compile a separate program
         const int side = std::max(3, static_cast<int>(std::lround(share * px)));
         return std::has_single_bit(static_cast<unsigned>(side)) ? side + 1 : side;
     };

@@ -31,7 +31,7 @@ double extentMm(const core::VesselTree& tree)
     return box.isEmpty() ? 1.0 : std::max(1e-3, box.diagonal().norm());
 }
 
-/// Lines with radius and color per point, input of the tube filter.
+/// Lines with a radius and color per point, which the tube filter takes as input.
 struct TubeLines {
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> cells;
@@ -56,7 +56,7 @@ struct TubeLines {
     }
 };
 
-/// Adds dashes of `dash` points with gaps of the same length.
+/// Adds a line as dashes, with gaps as long as the dashes.
 void addDashes(TubeLines& lines, const std::vector<Eigen::Vector3d>& line, const std::vector<double>& radiusMm,
                const Color& color)
 {
@@ -76,7 +76,7 @@ void addBranch(TubeLines& lines, const core::VesselBranch& branch, const BranchM
         return;
     }
     const BranchStyle style = branchStyle(branch.id, marks, tones);
-    const double thinnestMm = 0.0055 * extent;   // thinner tubes would break up into pixels
+    const double thinnestMm = 0.0055 * extent;   // minimum radius: thinner tubes would break up into separate pixels
     const auto stations = core::evenStations<3>(branch.pointsInPatient, 0.008 * extent);
     const std::vector<Eigen::Vector3d> line = core::interpolate(branch.pointsInPatient, stations);
     std::vector<double> radiusMm(line.size(), thinnestMm);

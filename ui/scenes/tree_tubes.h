@@ -10,7 +10,7 @@
 
 namespace angiopose::ui {
 
-/// Tree as shaded tubes in patient space. Excluded branches are thin and dashed, selected ones thick.
+/// Renders the tree as shaded tubes in patient space; excluded branches are thin and dashed, selected ones thick.
 class TreeTubes {
 public:
     TreeTubes();

@@ -8,7 +8,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// Cutout in px of the exported image, y up.
+/// Cutout in pixel coordinates of the exported image, y up.
 struct CutoutInPicture {
     Cutout::Shape shape = Cutout::Shape::None;
     Eigen::Vector2d at = Eigen::Vector2d::Zero();
@@ -37,7 +37,7 @@ struct CutSpan {
     bool isEmpty() const { return from >= to; }
 };
 
-/// Returns the part of a→b inside the cutout, as fractions.
+/// Returns the fractions of a→b between which the segment lies inside the cutout.
 CutSpan insideCutout(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const CutoutInPicture& cutout)
 {
     const Eigen::Vector2d step = b - a;
@@ -92,7 +92,7 @@ std::vector<StrokeLine> outsideParts(const StrokeLine& line, const CutoutInPictu
     return parts;
 }
 
-/// Returns the parts of a ribbon where both edges are visible.
+/// Returns the sections of a ribbon in which both edges are visible.
 std::vector<StrokeShape> ribbonParts(const StrokeShape& ribbon, const CutoutInPicture& cutout)
 {
     const StrokeShape empty{ribbon.kind, {}, {}, ribbon.pen};
@@ -117,7 +117,7 @@ bool isInPicture(const Eigen::Vector2d& at, const VectorPicture& picture)
 std::vector<StrokeShape> lineParts(const StrokeShape& shape, const VectorPicture& picture,
                                    const CutoutInPicture& cutout)
 {
-    if (shape.line.size() < 2) {   // dot of a dotted line
+    if (shape.line.size() < 2) {   // a single point: dot of a dotted line
         const bool isSeen = !shape.line.empty() && isInPicture(shape.line.front().at, picture) &&
                             !cutout.contains(shape.line.front().at);
         return isSeen ? std::vector{shape} : std::vector<StrokeShape>{};
@@ -131,7 +131,7 @@ std::vector<StrokeShape> lineParts(const StrokeShape& shape, const VectorPicture
     return parts;
 }
 
-/// Returns the edge of the cutout as drawn in raster images.
+/// Returns the edge of the cutout, with the same appearance as in raster images.
 std::vector<StrokeShape> rimOf(const CutoutInPicture& cutout, const VectorPicture& picture)
 {
     constexpr int corners = 180;

@@ -12,7 +12,7 @@
 
 namespace angiopose::ui {
 
-/// Raster background below the vectors, stretched over a part of the image's width and all of its height.
+/// Raster background below the vector shapes, stretched to the full image height and to `width` from `left`.
 struct VectorBackdrop {
     core::ColorImage image;
     double left = 0.0;
@@ -25,7 +25,7 @@ struct VectorFill {
     double opacity = 1.0;
 };
 
-/// Line of text whose start (or end, with TextAlign::Right) lies on the baseline point.
+/// Line of text; `at` is the point on the baseline where the text starts (or ends, with TextAlign::Right).
 struct VectorText {
     std::string text;   ///< UTF-8
     Eigen::Vector2d at;
@@ -34,8 +34,8 @@ struct VectorText {
     Color tone = palette(ThemeMode::Dark).textStrong;
 };
 
-/// Exported image as vector shapes, lowest first: backdrops, shapes, fills, texts. In px of the corresponding raster
-/// image; shapes with y up, all else with y down.
+/// Exported image as vector graphics, in drawing order: backdrops, shapes, fills, texts. Coordinates are px of the
+/// corresponding raster image, with y up in shapes and y down elsewhere.
 struct VectorPicture {
     int width = 0;
     int height = 0;
@@ -45,8 +45,8 @@ struct VectorPicture {
     std::vector<VectorText> texts;
 };
 
-/// Returns the parts of the shapes inside the image and outside the cutout, plus the edge of the cutout; the cutout is
-/// given in coordinates of the angiogram that `part` shows.
+/// Returns the parts of the shapes that lie inside the image and outside the cutout, plus the edge of the cutout. The
+/// cutout is given in px of the angiogram, of which the image shows `part`.
 std::vector<StrokeShape> visibleShapes(const std::vector<StrokeShape>& shapes, const VectorPicture& picture,
                                        const Cutout& cutout, const ViewRect& part);
 

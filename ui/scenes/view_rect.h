@@ -2,7 +2,7 @@
 
 namespace angiopose::ui {
 
-/// Visible part of the image in pixel coordinates (pixel centers at integers, v down).
+/// Visible part of the image in pixel coordinates (pixel centers at integers, y down).
 struct ViewRect {
     double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;
 

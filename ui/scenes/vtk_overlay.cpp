@@ -19,21 +19,21 @@
 namespace angiopose::ui {
 namespace {
 
-/// Sets a VTK camera at the X-ray source: a point in patient space (mm) is drawn at the pixel given by `core::project`,
-/// and the part `rect` of the image fills the view.
+/// Places a VTK camera at the X-ray source: a point in patient space (mm) appears at the pixel given by
+/// `core::project`, and the part `rect` of the image fills the view.
 void setPinhole(vtkCamera& view, const core::ProjectionCamera& camera, const core::RigidTransform& cameraFromPatient,
                 const ViewRect& rect)
 {
     const Eigen::Matrix3d& rotation = cameraFromPatient.rotation;
     const Eigen::Vector3d source = -rotation.transpose() * cameraFromPatient.translation;
     const Eigen::Vector3d ahead = source + rotation.row(2).transpose();
-    const Eigen::Vector3d up = -rotation.row(1).transpose();   // v points down
+    const Eigen::Vector3d up = -rotation.row(1).transpose();   // negated, since v points down
     view.SetPosition(source.x(), source.y(), source.z());
     view.SetFocalPoint(ahead.x(), ahead.y(), ahead.z());
     view.SetViewUp(up.x(), up.y(), up.z());
 
-    // Half extent at depth 1, and offset of its center from the central ray in half extents; a mirrored image has fx >
-    // 0.
+    // Half extent of the view at depth 1, and offset of its center from the central ray in half extents; in mirrored
+    // images, fx > 0.
     const double halfWidth = 0.5 * rect.width();
     const double halfHeight = 0.5 * rect.height();
     view.SetViewAngle(2.0 * std::atan(halfHeight / camera.fy) * 180.0 / std::numbers::pi);
@@ -66,7 +66,7 @@ struct VtkOverlay::Parts {
     std::size_t aboveVertices = 0;
     std::uint64_t linesRevision = 0;
     std::uint64_t revision = 0;
-    core::ProjectionCamera tracedFor;   ///< camera used to place the traced curves
+    core::ProjectionCamera tracedFor;   ///< camera with which the traced curves were placed
 
     std::array<LineLayer*, 6> layers() { return {&inside, &glow, &halo, &core, &tracedShade, &tracedDots}; }
     void updateLines(const OverlayContent& content);
@@ -91,7 +91,7 @@ void VtkOverlay::Parts::updateLines(const OverlayContent& content)
     revision = content.revision;
 }
 
-/// Moves the traced curves with the camera.
+/// Keeps the traced curves fixed to the camera.
 void VtkOverlay::Parts::placeTraced(const OverlayContent& content)
 {
     vtkNew<vtkMatrix4x4> patientFromCamera;

@@ -21,10 +21,10 @@ public:
 
     void attachTo(vtkRenderWindow* window);   ///< call once; `window` must outlive this object
 
-    /// Sets the content of the next image. `above`: strokes on top, device px, y up.
+    /// Sets the content of the next image; `above` holds strokes drawn on top, device px, y up.
     void show(const OverlayScene& scene, bool isMirrored = false, const StrokeMesh& above = {});
 
-    /// Amount of work that the shown image causes in OpenGL.
+    /// OpenGL workload of the displayed image.
     struct Work {
         std::size_t vertices = 0;
         std::size_t drawCalls = 0;

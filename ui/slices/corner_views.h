@@ -17,7 +17,7 @@ namespace angiopose::ui {
 class ScanBar;
 class TreeView;
 
-/// Area below the branch list: the 3-D view or one plane of the scan. The planes appear with a scan.
+/// Area below the branch list that shows the 3-D view or, if there is a scan, one plane of the scan.
 class CornerViews : public QWidget {
     Q_OBJECT
 public:
@@ -27,13 +27,13 @@ public:
     void showPlane(std::optional<core::BodyPlane> plane);   ///< empty: 3-D view; takes effect once there is a scan
     void showNext();
     SliceView& slice() { return *slice_; }
-    ScanBar& scanBar() { return *scanBar_; }   ///< shown above the 3-D view if there is a scan
+    ScanBar& scanBar() { return *scanBar_; }   ///< bar above the 3-D view, shown if there is a scan
 
 signals:
     void planeChanged(std::optional<core::BodyPlane> plane);
-    void roomRequested();   ///< enlarge all slices
-    void aloneRequested();   ///< toggle maximizing this area
-    void windowRequested();   ///< toggle the pop-out window
+    void roomRequested();   ///< requests enlarging all slices
+    void aloneRequested();   ///< requests maximizing this area, or restoring the layout
+    void windowRequested();   ///< requests popping out this area, or docking it
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -50,7 +50,7 @@ private:
     TreeView* treeView_;
     SliceView* slice_;
     ScanBar* scanBar_;
-    std::array<QToolButton*, 4> tabs_{};   ///< 3-D, then the order of `core::bodyPlanes`
+    std::array<QToolButton*, 4> tabs_{};   ///< 3-D first, then in the order of `core::bodyPlanes`
     std::optional<core::BodyPlane> wanted_;
 };
 

@@ -19,9 +19,9 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int maxLabelRows = 10;   // visible rows
+constexpr int maxLabelRows = 10;   // maximum number of visible rows
 constexpr int minRows = 3;
-constexpr int filteredFrom = 9;   // number of labels from which the filter is shown
+constexpr int filteredFrom = 9;   // the filter is shown from this number of labels on
 constexpr int rowPadding = 8;
 constexpr int swatchPx = 10;
 constexpr int labelRole = Qt::UserRole;
@@ -165,7 +165,7 @@ void LabelChoice::showChosen(const std::set<int>& labels)
     showFirstTicked();
 }
 
-/// Scrolls to the first checked label of a long list, but keeps the current row visible.
+/// Scrolls a long list to the first checked label, unless there is a current row.
 void LabelChoice::showFirstTicked()
 {
     const auto first = std::ranges::find_if(rows_, [this](const LabelRow& row) { return chosen_.contains(row.label); });
@@ -267,7 +267,7 @@ void LabelChoice::setTicks()
         list_->topLevelItem(static_cast<int>(i))
             ->setCheckState(LabelName, chosen_.contains(rows_[i].label) ? Qt::Checked : Qt::Unchecked);
     }
-    list_->viewport()->update();   // repaint, since signals are blocked
+    list_->viewport()->update();   // repaints explicitly, since signals are blocked
     sayTexts();
 }
 

@@ -17,30 +17,30 @@ class QTreeWidgetItem;
 
 namespace angiopose::ui {
 
-/// One row of the label list.
+/// Row of the label list.
 struct LabelRow {
     int label = 0;
-    QString name;   ///< empty if the file gives none
+    QString name;   ///< empty if the file does not name the label
     double volumeMl = 0.0;
-    Color color;   ///< same as in the slices
+    Color color;   ///< color of the label in the slices
 
     bool operator==(const LabelRow&) const = default;
 };
 
-QString textOf(const LabelRow& row);   ///< "4  celiac_trunk", or "Label 4"
+QString textOf(const LabelRow& row);   ///< formats a row, e.g. "4  celiac_trunk", or "Label 4" if unnamed
 
-/// Selects the vessel labels of a label image: a check list, with a filter if it is long. Displays the values it is
-/// given and emits signals for user actions.
+/// List with check boxes that selects the vessel labels of a label image; long lists have a filter. Passive view: shows
+/// what its owner sets and emits signals for user actions.
 class LabelChoice : public QWidget {
     Q_OBJECT
 public:
     explicit LabelChoice(QWidget* parent = nullptr);
 
-    /// `suggested` holds the labels whose names denote vessels; empty: none do.
+    /// `suggested` holds the labels whose names denote vessels, if any.
     void showLabels(std::vector<LabelRow> rows, std::set<int> suggested);
-    void showReading();   ///< labels are still being read
-    void showProblem(const QString& reason);   ///< reason why reading failed
-    void showNothing();   ///< hides the list: the input has no labels
+    void showReading();   ///< shows that labels are still being read
+    void showProblem(const QString& reason);   ///< shows the reason why reading failed
+    void showNothing();   ///< hides the list for inputs without labels
     void showChosen(const std::set<int>& labels);   ///< emits no signal
     const std::set<int>& chosen() const { return chosen_; }
     void setRunning(bool running);

@@ -15,30 +15,30 @@ namespace angiopose::ui {
 
 class NumberField;
 
-/// Depth of a scissors cut: one slice, a range, or all slices.
+/// Depth of a scissors cut: the current slice, a range around it, or all slices.
 enum class CutDepth { Slice, Range, Whole };
 
 /// Settings of brush and scissors.
 struct MaskSettings {
-    double opacity = 0.28;   ///< opacity of the mask over the slices
+    double opacity = 0.28;   ///< opacity of the mask on the slices
     double radiusMm = 2.0;   ///< brush radius
     bool isBall = false;   ///< 3-D brush: also paints neighboring slices
     bool isAboveThreshold = false;   ///< paints only voxels above the threshold
     CutDepth depth = CutDepth::Slice;
-    double rangeMm = 10.0;   ///< on each side of the slice
+    double rangeMm = 10.0;   ///< depth of a range cut on each side of the slice
 
     bool operator==(const MaskSettings&) const = default;
 };
 
-/// Editing state of the mask.
+/// State of mask editing.
 struct MaskState {
-    int openStrokes = 0;   ///< strokes not yet included in the traced vessels
+    int openStrokes = 0;   ///< number of strokes not yet included in the traced vessels
     bool isRunning = false;   ///< tracing is running
-    bool isEdited = false;   ///< the vessels come from a manually edited mask
+    bool isEdited = false;   ///< the vessels were traced from a manually edited mask
 };
 
-/// Lumen mask over the slices: its opacity, brush and scissors, and tracing of the edited mask. Displays the values it
-/// is given and emits signals for user actions.
+/// Panel for the lumen mask on the slices: its opacity, brush and scissors, and tracing of the edited mask. Passive
+/// view: shows what its owner sets and emits signals for user actions.
 class MaskPanel : public QWidget {
     Q_OBJECT
 public:
@@ -46,7 +46,7 @@ public:
 
     void bind(QAction& paint, QAction& erase, QAction& cut, QAction& trace, QAction& save);
     void showSettings(const MaskSettings& settings);   ///< emits no signal
-    void showThreshold(bool isThere);   ///< enables painting above the threshold
+    void showThreshold(bool isThere);   ///< `isThere` enables painting above the threshold
     void showState(const MaskState& state);
 
 signals:

@@ -14,13 +14,13 @@ namespace {
 
 using core::MaskAim;
 
-constexpr double brushGrowth = 1.15;   // growth per wheel step
+constexpr double brushGrowth = 1.15;   // factor of the radius per wheel step
 constexpr double smallestStepPx = 2.0;
 constexpr std::size_t fewestCorners = 3;
 
 const Palette& tones()
 {
-    return palette(ThemeMode::Dark);   // dark image background in every theme
+    return palette(ThemeMode::Dark);   // images have a dark background in every theme
 }
 
 }   // namespace
@@ -127,7 +127,7 @@ bool MaskBrushTool::takeBack()
 {
     const bool wasStroking = std::exchange(isStroking_, false);
     if (wasStroking) {
-        emit strokeEnded();   // the partial stroke becomes one undo step
+        emit strokeEnded();   // makes the partial stroke one undo step
     }
     return wasStroking;
 }
@@ -143,7 +143,7 @@ void MaskBrushTool::paint(QPainter& painter, SliceView& view) const
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(toQColor(tones().canvas, 0.7), 3.0));
     painter.drawEllipse(pointer_, radiusPx, radiusPx);
-    const bool erases = (isStroking_ ? now_ : aim_) == MaskAim::Erase;   // distinguished by dash and color
+    const bool erases = (isStroking_ ? now_ : aim_) == MaskAim::Erase;   // erasing is shown by dashes as well as color
     painter.setPen(
         QPen(toQColor(erases ? tones().attention : tones().accent), 1.5, erases ? Qt::DashLine : Qt::SolidLine));
     painter.drawEllipse(pointer_, radiusPx, radiusPx);

@@ -8,8 +8,8 @@
 
 namespace angiopose::ui {
 
-/// Round brush on the mask, shown as a circle of its size under the pointer. Ctrl swaps painting and erasing;
-/// Shift+wheel, + and − change its size.
+/// Round brush for the mask, shown as a circle of the brush size under the pointer. Ctrl swaps painting and erasing;
+/// Shift+wheel, + and − change the size.
 class MaskBrushTool : public SliceTool {
     Q_OBJECT
 public:
@@ -41,15 +41,15 @@ private:
     void brushTo(const SlicePointer& pointer);
 
     core::MaskAim aim_;
-    core::MaskAim now_;   ///< aim of the current stroke
+    core::MaskAim now_;   ///< paint or erase, fixed for the current stroke
     double radiusMm_ = 2.0;
     bool isStroking_ = false;
     Eigen::Vector3d last_ = Eigen::Vector3d::Zero();
-    const SliceView* under_ = nullptr;   ///< view under the pointer
+    const SliceView* under_ = nullptr;   ///< slice view under the pointer; null outside
     QPointF pointer_;
 };
 
-/// Scissors: a lasso in a slice that removes the mask inside. Shift keeps the inside instead.
+/// Scissors: a lasso drawn in a slice, inside which the mask is removed. With Shift, the outside is removed instead.
 class MaskCutTool : public SliceTool {
     Q_OBJECT
 public:
@@ -64,7 +64,7 @@ public:
     void paint(QPainter& painter, SliceView& view) const override;
 
 signals:
-    void cut(const core::MaskCut& cut);   ///< without its depth
+    void cut(const core::MaskCut& cut);   ///< the receiver sets the depth of the cut
 
 private:
     const SliceView* view_ = nullptr;   ///< view in which the lasso is drawn

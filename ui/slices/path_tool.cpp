@@ -14,7 +14,7 @@ namespace {
 
 constexpr double endRadiusPx = 5.0;
 constexpr double wayWidthPx = 2.0;
-constexpr double nearSlices = 1.5;   // in slice thicknesses; points farther off are drawn fainter
+constexpr double nearSlices = 1.5;   // in slice thicknesses; more distant points are drawn fainter
 constexpr double faintWay = 0.35;
 
 }   // namespace

@@ -7,8 +7,8 @@
 
 namespace angiopose::ui {
 
-/// Traces one vessel between two clicks in the slices and previews the path to the mouse. The end points may lie in
-/// different slices and planes.
+/// Traces one vessel between two clicks in the slices, with a preview of the path to the pointer. The end points may
+/// lie in different slices and planes.
 class PathTool : public SliceTool {
     Q_OBJECT
 public:
@@ -27,7 +27,7 @@ public:
 signals:
     void pathRequested(const Eigen::Vector3d& fromInPatient, const Eigen::Vector3d& toInPatient);   ///< for the preview
     void chosen(const Eigen::Vector3d& fromInPatient, const Eigen::Vector3d& toInPatient);
-    void begun();   ///< first click set or removed: earlier paths are obsolete
+    void begun();   ///< the first point was set or removed, which makes earlier paths obsolete
 
 private:
     void drop();

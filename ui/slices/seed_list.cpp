@@ -17,7 +17,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int maxRows = 4;   // visible rows
+constexpr int maxRows = 4;   // maximum number of visible rows
 
 QPushButton* switchButton(const Words& text, const Words& tip)
 {
@@ -35,7 +35,7 @@ QString pointText(const QString& kind, const Eigen::Vector3d& point)
         .arg(numberText(point.z(), 1));
 }
 
-constexpr double usualHu = 200.0;   // default if no threshold was found
+constexpr double usualHu = 200.0;   // HU; initial manual threshold if no automatic one is known
 
 }   // namespace
 
@@ -162,7 +162,7 @@ bool SeedList::eventFilter(QObject* watched, QEvent* event)
 {
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
     if (watched == points_ && isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
-        event->accept();   // not Delete branches
+        event->accept();   // keeps the window shortcut from deleting branches
         if (event->type() == QEvent::KeyPress) {
             removeChosen();
         }
@@ -243,7 +243,7 @@ void ThresholdField::choose(std::optional<double> threshold)
     }
     chosen_ = threshold;
     showValues();
-    preview_->setChecked(preview_->isChecked() || threshold);   // a manual threshold turns the preview on
+    preview_->setChecked(preview_->isChecked() || threshold);   // entering a threshold turns the preview on
     emit chosen(threshold);
     emit previewChanged();
 }

@@ -16,8 +16,8 @@ namespace angiopose::ui {
 /// Effect of a click in a slice.
 enum class TracingPick { Nothing, Seed, Avoid };
 
-/// Seed points and avoid points of the tracing, in patient coordinates (mm): clicks in a slice add points, Delete
-/// removes the selected one. Displays the values it is given.
+/// List of the seed points and avoid points for tracing, in patient coordinates (mm): clicks in a slice add points,
+/// Delete removes the selected point. Passive view: shows what its owner sets.
 class SeedList : public QWidget {
     Q_OBJECT
 public:
@@ -43,7 +43,7 @@ private:
     void fill();
     void choose(int row);
     void removeChosen();
-    Points& holderOf(int& row);   ///< converts `row` to the index in the returned list
+    Points& holderOf(int& row);   ///< returns the list that contains the row, and makes `row` an index into that list
 
     Points seeds_;
     Points avoid_;
@@ -56,19 +56,19 @@ private:
 
 class NumberField;
 
-/// Intensity threshold of the vessels in a scan: automatic, or set by slider and number. Displays the values it is
-/// given.
+/// Field for the intensity threshold of the vessels in a scan: automatic, or set with a slider or number field. Passive
+/// view: shows what its owner sets.
 class ThresholdField : public QWidget {
     Q_OBJECT
 public:
     explicit ThresholdField(QWidget* parent = nullptr);
 
-    /// Sets the range of the threshold, in Hounsfield units or the scan's own units.
+    /// Sets the range of the threshold in HU, or in the intensity units of the scan.
     void showRange(std::pair<double, double> range, bool isHounsfield);
-    void showChosen(std::optional<double> threshold);   ///< empty: automatic
-    void showFound(std::optional<double> threshold);   ///< automatic threshold, if known
+    void showChosen(std::optional<double> threshold);   ///< manual threshold; automatic without a value
+    void showFound(std::optional<double> threshold);   ///< shows the automatic threshold, if known
     bool isPreviewWanted() const;
-    std::optional<double> shown() const;   ///< manual or automatic threshold
+    std::optional<double> shown() const;   ///< threshold in use, manual or automatic
 
 signals:
     void chosen(std::optional<double> threshold);

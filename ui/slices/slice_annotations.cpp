@@ -23,7 +23,7 @@ constexpr int textPx = 11;
 constexpr double crosshairGapPx = 9.0;
 constexpr double markRadiusPx = 4.5;
 
-/// Images have a black background in every theme.
+/// Returns the palette for annotations; images have a black background in every theme.
 const Palette& sliceTones()
 {
     return palette(ThemeMode::Dark);
@@ -92,7 +92,7 @@ void paintMark(QPainter& painter, const QPointF& at, SliceMarkKind kind, const Q
     const Color tone = isFine                         ? sliceTones().fine
                        : kind == SliceMarkKind::Avoid ? sliceTones().attention
                                                       : sliceTones().accent;
-    QPainterPath sign;   // distinguished by shape: seed +, avoid ×, landmark ring
+    QPainterPath sign;   // shapes differ, not only colors: + for seeds, × for avoid points, a ring otherwise
     const double r = markRadiusPx;
     if (kind == SliceMarkKind::Seed) {
         sign.moveTo(at - QPointF(r, 0));

@@ -12,7 +12,7 @@ class QPainter;
 
 namespace angiopose::ui {
 
-/// Context for drawing over a slice, including the mapping from patient points to the widget.
+/// Context for drawing over a slice, including the map from patient points to widget px.
 struct SliceOverlay {
     const SliceModel& model;
     const core::SliceGrid& grid;
@@ -21,7 +21,7 @@ struct SliceOverlay {
     QRectF area;
 };
 
-/// Distance from the slice up to which centerlines are drawn, fading out.
+/// Returns the distance from the slice, mm, up to which centerlines are drawn; they fade with the distance.
 double visibleDistanceMm(const core::SliceGrid& grid);
 
 void paintBranches(QPainter& painter, const SliceOverlay& overlay);
@@ -34,10 +34,10 @@ struct CornerRoom {
     QRectF bottom;
 };
 
-/// Draws lines of text from the top left and the bottom left, readable on any image.
+/// Draws lines of text in the upper left and lower left corners, readable on any image; returns the areas covered.
 CornerRoom paintTexts(QPainter& painter, const QRectF& area, const QStringList& top, const QStringList& bottom);
 
-/// Draws the letters of the patient's sides at the middle of the edges, clear of the corner texts.
+/// Draws the orientation letters (patient's sides) at the middle of the edges, clear of the corner texts.
 void paintSides(QPainter& painter, const SliceOverlay& overlay, const CornerRoom& taken);
 
 }   // namespace angiopose::ui

@@ -17,7 +17,7 @@ using core::MeasurementKind;
 using core::SliceMeasurement;
 
 constexpr double measureReachPx = 8.0;
-constexpr std::size_t maxOutlinePoints = 1000;   // limit of the case file
+constexpr std::size_t maxOutlinePoints = 1000;   // maximum of the case file format
 
 double awayPx(const QPointF& a, const QPointF& b)
 {
@@ -84,7 +84,7 @@ bool SliceMeasureTool::startDrag(const SlicePointer& pressed)
     if (isDrawing_) {
         addPoint(pressed);
     }
-    return true;   // a drag while measuring must not move the cross-hair
+    return true;   // accepts every drag, to keep measuring from moving the crosshair
 }
 
 void SliceMeasureTool::drag(const SlicePointer& pointer)
@@ -102,7 +102,7 @@ void SliceMeasureTool::finishDrag(const SlicePointer& pointer)
         const bool isThere = isStillThere(*held);
         const bool isInPlace = isThere && isInSlice(model().measured()[held->measurement].measurement,
                                                     pointer.view.plane(), pointer.view.grid());
-        if (!isInPlace) {   // removed by undo, or scrolled out of the slice
+        if (!isInPlace) {   // the measurement was removed by undo or is no longer in the displayed slice
             drop();
             return;
         }
@@ -111,11 +111,11 @@ void SliceMeasureTool::finishDrag(const SlicePointer& pointer)
         addPoint(pointer);
         finish();
     } else {
-        click(pointer);   // small movement between press and release
+        click(pointer);   // a press with slight movement counts as a click
     }
 }
 
-/// True if the dragged measurement still exists unchanged.
+/// True if the measurement being dragged still exists unchanged.
 bool SliceMeasureTool::isStillThere(const Held& held) const
 {
     const auto& there = model().measured();
@@ -202,7 +202,7 @@ bool SliceMeasureTool::takeBack()
     return hadPoints;
 }
 
-/// Does nothing with too few points: the next click continues.
+/// Completes the measurement; with too few points, does nothing, and further clicks add points.
 void SliceMeasureTool::finish()
 {
     if (next_.pointsInPatient.size() < (kind_ == MeasurementKind::Length ? 2U : 3U)) {

@@ -8,9 +8,9 @@
 
 namespace angiopose::ui {
 
-/// Measures in a slice, with the same interaction as MeasureTool: clicks set points, a drag draws a length at once or
-/// moves an existing point; an area is closed by a click on its first point, a double click or Enter. All points belong
-/// to one slice: the first click in another slice starts over.
+/// Measuring tool for slices, operated like MeasureTool: clicks set points, and a drag draws a whole length or moves an
+/// existing point; a click on its first point, a double-click or Enter closes an area. All points lie in one slice: a
+/// click in another slice starts over.
 class SliceMeasureTool : public SliceTool {
     Q_OBJECT
 public:
@@ -36,14 +36,14 @@ public:
 signals:
     void drawn(const core::SliceMeasurement& measurement);
     void pointMoved(int measurement, int point, const Eigen::Vector3d& pointInPatient);
-    void removeRequested();   ///< the selected measurement, or the last one
+    void removeRequested();   ///< requests removal of the selected measurement, or of the last one without a selection
 
 private:
     struct Held {
         std::size_t measurement = 0;
         std::size_t point = 0;
         Eigen::Vector3d at = Eigen::Vector3d::Zero();
-        core::SliceMeasurement whole;   ///< state at the start of the drag
+        core::SliceMeasurement whole;   ///< measurement at the start of the drag
     };
     std::optional<Held> heldAt(const SlicePointer& pointer) const;
     bool isStillThere(const Held& held) const;
@@ -51,14 +51,14 @@ private:
     void addPoint(const SlicePointer& pointer);
     void finish();
     void drop();
-    core::SliceMeasurement seen() const;   ///< measurement being drawn (with the mouse position) or moved
+    core::SliceMeasurement seen() const;   ///< measurement being drawn (including the pointer position) or moved
 
     core::MeasurementKind kind_;
     std::function<QString(const core::SliceMeasurement&)> words_;
-    core::SliceMeasurement next_;   ///< points set so far
+    core::SliceMeasurement next_;   ///< measurement being drawn, with the points set so far
     std::optional<Eigen::Vector3d> mouse_;
     std::optional<Held> held_;
-    bool isDrawing_ = false;   ///< drawing a length by dragging
+    bool isDrawing_ = false;   ///< a length is being drawn by dragging
 };
 
 }   // namespace angiopose::ui

@@ -23,7 +23,7 @@ double awayMm(const SliceMeasurement& measurement, const core::SliceGrid& grid)
     return std::abs(grid.distanceMm(measurement.pointsInPatient.front()));
 }
 
-/// Converts the points to widget px.
+/// Converts a measurement to a mark in widget px.
 ImageMark markOf(const MeasuredSlice& measured, const SliceOverlay& overlay)
 {
     const SliceMeasurement& what = measured.measurement;

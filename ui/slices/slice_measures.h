@@ -4,13 +4,13 @@
 
 namespace angiopose::ui {
 
-/// Draws the measurements of this plane: with their value in their own slice, faint in neighboring slices.
+/// Draws the measurements of the displayed plane: with their values in their own slice, faintly in neighboring slices.
 void paintMeasurements(QPainter& painter, const SliceOverlay& overlay);
 
 /// Draws the intersection of a ring with the slice: the parts inside the slice and the cutting line.
 void paintRing(QPainter& painter, const SliceOverlay& overlay, const std::vector<Eigen::Vector3d>& ring);
 
-/// Wraps a sentence, whose parts are separated by dots, into lines that fit the width.
+/// Wraps a caption, whose parts are separated by " · ", into lines that fit the width.
 QStringList captionLines(const QString& caption, int widthPx);
 
 /// True if the grid shows the slice of the measurement.

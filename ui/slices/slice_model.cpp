@@ -11,9 +11,9 @@ namespace angiopose::ui {
 namespace {
 
 constexpr std::size_t sampledVoxels = 40000;
-constexpr double airHu = -500.0;   // lower values are air, which only CT has
+constexpr double airHu = -500.0;   // lower values occur only as air in CT
 
-/// Returns values sampled evenly over the scan, ascending.
+/// Returns values sampled at regular intervals from the whole scan, in ascending order.
 std::vector<double> sampledValues(const core::Volume& volume)
 {
     const std::size_t count = volume.voxels.size();
@@ -83,7 +83,7 @@ void SliceModel::setScan(std::shared_ptr<const core::Volume> volume, std::shared
         crosshair_ = core::centerOf(*now);
     }
     if (isSamePlace && !isNewVolume) {
-        emit maskChanged();   // keeps the current zoom and position
+        emit maskChanged();   // unlike scanChanged, keeps zoom and position
     } else {
         emit scanChanged();
     }

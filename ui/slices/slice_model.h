@@ -21,16 +21,16 @@ class SliceTool;
 
 enum class SliceMarkKind { Seed, Avoid, Landmark, Place };
 
-/// Point shown in the slices, optionally with a ring around it.
+/// Point shown in the slices, optionally with a ring.
 struct SliceMark {
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();
     QString label;
-    std::vector<Eigen::Vector3d> ring{};   ///< closed outline, drawn where slices cut it
+    std::vector<Eigen::Vector3d> ring{};   ///< closed outline in patient mm, drawn where a slice cuts it
 
     bool operator==(const SliceMark&) const = default;
 };
 
-/// Measurement with its label.
+/// Measurement in a slice with its displayed label.
 struct MeasuredSlice {
     core::SliceMeasurement measurement;
     QString label;
@@ -39,48 +39,48 @@ struct MeasuredSlice {
     bool operator==(const MeasuredSlice&) const = default;
 };
 
-/// Labels of a label image, shown in different colors in the slices.
+/// Labels of a label image, tinted in different colors in the slices.
 struct LabelLayer {
     std::shared_ptr<const core::VoxelMask> rows;   ///< 1 + index of the voxel's label below; the last covers the rest
     std::vector<MaskTint> tints;
-    QStringList names;   ///< one per tint
+    QStringList names;   ///< one name per tint
 
     bool operator==(const LabelLayer&) const = default;
 };
 
-/// State shared by all slice views: the scan, the segmentation, and the linked cross-hair.
+/// State shared by all slice views: the scan, the segmentation and the crosshair.
 class SliceModel : public QObject {
     Q_OBJECT
 public:
     using QObject::QObject;
 
-    /// Either argument may be null; without a scan only the lumen is shown. A new scan centers the cross-hair and
-    /// selects the window.
+    /// Sets scan and lumen, either of which may be null; without a scan, only the lumen is shown. A new scan centers
+    /// the crosshair and resets the window.
     void setScan(std::shared_ptr<const core::Volume> volume, std::shared_ptr<const core::VoxelMask> lumen);
-    void setLabels(LabelLayer labels);   ///< replaces the lumen; empty rows show the lumen again
-    /// Shows a mask under editing instead of lumen and labels; null shows these again.
+    void setLabels(LabelLayer labels);   ///< shows labels in place of the lumen; empty `rows` shows the lumen again
+    /// Shows a mask being edited in place of lumen and labels; null shows lumen and labels again.
     void setDraft(std::shared_ptr<const core::VoxelMask> draft);
-    void touchDraft(const core::TouchedBox& box);   ///< reports a change of the draft in this box
-    void setMaskOpacity(double opacity);   ///< when shown over a scan
+    void touchDraft(const core::TouchedBox& box);   ///< reports that the draft changed inside `box`
+    void setMaskOpacity(double opacity);   ///< opacity of the mask on a scan
     void setTree(std::shared_ptr<const core::VesselTree> tree);
     void setMarks(const BranchMarks& marks);
-    void setPoints(SliceMarkKind kind, std::vector<SliceMark> points);   ///< replaces the points of this kind
+    void setPoints(SliceMarkKind kind, std::vector<SliceMark> points);   ///< replaces all points of this kind
     void setMeasured(std::vector<MeasuredSlice> measured);
-    void setTool(SliceTool* tool);   ///< tool of the left button in all slices; null: cross-hair
-    void setCrosshair(const Eigen::Vector3d& pointInPatient);   ///< clamped to the scan
+    void setTool(SliceTool* tool);   ///< tool for the left button in all slices; null for the crosshair
+    void setCrosshair(const Eigen::Vector3d& pointInPatient);   ///< clamps the point to the scan
     void setWindow(const GrayWindow& window);
     void setPreviewFrom(std::optional<double> threshold);   ///< tints values at or above the threshold
 
     bool hasScan() const { return geometry() != nullptr; }
-    const core::VolumeGeometry* geometry() const;   ///< of the scan or the lumen; null without either
+    const core::VolumeGeometry* geometry() const;   ///< geometry of the scan or lumen; null without either
     const std::shared_ptr<const core::Volume>& volume() const { return volume_; }
     const std::shared_ptr<const core::VoxelMask>& lumen() const { return lumen_; }
-    const core::VoxelMask* mask() const;   ///< mask to be tinted
-    /// Returns the stored mask for background work, not the draft, which changes in place.
+    const core::VoxelMask* mask() const;   ///< mask that the slices tint
+    /// Returns the stored mask for background work, never the draft, which changes in place.
     const std::shared_ptr<const core::VoxelMask>& sharedMask() const { return labels_.rows ? labels_.rows : lumen_; }
-    std::vector<MaskTint> labelTints() const;   ///< empty: the mask is the lumen
+    std::vector<MaskTint> labelTints() const;   ///< tints of the labels; empty if the mask is the lumen
     double maskOpacity() const { return maskOpacity_; }
-    QString labelNameAt(const Eigen::Vector3d& pointInPatient) const;   ///< empty outside any label
+    QString labelNameAt(const Eigen::Vector3d& pointInPatient) const;   ///< empty outside all labels
     const core::VesselTree* tree() const { return tree_.get(); }
     const BranchMarks& marks() const { return marks_; }
     const std::map<SliceMarkKind, std::vector<SliceMark>>& points() const { return points_; }
@@ -89,17 +89,17 @@ public:
     const Eigen::Vector3d& crosshair() const { return crosshair_; }
     const GrayWindow& window() const { return window_; }
     std::optional<double> previewFrom() const { return previewFrom_; }
-    bool isHounsfield() const { return isHounsfield_; }   ///< value range suggests CT
+    bool isHounsfield() const { return isHounsfield_; }   ///< true if the value range suggests CT
 
 signals:
     void scanChanged();
-    void maskChanged();   ///< lumen, labels or draft exchanged
-    void maskTouched(const core::TouchedBox& box);   ///< same mask, changed in this box
+    void maskChanged();   ///< lumen, labels or draft were replaced
+    void maskTouched(const core::TouchedBox& box);   ///< the mask changed in place, inside `box`
     void crosshairChanged();
-    void lookChanged();   ///< window or preview
-    void overlayChanged();   ///< branches, points or measurements
+    void lookChanged();   ///< window or threshold preview changed
+    void overlayChanged();   ///< branches, points or measurements changed
     void toolChanged();
-    void toolLookChanged();   ///< drawing of the tool
+    void toolLookChanged();   ///< the tool draws something else
 
 private:
     std::shared_ptr<const core::Volume> volume_;
@@ -118,16 +118,15 @@ private:
     bool isHounsfield_ = false;
 };
 
-QString nameOf(core::BodyPlane plane);   ///< for headings
+QString nameOf(core::BodyPlane plane);   ///< returns the translated name of the plane, for headings
 
-/// Named CT window.
 struct WindowPreset {
-    const char* name;   ///< translated in context "ui::WindowPreset"
+    const char* name;   ///< translated in the context "ui::WindowPreset"
     GrayWindow window;
 };
 const std::vector<WindowPreset>& windowPresets();
 
-/// Returns the window that covers most of a scan's values.
+/// Returns a window that covers most values of a scan.
 GrayWindow windowOfValues(const core::Volume& volume);
 
 }   // namespace angiopose::ui

@@ -11,15 +11,15 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int bandRows = 64;   // rows per band; bands run in parallel
+constexpr int bandRows = 64;   // rows per band; bands are rendered in parallel
 constexpr int maxThreads = 4;
 
-/// For each pixel of a screen line, the two slice pixels around it.
+/// Two slice pixels between which a screen pixel is interpolated along one axis.
 struct Station {
-    int low = -1;   ///< −1: outside
+    int low = -1;   ///< −1 if outside the slice
     int high = -1;
     int nearest = -1;
-    float share = 0.0F;   ///< weight of the higher one
+    float share = 0.0F;   ///< weight of the higher pixel
 };
 
 std::vector<Station> stationsAlong(int screenPx, int slicePx, double first, double step)
@@ -40,7 +40,7 @@ std::vector<Station> stationsAlong(int screenPx, int slicePx, double first, doub
     return stations;
 }
 
-/// Lookup tables from gray level to color, one pair per mask tint.
+/// Lookup tables from gray level to color, two per mask tint.
 class ToneTable {
 public:
     ToneTable(const SliceTints& tints) : lastTint_(tints.mask.size())
@@ -66,10 +66,10 @@ public:
 private:
     static QRgb rgb(const Color& color) { return qRgb(color.red, color.green, color.blue); }
     std::size_t lastTint_;
-    std::vector<std::array<QRgb, 256>> tones_;   ///< per mask value, without and with the preview
+    std::vector<std::array<QRgb, 256>> tones_;   ///< per mask value, without and with the threshold preview
 };
 
-/// Blends two adjacent rows of the slice into one.
+/// Interpolates a row between two adjacent rows of the slice.
 void mixRows(const SliceContent& content, const Station& row, std::vector<float>& mixed)
 {
     const auto width = static_cast<std::size_t>(content.grid.width);
@@ -80,7 +80,7 @@ void mixRows(const SliceContent& content, const Station& row, std::vector<float>
     }
 }
 
-/// Returns the stations of the screen's columns and rows.
+/// Returns the stations for the columns and rows of the screen image.
 std::pair<std::vector<Station>, std::vector<Station>> screenStations(const core::SliceGrid& grid,
                                                                      const ImageViewport& viewport,
                                                                      const QSize& deviceSize, double devicePxPerPx)
@@ -114,7 +114,7 @@ struct RowPainter {
             if (values != nullptr) {
                 value = values[at.low] + at.share * (values[at.high] - values[at.low]);
                 const float scaled = value * scale + offset;
-                gray = scaled > 255.0F ? 255 : scaled > 0.0F ? static_cast<int>(scaled) : 0;   // NaN is black
+                gray = scaled > 255.0F ? 255 : scaled > 0.0F ? static_cast<int>(scaled) : 0;   // maps NaN to 0
             }
             pixels[x] = tones(gray, mask != nullptr ? mask[at.nearest] : std::uint8_t{0}, value >= previewFrom);
         }

@@ -12,7 +12,7 @@
 
 namespace angiopose::ui {
 
-/// Gray window in the scan's values (HU): black below its lower end, white above its upper end.
+/// Gray window in values of the scan (HU): black below its lower end, white above its upper end.
 struct GrayWindow {
     double width = 600.0;
     double level = 200.0;
@@ -20,11 +20,11 @@ struct GrayWindow {
     bool operator==(const GrayWindow&) const = default;
 };
 
-/// Content of a slice; values are empty without a scan, the mask is empty if nothing was traced.
+/// Values and mask of one slice; `values` is empty without a scan, `mask` is empty if nothing was traced.
 struct SliceContent {
     core::SliceGrid grid;
     std::vector<float> values;
-    std::vector<std::uint8_t> mask;   ///< lumen, or label index
+    std::vector<std::uint8_t> mask;   ///< lumen, or indices of labels
 };
 
 struct MaskTint {
@@ -35,20 +35,20 @@ struct MaskTint {
 };
 
 struct SliceTints {
-    std::vector<MaskTint> mask;   ///< for mask values 1, 2, …; the last applies to all higher values
+    std::vector<MaskTint> mask;   ///< tints of mask values 1, 2, …; the last applies to all higher values
     MaskTint preview;
-    std::optional<double> previewFrom;   ///< tints values at or above this one
+    std::optional<double> previewFrom;   ///< threshold preview: values at or above this one are tinted
 };
 
-/// Pixel size of a slice on the screen, the same in both directions: mm of the finer one.
+/// Returns the side of the slice's square image pixels in mm: the smaller of the two grid spacings.
 double unitMmOf(const core::SliceGrid& grid);
 
-/// Renders the slice, interpolated, through a viewport whose image px are `unitMmOf(grid)` wide; `size` in device px,
-/// `viewport` in device-independent px. Black outside the scan.
+/// Renders an interpolated slice, black outside the scan. `size` is in device px, `viewport` in device-independent px;
+/// the image px of the viewport are `unitMmOf(grid)` wide.
 QImage slicePicture(const SliceContent& content, const GrayWindow& window, const SliceTints& tints,
                     const ImageViewport& viewport, const QSize& deviceSize, double devicePxPerPx);
 
-/// Repaints the given rows (last one excluded) after the content changed there.
+/// Repaints the given rows (last one excluded) after their content changed.
 void repaintSliceRows(QImage& picture, std::pair<int, int> deviceRows, const SliceContent& content,
                       const GrayWindow& window, const SliceTints& tints, const ImageViewport& viewport,
                       double devicePxPerPx);

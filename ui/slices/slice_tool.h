@@ -17,23 +17,23 @@ namespace angiopose::ui {
 class SliceModel;
 class SliceView;
 
-/// Mouse position in a slice.
+/// Pointer position in a slice.
 struct SlicePointer {
     SliceView& view;
     QPointF position;   ///< widget px
-    Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< in the plane of the slice
+    Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< point in the slice plane
     Qt::KeyboardModifiers modifiers;
 };
 
-/// Handler of the left button, the wheel and the keys in all slices while a mode is on: one tool at a time
-/// (`SliceModel::setTool`). Events that a tool does not accept go to the view: drags and clicks set the cross-hair, the
-/// wheel scrolls the slices. Esc cancels the current action, then ends the mode.
+/// Tool that handles the left button, the wheel and the keys in all slices while its mode is on; only one tool is
+/// active (`SliceModel::setTool`). The view handles events that the tool does not accept: drags and clicks set the
+/// crosshair, the wheel scrolls the slices. Esc cancels the current action, or else ends the mode.
 class SliceTool : public QObject {
     Q_OBJECT
 public:
-    explicit SliceTool(SliceModel& model);   ///< the model also owns the tool
+    explicit SliceTool(SliceModel& model);   ///< the tool becomes a child of the model
 
-    virtual QString caption() const = 0;   ///< current mouse action
+    virtual QString caption() const = 0;   ///< describes the current mouse action
     virtual void end() {}   ///< discards the current action
 
     /// Starts when the left button moves beyond a click, from `pressed` on; false leaves the drag to the view.
@@ -41,17 +41,17 @@ public:
     virtual void drag(const SlicePointer&) {}
     virtual void finishDrag(const SlicePointer&) {}
     virtual bool click(const SlicePointer&) { return false; }
-    virtual bool doubleClick(const SlicePointer&) { return false; }   ///< follows its first click
+    virtual bool doubleClick(const SlicePointer&) { return false; }   ///< called after the click of the first press
     virtual void hover(const SlicePointer&) {}
     virtual void leave() {}
     virtual bool wheel(const SlicePointer&, double /*steps*/) { return false; }
 
     virtual bool takesKey(const QKeyEvent&) const { return false; }   ///< takes precedence over window shortcuts
-    virtual void keyPress(const QKeyEvent&) {}   ///< only keys accepted by takesKey
-    virtual bool takeBack() { return false; }   ///< Esc: true if an action was canceled
+    virtual void keyPress(const QKeyEvent&) {}   ///< called only for keys accepted by `takesKey`
+    virtual bool takeBack() { return false; }   ///< called on Esc; true if this canceled an action
 
     virtual QCursor cursor() const { return Qt::CrossCursor; }
-    virtual void paint(QPainter&, SliceView&) const {}   ///< widget px, on top of everything
+    virtual void paint(QPainter&, SliceView&) const {}   ///< draws in widget px, on top of everything else
 
 protected:
     SliceModel& model() const { return model_; }

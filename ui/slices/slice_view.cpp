@@ -16,7 +16,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double aloneOpacity = 0.6;   // opacity of tints without a scan below
+constexpr double aloneOpacity = 0.6;   // opacity of mask tints without a scan
 constexpr double tintOpacity = 0.28;
 
 Eigen::Vector2d pointVector(const QPointF& point)
@@ -24,7 +24,7 @@ Eigen::Vector2d pointVector(const QPointF& point)
     return {point.x(), point.y()};
 }
 
-/// Formats patient coordinates with axis letters: x to the left, y to the back, z to the head.
+/// Formats a point in LPS, mm: +x left, +y posterior, +z superior.
 QString positionText(const Eigen::Vector3d& point)
 {
     return SliceView::tr("x %1  y %2  z %3 mm")
@@ -130,7 +130,7 @@ SliceTints SliceView::tints() const
     const Palette& tones = ui::palette(ThemeMode::Dark);
     const double opacity = content_.values.empty() ? aloneOpacity : model_.maskOpacity();
     std::vector<MaskTint> mask = model_.labelTints();
-    for (MaskTint& tint : mask) {   // label opacities are defined for display without a scan
+    for (MaskTint& tint : mask) {   // label opacities apply to display without a scan
         tint.opacity *= opacity / aloneOpacity;
     }
     if (mask.empty()) {
@@ -140,14 +140,14 @@ SliceTints SliceView::tints() const
     return {std::move(mask), {tones.attention, previewOpacity}, model_.previewFrom()};
 }
 
-/// Resamples only the mask and repaints only the screen rows in which it changed.
+/// Resamples only the mask and repaints only the screen rows where the mask changed.
 void SliceView::retint(const core::TouchedBox& box)
 {
     const core::SliceGrid& grid = content_.grid;
     if (isContentStale_ || !model_.mask() || grid.width == 0) {
         return;
     }
-    const double low = grid.distanceMm(box.lowInPatient);   // valid because normals are patient axes
+    const double low = grid.distanceMm(box.lowInPatient);   // corners suffice, since normals are patient axes
     const double high = grid.distanceMm(box.highInPatient);
     if (std::max(low, high) < -0.5 * grid.thicknessMm || std::min(low, high) > 0.5 * grid.thicknessMm) {
         return;
@@ -205,7 +205,7 @@ QString SliceView::sliceText() const
         .arg(core::sliceCount(geometry, plane_));
 }
 
-/// Returns the slice position and the mouse action of the current mode.
+/// Returns the texts with slice position and mouse action of the current mode.
 QStringList SliceView::topTexts() const
 {
     QStringList texts{sliceText()};
@@ -215,7 +215,7 @@ QStringList SliceView::topTexts() const
     return texts;
 }
 
-/// Returns value and position at the pointer, or at the cross-hair.
+/// Returns the texts with value and position at the pointer, or at the crosshair if the pointer is elsewhere.
 QStringList SliceView::placeTexts() const
 {
     const Eigen::Vector3d at = pointer_ ? patientFromWidget(*pointer_) : model_.crosshair();

@@ -11,9 +11,9 @@ namespace angiopose::ui {
 
 struct SlicePointer;
 
-/// One plane of the scan with mask, centerlines and cross-hair. Left sets the cross-hair, middle drag pans, right drag
-/// adjusts window/level, wheel and ↑ ↓ scroll the slices, Ctrl+wheel zooms, Ctrl+arrows move the cross-hair, double
-/// click requests enlarging. A slice mode (`SliceTool`) takes precedence for the left button.
+/// View of one plane of the scan with mask, centerlines and crosshair. The left button sets the crosshair, middle drag
+/// pans, right drag adjusts window/level, the wheel and ↑ ↓ scroll the slices, Ctrl+wheel zooms, Ctrl+arrows move the
+/// crosshair, and a double-click requests enlarging. An active `SliceTool` takes precedence.
 class SliceView : public QWidget {
     Q_OBJECT
 public:
@@ -22,17 +22,17 @@ public:
     core::BodyPlane plane() const { return plane_; }
     void setPlane(core::BodyPlane plane);
     void fit();
-    void stepBy(int slices);   ///< along the normal
-    double pxPerMm() const;   ///< widget px
+    void stepBy(int slices);   ///< moves along the normal by a number of slices
+    double pxPerMm() const;   ///< scale in widget px per mm
     QPointF widgetFromPatient(const Eigen::Vector3d& pointInPatient) const;
-    Eigen::Vector3d patientFromWidget(const QPointF& position) const;   ///< in the plane of the slice
-    const core::SliceGrid& grid();   ///< grid of the shown slice
-    bool wantsToolKey(const QKeyEvent& event) const;   ///< the tool takes the key before any shortcut
+    Eigen::Vector3d patientFromWidget(const QPointF& position) const;   ///< returns the point in the slice plane
+    const core::SliceGrid& grid();   ///< grid of the displayed slice
+    bool wantsToolKey(const QKeyEvent& event) const;   ///< true if the tool handles the key before any shortcut
     QSize sizeHint() const override { return {320, 320}; }
     QSize minimumSizeHint() const override { return {80, 80}; }
 
 signals:
-    void pointPicked(const Eigen::Vector3d& pointInPatient);   ///< left click, or Enter at the cross-hair
+    void pointPicked(const Eigen::Vector3d& pointInPatient);   ///< emitted on a left click, or Enter at the crosshair
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void menuRequested(const Eigen::Vector3d& pointInPatient, const QPoint& globalPosition);
@@ -52,12 +52,12 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    void cut();   ///< resamples if the cross-hair left the shown slice
+    void cut();   ///< resamples if the crosshair has left the displayed slice
     void drawPicture();
     SliceTints tints() const;
-    void retint(const core::TouchedBox& box);   ///< updates the shown slice where the mask changed
+    void retint(const core::TouchedBox& box);   ///< updates the displayed slice where the mask changed
     void changeWindow(const QPointF& step);
-    bool goThroughSlices(const QKeyEvent& event);   ///< false: not a scroll key
+    bool goThroughSlices(const QKeyEvent& event);   ///< false if the key does not scroll
     bool moveCrosshair(int key);
     std::optional<int> branchAt(const QPointF& position) const;
     void hover(const std::optional<QPointF>& position);

@@ -12,7 +12,7 @@
 #include <limits>
 #include <utility>
 
-// Mouse and keyboard input of a slice.
+// Mouse and keyboard input of a slice view.
 
 namespace angiopose::ui {
 namespace {
@@ -83,7 +83,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event)
     update();
 }
 
-/// Right widens the window, down darkens; the viewed values keep their relative position in the window.
+/// Adjusts window/level by a drag: right widens the window, down darkens. The step is proportional to the window width.
 void SliceView::changeWindow(const QPointF& step)
 {
     const GrayWindow& now = model_.window();
@@ -202,7 +202,7 @@ void SliceView::contextMenuEvent(QContextMenuEvent* event)
         const QPointF at = widgetFromPatient(model_.crosshair());
         emit menuRequested(model_.crosshair(), mapToGlobal(at.toPoint()));
     }
-    event->accept();   // mouse: the menu opens on right release without a drag
+    event->accept();   // with the mouse, the menu opens on releasing the right button without a drag
 }
 
 void SliceView::leaveEvent(QEvent*)

@@ -3,7 +3,7 @@
 
 #include <QKeyEvent>
 
-// Mouse and keyboard input passed to the slice tool.
+// Mouse and keyboard input that a slice view passes to its tool.
 
 namespace angiopose::ui {
 
@@ -29,7 +29,7 @@ bool SliceView::dragTool(const QMouseEvent& event, bool isStart)
     return isToolsDrag_;
 }
 
-/// Esc cancels, then ends the mode; other keys go to the tool if it accepts them.
+/// True if a tool is active and accepts the key.
 bool SliceView::wantsToolKey(const QKeyEvent& event) const
 {
     const SliceTool* tool = model_.tool();
@@ -48,12 +48,12 @@ bool SliceView::filterToolKey(QKeyEvent& event)
         return false;
     }
     if (event.type() == QEvent::ShortcutOverride) {
-        event.accept();   // delivers the key as KeyPress instead of a shortcut
+        event.accept();   // makes Qt deliver the key as KeyPress instead of triggering a shortcut
     } else if (isTools) {
         tool->keyPress(event);
     } else {
         isToolsDrag_ = false;
-        pressed_ = Qt::NoButton;   // ignores the rest of the drag
+        pressed_ = Qt::NoButton;   // the rest of the drag has no effect
         if (!tool->takeBack()) {
             model_.setTool(nullptr);
         }

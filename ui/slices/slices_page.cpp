@@ -13,9 +13,9 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int gapPx = 2;   // gap between the slices, without lines
-constexpr int panelWidth = 300;   // fits label names and volumes
-constexpr int minSlicesWidth = 260;   // minimum width of the slices beside a panel
+constexpr int gapPx = 2;   // gap between the slices, which have no separator lines
+constexpr int panelWidth = 300;   // wide enough for label names and volumes
+constexpr int minSlicesWidth = 260;   // minimum width of the slices next to a panel
 
 }   // namespace
 
@@ -51,7 +51,7 @@ SlicesPage::SlicesPage(SliceModel& model, QWidget* parent)
 void SlicesPage::setSidePanel(QWidget* panel)
 {
     panel_ = panel;
-    panelArea_ = new QScrollArea;   // may be taller than the page on low screens
+    panelArea_ = new QScrollArea;   // scrolls where the panel is taller than the page
     panelArea_->setProperty("role", "column");
     panelArea_->setWidget(panel);
     panelArea_->setWidgetResizable(true);
@@ -66,7 +66,7 @@ void SlicesPage::resizeEvent(QResizeEvent* event)
     placePanel();
 }
 
-/// Updates the width after a change of language.
+/// Updates the panel width after a language change.
 bool SlicesPage::event(QEvent* event)
 {
     const bool isDone = QWidget::event(event);
@@ -76,7 +76,7 @@ bool SlicesPage::event(QEvent* event)
     return isDone;
 }
 
-/// Places the panel beside the slices at the width its text needs, or below them at full width.
+/// Places the panel next to the slices with the width that its text needs, or below them at full width.
 void SlicesPage::placePanel()
 {
     if (!panel_) {

@@ -13,8 +13,8 @@ namespace angiopose::ui {
 
 class WindowBar;
 
-/// Shows the three planes of the scan in place of the angiogram, with window presets above and a panel beside them, or
-/// below on a narrow page.
+/// Page that replaces the angiogram with the three planes of the scan, with window presets above and a panel at the
+/// side, or below if the page is narrow.
 class SlicesPage : public QWidget {
     Q_OBJECT
 public:
@@ -27,7 +27,7 @@ public:
 
 signals:
     void closeRequested();
-    void windowRequested();   ///< toggle the pop-out window
+    void windowRequested();   ///< requests popping out the page, or docking it
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -38,7 +38,7 @@ private:
 
     WindowBar* bar_;
     std::map<core::BodyPlane, SliceView*> views_;
-    QBoxLayout* parts_;   ///< slices and panel
+    QBoxLayout* parts_;   ///< layout of slices and panel
     QWidget* panel_ = nullptr;
     QScrollArea* panelArea_ = nullptr;
 };

@@ -71,7 +71,7 @@ TracingPanel::TracingPanel(QWidget* parent)
     speak(this, [this] { updateButtons(); });
 }
 
-/// Creates a warning with its remedy and the buttons that apply it.
+/// Creates the warning about a second lumen with buttons that apply the remedy.
 QWidget* TracingPanel::lumenCard()
 {
     auto* card = new QWidget;

@@ -18,26 +18,26 @@ class MaskPanel;
 class NumberField;
 class ThresholdField;
 
-/// Options for tracing the vessels of a scan: threshold, seeds, avoid points, limits. Displays the values it is given
-/// and emits signals for user actions.
+/// Panel with the options for tracing the vessels of a scan: threshold, seeds, avoid points, limits. Passive view:
+/// shows what its owner sets and emits signals for user actions.
 class TracingPanel : public Section {
     Q_OBJECT
 public:
     explicit TracingPanel(QWidget* parent = nullptr);
 
     void showOptions(const core::VesselTracingOptions& options);   ///< emits no signal
-    /// Sets the range of the threshold; empty: the input has no intensities (labels, surface).
+    /// Sets the range of the threshold; without a value, the input has no intensities (labels, surface).
     void showRange(std::optional<std::pair<double, double>> range, bool isHounsfield = true);
     LabelChoice& labels() { return *labels_; }
     MaskPanel& mask() { return *mask_; }
-    void bindPath(QAction& action);   ///< tracing between two clicks
-    void showFound(std::optional<double> threshold);   ///< automatic threshold, if known
+    void bindPath(QAction& action);   ///< connects the action for tracing between two clicks
+    void showFound(std::optional<double> threshold);   ///< shows the automatic threshold, if known
     void showPick(TracingPick pick);
     void showOtherLumen(const QString& warning);   ///< empty: none
-    void showWhyNot(const QString& reason);   ///< reason why tracing is disabled; empty: enabled
+    void showWhyNot(const QString& reason);   ///< reason why tracing is disabled; an empty text enables it
     void setRunning(bool running);
     bool isPreviewWanted() const;
-    std::optional<double> thresholdShown() const;   ///< manual or automatic threshold
+    std::optional<double> thresholdShown() const;   ///< threshold in use, manual or automatic
 
 signals:
     void optionsEdited(const core::VesselTracingOptions& options);
@@ -46,7 +46,7 @@ signals:
     void placeChosen(const Eigen::Vector3d& pointInPatient);
     void traceRequested();
     void stopRequested();
-    void otherLumenWanted();   ///< show the possible false lumen
+    void otherLumenWanted();   ///< requests display of the possible false lumen
     void otherLumenSeedWanted();
 
 private:

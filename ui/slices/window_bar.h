@@ -10,18 +10,18 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// Window presets of the slices as buttons, or as a menu if there is no room.
+/// Bar with the window presets of the slices: buttons, or a menu where space is short.
 class WindowBar : public QWidget {
     Q_OBJECT
 public:
     explicit WindowBar(SliceModel& model, QWidget* parent = nullptr);
 
     bool isFolded() const { return presets_->isHidden(); }
-    QSize minimumSizeHint() const override;   ///< size of the menu form
+    QSize minimumSizeHint() const override;   ///< size with the menu instead of buttons
 
 signals:
     void closeRequested();
-    void windowRequested();   ///< toggle the pop-out window
+    void windowRequested();   ///< requests popping out the slices, or docking them
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -33,7 +33,7 @@ private:
 
     SliceModel& model_;
     QWidget* presets_;
-    QBoxLayout* row_;   ///< preset buttons
+    QBoxLayout* row_;   ///< layout of the preset buttons
     QPushButton* folded_;
     QMenu* menu_;
     QPushButton* ownWindow_;

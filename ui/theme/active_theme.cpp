@@ -14,7 +14,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// `@name@` is replaced by a palette color or a mixture of two.
+/// Style sheet pattern in which each `@name@` stands for a palette color or a mixture of two.
 constexpr const char* panelStylePattern = R"(
 QLabel[role="heading"] { color: @text@; font-weight: 600; }
 QLabel[role="title"] { color: @textStrong@; font-weight: 600; }
@@ -80,7 +80,7 @@ void replaceAll(std::string& text, const std::string& name, const Color& color)
     }
 }
 
-/// Returns the style sheet of the panels: colors by the `role` property of labels, buttons and fields.
+/// Returns the style sheet of the panels, which sets colors by the `role` property of labels, buttons and fields.
 std::string panelStyleSheet(const Palette& tones)
 {
     const std::array<std::pair<const char*, Color>, 24> named{{
@@ -141,8 +141,8 @@ QPalette qtPalette(const Palette& tones)
 QFont interfaceFont(QFont font)
 {
     QStringList families;
-    // Inter has no Chinese glyphs; the fallback font is fixed because an arbitrary one might have Japanese glyph
-    // variants.
+    // Inter has no Chinese glyphs. The fallback font is fixed, since a font chosen by the system might show Japanese
+    // glyph variants.
     for (const QString& wanted : {QStringLiteral("Inter"), QStringLiteral("Noto Sans CJK SC")}) {
         if (QFontDatabase::families().contains(wanted)) {
             families << wanted;

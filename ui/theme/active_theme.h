@@ -7,7 +7,7 @@
 
 namespace angiopose::ui {
 
-/// Returns the current theme; custom-painted widgets call this on every paint.
+/// Returns the current theme; custom-painted widgets query it on every paint.
 ThemeMode activeTheme();
 const Palette& activePalette();
 

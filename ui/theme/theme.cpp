@@ -39,7 +39,7 @@ constexpr Palette light{.title = {0xdb, 0xdf, 0xe4},
                         .error = {0xb4, 0x2a, 0x20},
                         .canvas = {0x00, 0x00, 0x00}};
 
-/// Residual colors: good fit, middle and end of the scale, and above.
+/// Residual color ramp: start (good fit), middle and end of the scale, and the color above the scale.
 struct Ramp {
     Color fits, middle, end, above;
 };
@@ -48,7 +48,7 @@ constexpr Ramp blueAmber{dark.accent, {0x9d, 0xc2, 0xa6}, dark.attention, {0xe0,
 constexpr Ramp blueRed{{0x3f, 0x8c, 0xff}, {0xf2, 0xf2, 0xf2}, {0xff, 0x5a, 0x46}, {0xff, 0x3a, 0xd0}};
 constexpr Ramp brightness{{0x5c, 0x5c, 0x5c}, {0x98, 0x98, 0x98}, {0xd4, 0xd4, 0xd4}, {0xff, 0xff, 0xff}};
 
-// Excludes the accent and attention colors; neighbors differ in brightness as well as in hue.
+// None resembles the accent or attention color; neighboring entries differ in brightness as well as hue.
 constexpr std::array<Color, 8> labelColors{{{0xe6, 0x6a, 0x5c},
                                             {0x5f, 0xc8, 0x8a},
                                             {0x9a, 0x7c, 0xe8},
@@ -122,7 +122,7 @@ Color residualColor(double fraction)
 Color labelColor(std::size_t place)
 {
     const Color& own = labelColors[place % labelColors.size()];
-    switch (place / labelColors.size() % 3) {   // lighter and darker variants before colors repeat
+    switch (place / labelColors.size() % 3) {   // uses lighter and darker variants before repeating colors
         case 0:
             return own;
         case 1:

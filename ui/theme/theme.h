@@ -7,7 +7,7 @@
 
 namespace angiopose::ui {
 
-/// sRGB color for both Qt and VTK.
+/// sRGB color, convertible for Qt and VTK.
 struct Color {
     std::uint8_t red = 0, green = 0, blue = 0;
 
@@ -16,13 +16,13 @@ struct Color {
     std::array<double, 3> unit() const { return {red / 255.0, green / 255.0, blue / 255.0}; }   ///< 0…1, for VTK
 };
 
-/// All colors of the window, defined only here, which keeps Qt and VTK consistent and makes a theme a single table.
-/// Black around the image, neutral grays elsewhere, no pure white: the image is the focus.
+/// All colors of the user interface, defined in one place to keep Qt and VTK consistent; a theme is one such table.
+/// Black around the image, neutral grays elsewhere and no pure white keep the focus on the image.
 struct Palette {
     Color title, window, panel, field, line;
     Color textStrong, text, label, hint;
-    Color accent;   ///< interactive or selected
-    Color attention;   ///< needs attention
+    Color accent;   ///< interactive or selected items
+    Color attention;   ///< items that need attention
     Color fine;
     Color error;   ///< blocking errors only
     Color canvas;   ///< background of images
@@ -32,13 +32,13 @@ enum class ThemeMode { Dark, Light };
 
 const Palette& palette(ThemeMode mode);
 
-/// Mixes in sRGB: `a` for `shareOfB` 0, `b` for 1.
+/// Mixes two colors in sRGB; `shareOfB` is 0 for `a` and 1 for `b`.
 Color mixed(const Color& a, const Color& b, double shareOfB);
 
 /// Color scheme of vessels and residuals. Every scheme is safe for color-blind users; the last uses brightness only.
 enum class ColorScheme { BlueAmber, BlueRed, Brightness };
 
-/// Color scheme of the whole program; also called by background renderers.
+/// Returns the color scheme of the program; may be called by background renderers.
 ColorScheme colorScheme();
 void setColorScheme(ColorScheme scheme);
 
@@ -52,20 +52,20 @@ struct ScanColors {
 };
 ScanColors scanColors();
 
-/// `tones` belong to the background of the branches.
+/// Returns the colors of branches on a background whose palette is `tones`.
 BranchColors branchColors(const Palette& tones);
 
 /// Residual color for `fraction` 0…1 in the current scheme: by default from accent blue over green-gray to amber.
 Color residualColor(double fraction);
 
-/// Color of residuals above the end of the scale.
+/// Returns the color of residuals beyond the end of the scale.
 Color residualColorAboveScale();
 
-/// Color of a label by its position in the list, distinguishable on black and on panels. Colors repeat for distant
-/// positions.
+/// Returns the color of a label by its index in the list, distinguishable on black and on panels. Colors repeat only at
+/// distant indices.
 Color labelColor(std::size_t place);
 
-/// Returns the style sheet of the whole application for a palette.
+/// Returns the style sheet of the application for a palette.
 std::string styleSheet(const Palette& palette);
 
 }   // namespace angiopose::ui

@@ -17,7 +17,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// Translation context of this file.
+/// Translation context of the texts in this file.
 struct AnnotationWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::ui::AngiogramAnnotations)
 };
@@ -63,7 +63,7 @@ double niceLength(double longestMm)
     return best;
 }
 
-/// Paints a ruler of a round number of millimeters at the vessel, above the bottom left text block.
+/// Paints a ruler of a round length in mm at the depth of the vessels, above the text block in the lower left corner.
 void paintRuler(QPainter& painter, const QSizeF& size, const QRectF& blockBelow, double pxPerMm)
 {
     const double longestPx = std::min(140.0, 0.3 * size.width());
@@ -92,14 +92,14 @@ void paintRuler(QPainter& painter, const QSizeF& size, const QRectF& blockBelow,
                      AnnotationWords::tr("%1 mm at vessel").arg(briefNumber(lengthMm, 6)), tone);
 }
 
-/// Returns the area of the residual scale including its labels.
+/// Returns the area that the residual scale covers, including its labels.
 QRectF scaleRoom(const QRectF& bar)
 {
     return bar.adjusted(-58.0, -34.0, 6.0, 12.0);
 }
 
-/// Returns the position of the residual scale: at the middle of the right edge, or the nearest position there that
-/// covers no vessels.
+/// Returns the rectangle of the residual scale: in the middle of the right edge, or at the nearest position along the
+/// edge where it covers no vessels.
 QRectF scaleBar(const QSizeF& size, const Ground& ground, const std::vector<QRectF>& corners)
 {
     const double height = std::round(std::clamp(0.2 * size.height(), 80.0, 180.0));
@@ -149,7 +149,7 @@ QFont modeFont(const QPainter& painter)
     return sized(painter.font(), 11);
 }
 
-/// Returns the bounding box of the bars at the top center; empty if there are none.
+/// Returns the bounding box of the bars in the upper half; empty if there are none.
 QRectF barsOnTop(const QSizeF& size, const std::vector<QRectF>& bars)
 {
     QRectF all;
@@ -159,7 +159,7 @@ QRectF barsOnTop(const QSizeF& size, const std::vector<QRectF>& bars)
     return all;
 }
 
-/// Returns the box of the mode label: top center, below the bars; empty without a mode.
+/// Returns the box of the mode label, centered at the top below the bars; empty without a mode.
 QRectF modeBox(const QPainter& painter, const QSizeF& size, const ModeLabel& mode, const QRectF& bars)
 {
     if (mode.text.isEmpty()) {
@@ -194,8 +194,8 @@ double clearHeight(double middle, double wanted, const std::vector<QRectF>& take
     return block == taken.end() ? wanted : clearHeight(middle, wanted + step, taken, step);
 }
 
-/// Returns the height of the right-edge letter: in the middle, or above or below the residual scale, clear of the
-/// corner texts.
+/// Returns the y of the orientation letter at the right edge: in the middle, or above or below the residual scale,
+/// clear of the corner texts.
 double besideScale(const QSizeF& size, const QRectF& scale, const std::vector<QRectF>& taken)
 {
     if (scale.isEmpty()) {
@@ -207,7 +207,7 @@ double besideScale(const QSizeF& size, const QRectF& scale, const std::vector<QR
     return isFree && letter.top() >= 0.0 ? above : scale.bottom() + 26.0;
 }
 
-/// Draws the letter of the patient's side at the middle of each edge.
+/// Draws an orientation letter (patient's side) at the middle of each edge.
 void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations, const QRectF& scale,
                 const std::vector<QRectF>& taken)
 {

@@ -17,30 +17,30 @@ class QPainter;
 
 namespace angiopose::ui {
 
-/// Label of the current mouse mode, if it is not the default.
+/// Label of the current mouse mode, shown if a tool is active.
 struct ModeLabel {
-    QString text;   ///< empty: no mode
+    QString text;   ///< empty without a mode
     Color tone;   ///< color of border and text
 };
 
-/// Texts, scale and ruler over the angiogram.
+/// Texts, residual scale and ruler drawn over the angiogram.
 struct AngiogramAnnotations {
     CornerTexts texts;
     QString frameText;
     QString keyText;   ///< hint about available shortcuts
     core::DisplayRange range;
-    double scaleMaximumPx = 0.0;   ///< 0: no residual scale
+    double scaleMaximumPx = 0.0;   ///< end of the residual scale; hidden if 0
     double scaleMaximumMm = 0.0;
-    double mmPerImagePx = 0.0;   ///< at the vessel; 0: no ruler
-    QString sideMark;   ///< note that image or view is mirrored; empty: detector view
-    ImageSides sides;   ///< empty if unknown
+    double mmPerImagePx = 0.0;   ///< scale at the vessels; the ruler is hidden if 0
+    QString sideMark;   ///< note that the image or the view is mirrored; empty in the detector view
+    ImageSides sides;   ///< letters at the edges; empty if the orientation is unknown
     ModeLabel mode;
-    bool hidesScale = false;   ///< no residuals are visible
-    std::vector<QRectF> taken;   ///< areas covered by other items, avoided by texts
+    bool hidesScale = false;   ///< hides the residual scale while no residuals are visible
+    std::vector<QRectF> taken;   ///< areas of other items, which texts avoid
 };
 
-/// Paints the annotations in a widget of this size. Texts outside the image area are shown in full; over the image they
-/// shrink and then collapse to their first line before they would cover vessels.
+/// Paints the annotations over a widget of this size. Texts next to the image appear in full; texts over the image
+/// shrink, and then collapse to one line, before covering vessels.
 void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations,
                       const ImageViewport& viewport, const OverlayScene& scene);
 

@@ -10,15 +10,15 @@
 
 namespace angiopose::ui {
 
-/// State of an angiogram view between events.
+/// State that an angiogram view keeps between events.
 struct AngiogramView::Interaction {
     ImageRole role = ImageRole::Working;
     ImageViewport viewport;
     AngiogramAnnotations annotations;
     bool hasFrame = false;
-    std::pair<int, int> frame{0, 0};   ///< index and count
-    Cutout cutout;   ///< as currently drawn
-    QImage keptOut;   ///< hatching over the frame, one pixel per frame pixel; null: none
+    std::pair<int, int> frame{0, 0};   ///< index of the frame, and number of frames
+    Cutout cutout;   ///< cutout at its current position
+    QImage keptOut;   ///< hatching over excluded pixels, at frame resolution; null if none
     bool isOrientationKnown = false;
     std::pair<int, int> frameSize{0, 0};
     core::ProjectionCamera camera;
@@ -34,18 +34,18 @@ struct AngiogramView::Interaction {
     QPointer<ImageTool> tool;
     MousePreset mouse;
     Qt::MouseButton pressed = Qt::NoButton;
-    DragAction dragAction = DragAction::None;   // of the current drag, if not handled by the tool
+    DragAction dragAction = DragAction::None;   // action of the current drag, unless the tool handles it
     bool isDragging = false;
     bool isToolDragging = false;   // the tool handles the current drag
-    bool isCancelled = false;   // ignores the rest of a canceled drag
+    bool isCancelled = false;   // the drag was canceled; ignores its remaining events
     QPointF pressedAt;
     Qt::KeyboardModifiers pressedWith;
     QPointF lastAt;
     std::optional<int> hovered;
-    double wheelSteps = 0.0;   // accumulates fractions of a frame from touch pads and drags
+    double wheelSteps = 0.0;   // fraction of a frame accumulated from touch pads and drags
 
     ToolPoint toolPoint(const QPointF& position, Qt::KeyboardModifiers modifiers) const;
-    double mmPerImagePx() const;   ///< at the pivot; 0 if unknown
+    double mmPerImagePx() const;   ///< scale at the pivot; 0 if unknown
 };
 
 }   // namespace angiopose::ui

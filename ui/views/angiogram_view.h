@@ -21,63 +21,63 @@ namespace angiopose::ui {
 class GlOverlay;
 class ImageTool;
 
-/// Working: the current image, on which all tools act; Beside: an additional image.
+/// Working is the current image, on which all tools act; Beside is a further image next to it.
 enum class ImageRole { Working, Beside };
 
-/// Position of the pointer, in this or another image, mapped to this image.
+/// Linked crosshair in this image, mapped from the pointer position in this or another image.
 struct ImageCrosshair {
     std::optional<core::ImageSegment> linePx;   ///< epipolar line of the pointer position
     std::optional<Eigen::Vector3d> pointInPatient;   ///< vessel point under the pointer
 };
 
-/// Angiogram with the projected tree: window/level, pan and zoom by dragging according to the mouse preset, zoom also
-/// by Ctrl+wheel, frames by wheel, ↑ ↓, Home, End; a right click or the menu key requests a context menu. A tool may
-/// take the left button and keys; Esc cancels its drag, then ends the tool. Displays the values it is given and emits
-/// signals for user actions; makes no decisions. The angiogram with tree and the annotations are drawn in two turns of
-/// the event loop; painting the widget only copies the result.
+/// View of the angiogram with the projected tree. Drags adjust window/level, pan and zoom according to the mouse
+/// preset; Ctrl+wheel zooms; the wheel, ↑ ↓, Home and End select frames; a right click or the menu key requests a
+/// context menu. A tool can take over the left button and keys; Esc cancels its drag, then ends the tool. Passive view:
+/// shows what its owner sets and emits signals for user actions. The angiogram with the tree and the annotations are
+/// drawn in two turns of the event loop; painting the widget only copies the result.
 class AngiogramView : public QWidget {
     Q_OBJECT
 public:
     explicit AngiogramView(ImageRole role = ImageRole::Working, QWidget* parent = nullptr);
     ~AngiogramView() override;
 
-    OverlayScene& scene() { return scene_; }   ///< call redraw() after changing it
-    void redraw();   ///< schedules a new rendering; update() copies the last one
+    OverlayScene& scene() { return scene_; }   ///< call redraw() after changing the scene
+    void redraw();   ///< schedules a new rendering; update() only copies the last one
     void setPivot(const Eigen::Vector3d& pivotInPatient);   ///< centroid of the tree: position of ring and cross …
     void setPickedPivot(const std::optional<Eigen::Vector3d>& pickedInPatient);   ///< … unless picked, which is marked
     void setPose(const core::RigidTransform& cameraFromPatient);
     void setCamera(const core::ProjectionCamera& camera);
     void setFrame(const core::ImageF& frame);   ///< keeps zoom and window/level if the size is unchanged
     void setFramePosition(int index, int count);   ///< shown bottom left, counted from 0; hidden if count < 2
-    void setCornerTexts(const CornerTexts& texts);   ///< the view adds its own lines at the bottom left
-    void setTool(ImageTool* tool);   ///< null: none
+    void setCornerTexts(const CornerTexts& texts);   ///< the view adds its own lines in the lower left corner
+    void setTool(ImageTool* tool);   ///< null for no tool
     ImageTool* tool() const;
-    void addBar(QWidget* bar);   ///< toolbar of a tool, at the bottom center of the image
-    bool filterToolKey(QKeyEvent& event);   ///< true if the tool takes the key, or Esc ends it
+    void addBar(QWidget* bar);   ///< adds the toolbar of a tool, at the bottom center of the image
+    bool filterToolKey(QKeyEvent& event);   ///< true if the tool handles the key, or if Esc cancels or ends the tool
     void setKeptOut(const core::Mask2d& fieldMask);   ///< hatches pixels with value 0; empty: none
     void setMousePreset(const MousePreset& preset);
-    void setResidualScale(double maximumPx, double maximumMm);   ///< 0 hides the scale
-    void setLineWidth(double px);   ///< device-independent px
+    void setResidualScale(double maximumPx, double maximumMm);   ///< `maximumPx` = 0 hides the scale
+    void setLineWidth(double px);   ///< width in device-independent px
     void setCrosshair(const ImageCrosshair& crosshair);
     const ImageCrosshair& crosshair() const;
-    void setMarks(std::vector<ImageMark> marks);   ///< measurements; drawn on top, below the tool
+    void setMarks(std::vector<ImageMark> marks);   ///< sets the measurements, drawn above the tree and below the tool
     const std::vector<ImageMark>& marks() const;
     void setPlacedMarks(std::vector<ImageMark> marks);   ///< vessel locations, arrows and texts, drawn like marks
     const std::vector<ImageMark>& placedMarks() const;
-    void setAbsence(const QString& words);   ///< text shown if there is no image
+    void setAbsence(const QString& words);   ///< sets the text shown without an image
     void takeLookOf(const AngiogramView& other);   ///< copies lines, marks, mirroring, mouse preset; not the content
-    void setCutout(Cutout::Shape shape);   ///< follows the mouse
+    void setCutout(Cutout::Shape shape);   ///< the cutout follows the pointer
     Cutout::Shape cutout() const { return cutout_; }
-    void setOrientationKnown(bool known);   ///< shows letters of the patient's sides at the edges
-    void setFromSource(bool fromSource);   ///< mirrors the display only
+    void setOrientationKnown(bool known);   ///< if known, orientation letters appear at the edges
+    void setFromSource(bool fromSource);   ///< mirrors the display only, not the data
     bool isFromSource() const;
     void fitToWindow();
-    void zoomTo(const ViewRect& part);   ///< image px; adds a margin
-    void showPart(const ViewRect& part);   ///< image px; as large as possible
+    void zoomTo(const ViewRect& part);   ///< `part` in image px; leaves a margin around it
+    void showPart(const ViewRect& part);   ///< `part` in image px; shown as large as possible
     void autoWindowLevel();
     void setWindowLevel(double window, double level);
     core::DisplayRange shownRange() const;
-    ViewRect visiblePart() const;   ///< image px
+    ViewRect visiblePart() const;   ///< visible part of the image, image px
     bool isFitted() const;
     double zoom() const;   ///< device-independent px per image px
     const core::ProjectionCamera& camera() const;
@@ -91,14 +91,14 @@ public:
     QPointF widgetFromImage(const Eigen::Vector2d& imagePoint) const;
 
 signals:
-    void frameStepRequested(int step);   ///< ±1, ±10; INT_MIN: first, INT_MAX: last
+    void frameStepRequested(int step);   ///< ±1 or ±10 frames; INT_MIN is the first frame, INT_MAX the last
     void pointed(const std::optional<Eigen::Vector2d>& imagePx);   ///< mouse position; empty: it left the image
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void backgroundClicked();
-    void roomRequested();   ///< double click not taken by a tool: toggle maximizing
+    void roomRequested();   ///< emitted on a double-click that no tool handles, to toggle maximizing
     void menuRequested(const QPoint& globalPosition, std::optional<int> branchId);
-    void toolChanged();   ///< see `tool`
+    void toolChanged();   ///< `tool` returns the new tool
     void windowLevelChanged(double window, double level);
     void zoomChanged(double zoom);
 
@@ -154,7 +154,7 @@ private:
     void showCursor();
 
     OverlayScene scene_;
-    /// State from which the rendering was made.
+    /// State of scene and view for which the image was rendered.
     struct PictureState {
         OverlayScene::Stamp scene;
         bool isMirrored = false;
@@ -162,15 +162,15 @@ private:
         bool operator==(const PictureState&) const = default;
     };
     OverlayPainter painter_;
-    std::unique_ptr<GlOverlay> gl_;   ///< replaces the painter if VTK rendering was chosen
+    std::unique_ptr<GlOverlay> gl_;   ///< replaces the painter if VTK renders
     bool isRendererKnown_ = false;
     QImage picture_;   ///< angiogram with tree and handles, in device px
-    std::optional<PictureState> drawn_;   ///< empty with a tool, whose strokes change at any time
-    QImage whole_;   ///< with annotations, as painted; null: not drawn since hidden
-    std::vector<QRectF> barsInWhole_;   ///< bars that the annotations avoid
+    std::optional<PictureState> drawn_;   ///< empty while a tool is active, since its strokes change at any time
+    QImage whole_;   ///< image with annotations, as painted; null if not drawn since the view was hidden
+    std::vector<QRectF> barsInWhole_;   ///< areas of the bars when `whole_` was drawn
     QTimer turnTimer_;
     Turn nextTurn_ = Turn::Picture;
-    bool isRedrawDue_ = false;   ///< changed since the last rendering started
+    bool isRedrawDue_ = false;   ///< content changed since the last rendering started
     int renderCount_ = 0;
     std::unique_ptr<Interaction> interaction_;
     Cutout::Shape cutout_ = Cutout::Shape::None;

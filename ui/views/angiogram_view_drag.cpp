@@ -1,4 +1,4 @@
-// Drag handling of AngiogramView: pan, zoom, window/level, frames, or the tool's action.
+// Drags in AngiogramView: pan, zoom, window/level, frames, or the action of the tool.
 #include "ui/views/angiogram_interaction.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double zoomPerDragPx = 1.008;
-constexpr double windowPerDragPx = 1.0 / 300.0;   // share of the current window
+constexpr double windowPerDragPx = 1.0 / 300.0;   // change per px, as a fraction of the current window
 constexpr double framesPerDragPx = 1.0 / 12.0;
 
 }   // namespace

@@ -1,4 +1,4 @@
-// Mouse and keyboard input of AngiogramView; drags are in angiogram_view_drag.cpp, tool input is in
+// Mouse and keyboard input of AngiogramView; drags are in angiogram_view_drag.cpp, input of tools in
 // angiogram_view_tools.cpp.
 #include "ui/views/angiogram_interaction.h"
 
@@ -16,7 +16,7 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double framePickTolerancePx = 7.0;
-constexpr double clickReachPx = 4.0;   // smaller movements count as a click
+constexpr double clickReachPx = 4.0;   // widget px; smaller movements count as a click
 constexpr double frameZoomPerWheelStep = 1.2;
 
 }   // namespace
@@ -61,7 +61,7 @@ void AngiogramView::mouseMoveEvent(QMouseEvent* event)
     i.lastAt = event->position();
 }
 
-/// Requests whole frames and accumulates the fraction.
+/// Requests a step by whole frames and keeps the remaining fraction.
 void AngiogramView::scrollFrames(double frames)
 {
     double& collected = interaction_->wheelSteps;
@@ -132,7 +132,7 @@ std::optional<int> AngiogramView::branchAt(const QPointF& position) const
     return scene_.branchAt(imageFromWidget(position), framePickTolerancePx / zoom());
 }
 
-/// Keyboard only: the mouse opens the menu on release without a drag.
+/// Handles the menu key; with the mouse, the menu opens on releasing the right button without a drag.
 void AngiogramView::contextMenuEvent(QContextMenuEvent* event)
 {
     event->accept();

@@ -1,4 +1,4 @@
-// Annotations drawn over the rendering of AngiogramView.
+// Annotations that AngiogramView draws over its rendering.
 #include "ui/actions/key_hint.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_interaction.h"
@@ -15,13 +15,13 @@
 namespace angiopose::ui {
 namespace {
 
-/// Returns the cutout area in a widget of this size, in widget px; empty without a cutout.
+/// Returns the area of the cutout in widget px; empty without a cutout.
 QPainterPath cutoutPath(const Cutout& cutout, const ImageViewport& viewport, const QSizeF& size)
 {
     QPainterPath path;
     const Eigen::Vector2d at = viewport.widgetFromImage(cutout.at);
     const double width = size.width();
-    constexpr double outside = 4.0;   // keeps widget edges from being drawn as the swipe edge
+    constexpr double outside = 4.0;   // extends beyond the widget, so that only the swipe edge is visible
     const double height = size.height() + 2.0 * outside;
     if (cutout.shape == Cutout::Shape::Disc) {
         const double radius = cutout.radiusPx * viewport.zoom();
@@ -34,10 +34,10 @@ QPainterPath cutoutPath(const Cutout& cutout, const ImageViewport& viewport, con
     return path;
 }
 
-/// Draws the line of the swipe or the ring of the lens, which shows where the overlay ends.
+/// Draws the edge of the swipe or lens, where the overlay ends.
 void paintCutoutEdge(QPainter& painter, const QPainterPath& path)
 {
-    const Palette& tones = palette(ThemeMode::Dark);   // dark background in every theme
+    const Palette& tones = palette(ThemeMode::Dark);   // images have a dark background in every theme
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(toQColor(tones.canvas, 0.6), 3.0));
@@ -97,7 +97,7 @@ void AngiogramView::paintCrosshair(QPainter& painter) const
     }
 }
 
-/// Returns measurements and placed marks together, because their labels must avoid each other and the vessels.
+/// Returns measurements and placed marks in one list, since their labels must avoid each other and the vessels.
 std::vector<ImageMark> AngiogramView::seenMarks() const
 {
     if (!interaction_->hasFrame || (interaction_->tool && interaction_->tool->hidesOverlay())) {
@@ -108,7 +108,7 @@ std::vector<ImageMark> AngiogramView::seenMarks() const
     return all;
 }
 
-/// Paints only the labels; the lines are part of the rendering.
+/// Paints the labels of the marks; `strokeMarks` has already drawn the lines.
 void AngiogramView::paintAllMarks(QPainter& painter) const
 {
     const std::vector<ImageMark> all = seenMarks();
@@ -148,7 +148,7 @@ void AngiogramView::paintAbsence(QPainter& painter) const
 /// Returns the review shortcuts if vessels are shown; they apply to the working image.
 QString AngiogramView::keyText() const
 {
-    constexpr int narrowPx = 360;   // narrower views would clip the line
+    constexpr int narrowPx = 360;   // the text would be clipped in narrower views
     if (interaction_->role == ImageRole::Working && width() >= narrowPx && showsVessels()) {
         return tr("flicker %1 · swipe %2 · hide H · outline %3")
             .arg(keyOf(Command::Flicker), keyOf(Command::Swipe), keyOf(Command::Outline));

@@ -1,4 +1,4 @@
-// Rendering of AngiogramView: drawn in two turns, painted as a copy.
+// Rendering of AngiogramView, drawn in two turns of the event loop and then copied by paintEvent.
 #include "ui/scenes/fill_strokes.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_interaction.h"
@@ -24,7 +24,7 @@ QSize AngiogramView::deviceSize() const
 void AngiogramView::redraw()
 {
     if (!isVisible()) {
-        whole_ = {};   // outdated, must not be shown again
+        whole_ = {};   // discards the outdated image
         return;
     }
     isRedrawDue_ = true;
@@ -52,7 +52,7 @@ void AngiogramView::takeTurn()
     }
 }
 
-/// Draws the angiogram with the tree; false if it is already up to date.
+/// Draws the angiogram with the tree; returns false if the image is already up to date.
 bool AngiogramView::drawPicture()
 {
     const double ratio = devicePixelRatio();
@@ -64,13 +64,13 @@ bool AngiogramView::drawPicture()
     picture_.setDevicePixelRatio(ratio);
     const Canvas canvas{reinterpret_cast<std::uint32_t*>(picture_.bits()), device.width(), device.height()};
     scene_.setLineWidthPx(interaction_->lineWidth * ratio);
-    // At fractional scale factors the rendering has a whole number of pixels, not exactly size × ratio.
+    // At fractional scale factors, the image size is rounded to whole device px and differs from size × ratio.
     scene_.setViewRect(
         interaction_->viewport.imageRectOf({0.0, 0.0}, {device.width() / ratio, device.height() / ratio}));
     const std::optional<PictureState> wanted =
         interaction_->tool ? std::nullopt : std::optional(PictureState{scene_.stamp(), isFromSource()});
     if (wanted && wanted == drawn_ && !isNew) {
-        return false;   // only the annotations changed
+        return false;   // at most the annotations changed
     }
     drawn_ = wanted;
     render(canvas, interaction_->tool ? interaction_->tool->strokes(canvas.height) : StrokeMesh{});
@@ -105,7 +105,7 @@ void AngiogramView::strokeMarks()
     fillStrokes(strokes, canvas.height, canvas);
 }
 
-/// Draws the rendering with all annotations.
+/// Copies the rendering and draws all annotations over the copy.
 void AngiogramView::drawWhole()
 {
     ++renderCount_;

@@ -1,4 +1,4 @@
-// Services of AngiogramView for tools: left button, keys, Esc, and bars at the bottom.
+// Tool support of AngiogramView: left button, keys, Esc, and bars at the bottom.
 #include "ui/views/angiogram_interaction.h"
 
 #include <QKeyEvent>
@@ -47,7 +47,7 @@ void AngiogramView::addBar(QWidget* bar)
     bars->addWidget(bar, 0, Qt::AlignHCenter);
 }
 
-/// One Esc: cancels the drag, then the tool's current action, then ends the tool.
+/// Handles one press of Esc: cancels the drag, or else the current action of the tool, or else ends the tool.
 bool AngiogramView::escape()
 {
     if (cancelDrag()) {
@@ -69,7 +69,7 @@ bool AngiogramView::filterToolKey(QKeyEvent& event)
     const bool isTools = i.tool && i.tool->takesKey(event);
     if (event.type() == QEvent::ShortcutOverride) {
         if (isEscape || isTools) {
-            event.accept();   // delivers the key as KeyPress instead of a shortcut
+            event.accept();   // makes Qt deliver the key as KeyPress instead of triggering a shortcut
         }
         return isEscape || isTools;
     }

@@ -44,7 +44,7 @@ QRectF blockRect(const QSizeF& size, Corner corner, const QStringList& lines, co
     return {x, y, width, height};
 }
 
-/// Elides lines that would exceed the width.
+/// Elides lines that are wider than `widthPx`.
 QStringList fitted(QStringList lines, const QFont& font, double widthPx)
 {
     const QFontMetricsF metrics(font);
@@ -54,7 +54,7 @@ QStringList fitted(QStringList lines, const QFont& font, double widthPx)
     return lines;
 }
 
-/// Moves the block towards the middle if the opposite corner occupies its place.
+/// Moves a block toward the middle of its edge if it would overlap the block `taken`.
 QRectF clearOf(const QRectF& taken, QRectF block, Corner corner)
 {
     constexpr double gap = 6.0;
@@ -72,7 +72,7 @@ struct Block {
     QRectF place;
 };
 
-/// Returns the block if there is room for all lines, otherwise empty.
+/// Returns the laid-out block, or empty if its lines would cover vessels, other items or (at full font size) the image.
 std::optional<Block> placed(const QSizeF& size, Corner corner, const QStringList& lines, const QFont& font,
                             const Ground& ground, const QRectF& taken)
 {
@@ -96,8 +96,8 @@ void paint(QPainter& painter, const Block& block)
     }
 }
 
-/// Lays out all blocks in one font size; empty if one does not fit, unless `mayFold` lets it collapse to one line and
-/// then to nothing.
+/// Lays out all blocks in one font size. If a block does not fit, returns empty, unless `mayFold` is set: then the
+/// block collapses to one line or is omitted.
 std::optional<std::vector<Block>> layOut(const QSizeF& size, const CornerLines& lines, const QFont& font,
                                          const Ground& ground, const QRectF& mode, bool mayFold)
 {

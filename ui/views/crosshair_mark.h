@@ -12,7 +12,7 @@ namespace angiopose::ui {
 /// Paints four short strokes around the linked position, the same in images and 3-D; legible on vessels and panels.
 void paintPlaceMark(QPainter& painter, const QPointF& at, const Palette& tones);
 
-/// Paints the epipolar line of the pointer position in another image; thin, to keep vessels visible.
+/// Paints the epipolar line of a pointer position in another image, thin enough to keep vessels visible.
 void paintEpipolarLine(QPainter& painter, const QLineF& line, const Palette& tones);
 
 }   // namespace angiopose::ui

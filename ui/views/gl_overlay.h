@@ -7,8 +7,8 @@
 
 namespace angiopose::ui {
 
-/// Renders an overlay scene with VTK to pixels, in its own OpenGL context. Use on the UI thread only. No window owns
-/// the context, so a view that moves between windows keeps it.
+/// Renders an overlay scene to pixels with VTK. Use on the UI thread only. The OpenGL context belongs to this object
+/// and not to a window, so it remains valid when a view moves to another window.
 class GlOverlay {
 public:
     GlOverlay();
@@ -18,9 +18,9 @@ public:
 
     bool isReady() const;   ///< false without OpenGL 3.2
 
-    /// Fills the canvas with the scene's view rectangle.
+    /// Draws the view rectangle of the scene over the whole canvas.
     void draw(const OverlayScene& scene, bool isMirrored, const StrokeMesh& above, Canvas canvas);
-    VtkOverlay::Work work() const;   ///< of the last rendering
+    VtkOverlay::Work work() const;   ///< OpenGL workload of the last rendering
 
 private:
     struct Parts;

@@ -9,7 +9,7 @@ namespace {
 
 std::string lettersOf(const Eigen::Vector3d& directionInPatient)
 {
-    constexpr double askew = 0.45;   // smaller components get no letter
+    constexpr double askew = 0.45;   // minimum direction cosine for a second letter
     const std::array<std::pair<double, char>, 3> parts{
         {{std::abs(directionInPatient.x()), directionInPatient.x() > 0.0 ? 'L' : 'R'},
          {std::abs(directionInPatient.y()), directionInPatient.y() > 0.0 ? 'P' : 'A'},

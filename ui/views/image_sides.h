@@ -7,8 +7,8 @@
 
 namespace angiopose::ui {
 
-/// Patient side at each edge of the image: L, R, A, P, H (head), F (feet), or two letters in an oblique view, the
-/// dominant first.
+/// Orientation letters at the edges of the image: L, R, A, P, H (head), F (feet), or two letters in oblique views, the
+/// dominant one first.
 struct ImageSides {
     std::string left, right, top, bottom;
 };

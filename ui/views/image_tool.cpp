@@ -8,7 +8,7 @@ ImageTool::ImageTool(AngiogramView& view) : QObject(&view), view_(view) {}
 
 const Color& ImageTool::tone() const
 {
-    return palette(ThemeMode::Dark).accent;   // dark background in every theme
+    return palette(ThemeMode::Dark).accent;   // images have a dark background in every theme
 }
 
 }   // namespace angiopose::ui

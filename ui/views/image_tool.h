@@ -17,7 +17,7 @@ namespace angiopose::ui {
 
 class AngiogramView;
 
-/// Mouse position.
+/// Pointer position on the angiogram.
 struct ToolPoint {
     QPointF position;   ///< widget px
     Eigen::Vector2d imagePx = Eigen::Vector2d::Zero();
@@ -30,10 +30,10 @@ struct ToolPoint {
 class ImageTool : public QObject {
     Q_OBJECT
 public:
-    explicit ImageTool(AngiogramView& view);   ///< the view also owns the tool
+    explicit ImageTool(AngiogramView& view);   ///< the tool becomes a child of the view
 
     virtual QString caption() const = 0;   ///< current mouse action: one line at the top of the image
-    virtual const Color& tone() const;   ///< color of border and caption; the accent by default
+    virtual const Color& tone() const;   ///< color of border and caption, by default the accent color
     virtual void begin() {}
     virtual void end() {}   ///< discards the current action
 
@@ -41,24 +41,24 @@ public:
     virtual bool startDrag(const ToolPoint&) { return false; }
     virtual void drag(const ToolPoint&) {}
     virtual void finishDrag(const ToolPoint&) {}
-    virtual void cancelDrag() {}   ///< undoes the drag completely
+    virtual void cancelDrag() {}   ///< restores the state before the drag
     virtual bool click(const ToolPoint&) { return false; }
-    virtual bool doubleClick(const ToolPoint&) { return false; }   ///< follows its first click
+    virtual bool doubleClick(const ToolPoint&) { return false; }   ///< called after the click of the first press
     virtual void hover(const ToolPoint&) {}
-    virtual void leave() {}   ///< the mouse left the image
+    virtual void leave() {}   ///< the pointer left the image
 
     virtual bool takesKey(const QKeyEvent&) const { return false; }   ///< takes precedence over window shortcuts
-    virtual void keyPress(const QKeyEvent&) {}   ///< only keys accepted by takesKey
-    virtual bool takeBack() { return false; }   ///< Esc: true if an action was canceled
+    virtual void keyPress(const QKeyEvent&) {}   ///< called only for keys accepted by `takesKey`
+    virtual bool takeBack() { return false; }   ///< called on Esc; true if this canceled an action
 
-    virtual bool picksBranches() const { return true; }   ///< false: branches ignore the mouse
+    virtual bool picksBranches() const { return true; }   ///< if false, branches ignore the mouse
     virtual bool hidesOverlay() const { return false; }   ///< hides tree and traced curves, which would be in the way
     virtual std::optional<QCursor> cursor(bool /*isDragging*/) const { return std::nullopt; }
     virtual StrokeMesh strokes(int /*heightPx*/) const
     {
         return {};
-    }   ///< drawn above the tree; image height and strokes in device px
-    virtual void paint(QPainter&) const {}   ///< widget px, on top of everything
+    }   ///< strokes above the tree, device px; `heightPx` is the image height
+    virtual void paint(QPainter&) const {}   ///< draws in widget px, on top of everything else
 
 protected:
     AngiogramView& view() const { return view_; }

@@ -7,7 +7,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double beyondPicturePx = 64.0;   ///< wider than any stroke
+constexpr double beyondPicturePx = 64.0;   ///< clipping margin, wider than any stroke
 
 StrokeLine inOneTone(const PixelLine& line, const MarkPicture& picture, const Color& tone)
 {

@@ -8,14 +8,14 @@
 
 namespace angiopose::ui {
 
-/// Target of the mark lines: an image in device px, y up.
+/// Image onto which mark lines are drawn, in device px, y up.
 struct MarkPicture {
     Eigen::Vector2d sizePx = Eigen::Vector2d::Zero();
-    double pixelRatio = 1.0;   ///< device px per px at 100 %
+    double pixelRatio = 1.0;   ///< device px per px at 100 % scale
 };
 
-/// Returns the lines of marks as strokes with a colored rim; `placeOf` gives px at 100 %, v down. QPainter's pens take
-/// ten times as long for crossing lines.
+/// Returns the lines of marks as strokes with a colored outline; `placeOf` returns px at 100 % scale, y down. QPainter
+/// would take ten times as long for crossing lines.
 StrokeMesh markStrokes(const std::vector<ImageMark>& marks, const MarkPlace& placeOf, const MarkPicture& picture,
                        const Palette& tones, const Color& rim);
 

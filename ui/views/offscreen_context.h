@@ -8,7 +8,7 @@ namespace angiopose::ui {
 /// OpenGL 3.2 core context without a window. Use on the UI thread only.
 class OffscreenContext {
 public:
-    bool create();   ///< false if the computer or display offers no such context
+    bool create();   ///< false if the computer or display does not support such a context
     bool makeCurrent() { return context_.makeCurrent(&surface_); }
     bool isCurrent() const { return QOpenGLContext::currentContext() == &context_; }
     void doneCurrent() { context_.doneCurrent(); }

@@ -56,7 +56,7 @@ void paintMarks(QPainter& painter, const std::vector<ImageMark>& marks, const Ma
     painter.setFont(sized(painter.font(), 12));
     if (!(ground.width > 0.0)) {
         const double ratio = painter.device()->devicePixelRatioF();
-        const bool isPicture = painter.device()->devType() == QInternal::Image;   // its size is in device px
+        const bool isPicture = painter.device()->devType() == QInternal::Image;   // QImage sizes are in device px
         ground.width = painter.device()->width() / (isPicture ? ratio : 1.0);
         ground.height = painter.device()->height() / (isPicture ? ratio : 1.0);
     }

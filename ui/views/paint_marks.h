@@ -8,25 +8,25 @@ class QPainter;
 
 namespace angiopose::ui {
 
-/// Size of the small parts of marks in a view, widget px.
+/// Size of bars, circles, crosses and arrowheads of marks in a view, widget px.
 inline constexpr double markSizePx = 5.0;
 inline constexpr double markWidthPx = 1.5;   ///< line width
-inline constexpr double markRimWidthPx = 3.6;   ///< line width including the rim on both sides
+inline constexpr double markRimWidthPx = 3.6;   ///< width including the outline on both sides
 inline constexpr double markRimOpacity = 0.6;
 
-/// Background of marks.
+/// Background on which marks are drawn, with the obstacles for their labels.
 struct MarkGround : LabelGround {
-    Palette tones = palette(ThemeMode::Dark);   ///< images have a black background in every theme
-    Color rim = palette(ThemeMode::Dark).canvas;   ///< around lines and letters
-    bool hasLines = false;   ///< lines are already drawn (markStrokes): paints only labels
+    Palette tones = palette(ThemeMode::Dark);   ///< default: images, whose background is black in every theme
+    Color rim = palette(ThemeMode::Dark).canvas;   ///< outline of lines and letters
+    bool hasLines = false;   ///< if true, markStrokes has drawn the lines; only labels are painted
 };
 
-/// Draws marks with their labels; `placeOf` gives widget px. Labels avoid the obstacles of the ground, whose size
-/// defaults to that of the paint device.
+/// Draws marks with their labels; `placeOf` returns widget px. Labels avoid the obstacles in `ground`, whose size
+/// defaults to the size of the paint device.
 void paintMarks(QPainter& painter, const std::vector<ImageMark>& marks, const MarkPlace& placeOf,
                 MarkGround ground = {});
 
-/// Draws a handle at a point that can be dragged.
+/// Draws the handle of a draggable point.
 void paintHandle(QPainter& painter, const Eigen::Vector2d& at, bool isHeld);
 
 }   // namespace angiopose::ui

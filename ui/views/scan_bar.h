@@ -9,14 +9,14 @@ class QToolButton;
 
 namespace angiopose::ui {
 
-/// Bar above the 3-D view: rendering mode and opacity of the scan.
+/// Bar above the 3-D view with the rendering mode and opacity of the scan.
 class ScanBar : public QWidget {
     Q_OBJECT
 public:
     explicit ScanBar(QWidget* parent = nullptr);
 
     void fillMenu(const QList<QAction*>& actions);
-    void showState(const QString& words, bool isShown);   ///< the strength slider is visible while the scan is shown
+    void showState(const QString& words, bool isShown);   ///< `isShown` shows the opacity slider
     void showStrength(double strength);   ///< 0…1; emits no signal
 
 signals:

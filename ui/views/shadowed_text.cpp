@@ -57,8 +57,8 @@ QString keyOfWords(const QFont& font, const QSizeF& size, double ratio, int flag
         .arg(text);
 }
 
-/// Returns the text on a transparent image, with margins for the rim. Cached: texts stay the same while the vessels
-/// move, and laying out and drawing them ten times costs more than all other annotations.
+/// Returns the text on a transparent image with margins for the outline. Cached: the text rarely changes, and laying it
+/// out and drawing its ten passes costs more than all other annotations.
 QImage wordsWithRim(const QFont& font, const QSizeF& size, double ratio, int flags, const QString& text,
                     const QColor& color, const Color& rim)
 {

@@ -8,7 +8,7 @@
 
 namespace angiopose::ui {
 
-inline constexpr double annotationMarginPx = 12.0;   ///< margin between the image edges and the texts on it
+inline constexpr double annotationMarginPx = 12.0;   ///< margin between image edges and text
 
 /// Colors of annotations on the image: those of the dark theme, because the angiogram background is always black.
 const Palette& annotationTones();
@@ -17,8 +17,8 @@ QColor colorOf(const Color& color, double opacity = 1.0);
 
 QFont sized(QFont font, int px);
 
-/// Draws text that is readable on bright and dark backgrounds; `flags` as in QPainter::drawText. `rim` is the color
-/// around it.
+/// Draws text that is readable on bright and dark backgrounds; `flags` as in QPainter::drawText, `rim` is the color of
+/// the outline.
 void drawShadowedText(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color,
                       const Color& rim = annotationTones().canvas);
 

@@ -106,7 +106,7 @@ void TreeView::showPlaces(std::vector<TreePlaceSign> places)
     }
 }
 
-/// Paints the places like image marks, in the colors of the theme.
+/// Paints the labeled places in the same way as image marks, in the colors of the theme.
 void TreeView::paintPlaces(QPainter& painter) const
 {
     const double ratio = devicePixelRatio();
@@ -145,7 +145,7 @@ void TreeView::prepareFrame()
     scene_.setPixelScale(devicePixelRatio());
 }
 
-/// Called after drawing, because framing happens while drawing.
+/// Emits `sightChanged` if the view changed; called after drawing, since drawing may frame the view.
 void TreeView::reportSight()
 {
     constexpr int anyPx = 1'000'000'000;
@@ -290,7 +290,7 @@ void TreeView::keyPressEvent(QKeyEvent* event)
     requestRender();
 }
 
-/// Keyboard only: the mouse opens the menu on release without a drag.
+/// Handles the menu key; with the mouse, the menu opens on releasing the right button without a drag.
 void TreeView::contextMenuEvent(QContextMenuEvent* event)
 {
     event->accept();
@@ -309,7 +309,7 @@ void TreeView::wheelEvent(QWheelEvent* event)
 void TreeView::showEvent(QShowEvent* event)
 {
     VtkView::showEvent(event);
-    seen_ = {};   // no rendering was requested while hidden
+    seen_ = {};   // forces `sightChanged`, since no scan rendering was requested while hidden
 }
 
 void TreeView::leaveEvent(QEvent*)

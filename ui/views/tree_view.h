@@ -8,42 +8,42 @@
 
 namespace angiopose::ui {
 
-/// Labeled place on the vessels in 3-D: a point or a ring.
+/// Labeled place on the vessels in the 3-D view: a point or a ring.
 struct TreePlaceSign {
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();
-    std::vector<Eigen::Vector3d> ringInPatient;   ///< empty: shown as a point
+    std::vector<Eigen::Vector3d> ringInPatient;   ///< the place is a point if empty
     QString label;
 };
 
-/// 3-D view: tree, X-ray source, detector with the image, beam edges, orientation letters. Left drag rotates, middle
-/// drag pans, right drag and wheel zoom, double click requests enlarging. Arrow keys rotate, + and − zoom.
+/// 3-D view of tree, X-ray source, detector with the image, beam edges and orientation letters. Left drag rotates,
+/// middle drag pans, right drag and wheel zoom, a double-click requests enlarging; arrow keys rotate, + and − zoom.
 class TreeView : public VtkView {
     Q_OBJECT
 public:
     explicit TreeView(QWidget* parent = nullptr);
     ~TreeView() override;
 
-    /// Renders every kind of object once off screen: software OpenGL takes 50 ms to compile each program, which is
-    /// better spent before the window appears.
+    /// Renders every kind of object once off screen before the window appears, because software OpenGL takes 50 ms to
+    /// compile each program.
     void warmUp();
 
-    TreeScene& scene() { return scene_; }   ///< call requestRender() after changing it
+    TreeScene& scene() { return scene_; }   ///< call requestRender() after changing the scene
     void setTheme(ThemeMode mode);
-    void nextView();   ///< cycles between everything and only the vessels
+    void nextView();   ///< toggles between everything and only the vessels
     void setCrosshair(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< position shown in the slices
     void setPointed(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< position pointed at in an image
     void showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient,
-                       const std::optional<Eigen::Vector3d>& pendingInPatient);   ///< numbered from 1
-    void showPlaces(std::vector<TreePlaceSign> places);   ///< with labels
+                       const std::optional<Eigen::Vector3d>& pendingInPatient);   ///< landmarks are numbered from 1
+    void showPlaces(std::vector<TreePlaceSign> places);
     void setPickedPivot(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< rotation center of the vessels
 
 signals:
-    void sightChanged();   ///< rotated, moved, zoomed, resized or shown: a new scan rendering is needed
-    void roomRequested();   ///< toggle maximizing
+    void sightChanged();   ///< rotated, moved, zoomed, resized or shown; requires a new scan rendering
+    void roomRequested();   ///< requests maximizing, or restoring the layout
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void backgroundClicked();
-    void pointPicked(const Eigen::Vector3d& pointInPatient);   ///< on the clicked branch
+    void pointPicked(const Eigen::Vector3d& pointInPatient);   ///< carries the picked point on the clicked branch
     void branchMenuRequested(int branchId, const Eigen::Vector3d& pointInPatient, const QPoint& globalPosition);
     void menuRequested(const QPoint& globalPosition, std::optional<int> branchId);
 

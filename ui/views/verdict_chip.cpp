@@ -9,7 +9,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int edgePx = 6;   // distance from the image border
+constexpr int edgePx = 6;   // distance from the image border, px
 constexpr int padPx = 10;
 
 }   // namespace
@@ -31,7 +31,7 @@ void VerdictChip::showVerdict(VerdictTone tone, const QString& words)
     }
     tone_ = tone;
     words_ = words;
-    const Palette& tones = ui::palette(ThemeMode::Dark);   // dark image background in every theme
+    const Palette& tones = ui::palette(ThemeMode::Dark);   // images have a dark background in every theme
     const Color& color = tone == VerdictTone::Good       ? tones.fine
                          : tone == VerdictTone::Doubtful ? tones.attention
                                                          : tones.error;

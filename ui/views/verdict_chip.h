@@ -6,8 +6,8 @@ namespace angiopose::ui {
 
 enum class VerdictTone { Good, Doubtful, Bad };
 
-/// Confidence in the shown pose, always visible at the top center of an image. Transparent for the mouse; text that
-/// does not fit is elided.
+/// Label with the confidence in the displayed pose, always visible at the top center of an image. Transparent for mouse
+/// events; text that does not fit is elided.
 class VerdictChip : public QLabel {
     Q_OBJECT
 public:

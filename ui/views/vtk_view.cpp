@@ -25,7 +25,7 @@ constexpr int frameMs = 16;
 /// Subpixel offsets, in px, of the renderings averaged at rest: one per quarter of a pixel, on four rows and columns.
 const std::array<QPointF, 4> settledShiftsPx{{{-0.125, -0.375}, {0.375, -0.125}, {0.125, 0.375}, {-0.375, 0.125}}};
 
-/// Averages two images of the same size.
+/// Replaces `picture` by the mean of two images of the same size.
 void blendInto(QImage& picture, const QImage& other)
 {
     std::uint8_t* bytes = picture.bits();
@@ -50,7 +50,7 @@ struct VtkView::Glue {
     vtkNew<GlWindow> window;
     enum class State { Untried, Ready, Missing } state = State::Untried;
     int lastRenderMs = 0;
-    qint64 largestPx = 0;   // largest rendering so far, whose buffers OpenGL may still hold
+    qint64 largestPx = 0;   // px of the largest rendering so far, whose buffers OpenGL may still hold
 
     void observe(unsigned long event, void (*reaction)(vtkObject*, unsigned long, void*, void*))
     {
@@ -120,7 +120,7 @@ QSize VtkView::deviceSize() const
 
 void VtkView::requestRender()
 {
-    // Limits this view to half of the time on slow computers: input and angiogram come first.
+    // On slow computers, limits this view to half of the time, in favor of input and the angiogram.
     if (!renderTimer_.isActive()) {
         renderTimer_.start(glue_->lastRenderMs > frameMs ? glue_->lastRenderMs : 0);
     }
@@ -164,11 +164,11 @@ void VtkView::drawDraft()
     settleTimer_.start(250ms);
 }
 
-/// One step: renders the next pass; after the last one, shows the mean of all.
+/// Renders the next of the offset passes; after the last one, shows the mean of all passes.
 void VtkView::settle()
 {
     if (!isVisible() || renderTimer_.isActive() || picture_.size() != deviceSize() || !prepareContext()) {
-        passes_.clear();   // the next draft starts over
+        passes_.clear();   // discards the passes; the next rendering starts over
         return;
     }
     passes_.push_back(drawn(settledShiftsPx[passes_.size()]));
@@ -216,7 +216,7 @@ void VtkView::paintEvent(QPaintEvent*)
     if (picture_.size() == deviceSize()) {
         picture_.setDevicePixelRatio(devicePixelRatio());
         painter.drawImage(QPointF(0.0, 0.0), picture_);
-    } else {   // temporarily: the window's repaint does not wait for VTK
+    } else {   // scaled for now, since repainting does not wait for VTK
         painter.drawImage(rect(), picture_);
         requestRender();
     }

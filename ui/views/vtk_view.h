@@ -12,10 +12,10 @@ class vtkRenderWindow;
 
 namespace angiopose::ui {
 
-/// VTK render window shown by a plain widget: VTK draws off screen, the widget paints the image. A window without an
-/// OpenGL widget needs no composition, which takes as long as a whole frame without a graphics card. requestRender()
-/// schedules a rendering that runs once, after more urgent work. Edges are smoothed when the view comes to rest, by
-/// averaging renderings with subpixel offsets in several short steps that any change interrupts.
+/// VTK view in a plain widget: VTK renders off screen, and the widget paints the image. Without OpenGL widgets, a
+/// window needs no composition, which without a graphics card takes as long as a whole frame. requestRender() schedules
+/// a single rendering after more urgent work. When the view comes to rest, edges are smoothed by averaging renderings
+/// with subpixel offsets, in several short steps that any change interrupts.
 class VtkView : public QWidget {
     Q_OBJECT
 public:
@@ -26,13 +26,13 @@ public:
     vtkRenderWindow* renderWindow() const;
     QSize sizeHint() const override { return {480, 360}; }
     QSize minimumSizeHint() const override { return {80, 80}; }
-    QSize deviceSize() const;   ///< in device pixels
+    QSize deviceSize() const;   ///< size in device pixels
     int renderCount() const { return renderCount_; }
 
 protected:
-    /// Called before VTK draws, to update the scene.
+    /// Called before VTK renders; updates the scene.
     virtual void prepareFrame() {}
-    /// Called after VTK draws, to paint on top in device-independent pixels.
+    /// Called after VTK has rendered; paints on top in device-independent pixels.
     virtual void paintAnnotations(QPainter& painter);
 
     /// Renders once without showing the result.
@@ -53,7 +53,7 @@ private:
     QTimer renderTimer_;
     QTimer settleTimer_;
     QImage picture_;
-    std::vector<QImage> passes_;   ///< renderings at rest so far
+    std::vector<QImage> passes_;   ///< offset renderings completed since the view came to rest
     int renderCount_ = 0;
 };
 

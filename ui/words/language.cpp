@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-/// Registers the resources of the static library; Q_INIT_RESOURCE works only outside any namespace.
+/// Registers the resources of the static library; Q_INIT_RESOURCE must be called outside any namespace.
 static void loadTranslations()
 {
     Q_INIT_RESOURCE(translations);

@@ -6,25 +6,25 @@
 
 namespace angiopose::ui {
 
-/// Codes of the available languages, English first: "en", "de", "zh_CN".
+/// Returns the codes of the available languages, English first: "en", "de", "zh_CN".
 QStringList languages();
 
-/// First of the desktop's languages that is available; English if none is.
+/// Returns the first available language of the desktop's language list; English if none is available.
 QString desktopLanguage();
 
 /// Sets the language of all texts, including Qt's own dialogs; see `speakAgain`.
 void applyLanguage(const QString& code);
 
-/// Language code applied last.
+/// Returns the language code set by the last call of `applyLanguage`.
 QString currentLanguage();
 
-/// Locale for dates and numbers of that language, independent of the desktop; see number.h.
+/// Returns the locale for dates and numbers in the current language, independent of the desktop; see number.h.
 QLocale languageLocale();
 
-/// Joins sentences, with spaces if the language uses them.
+/// Joins sentences, separated by spaces unless a sentence ends with a full-width full stop.
 QString joinedSentences(const QStringList& sentences);
 
-/// Joins names with the comma of the language.
+/// Joins names with the list separator of the language.
 QString joinedNames(const QStringList& names);
 
 }   // namespace angiopose::ui

@@ -15,7 +15,7 @@ QString fromText(const std::string& text)
     return QString::fromStdString(text);
 }
 
-/// Joins sentences, or list items, which have no full stop.
+/// Joins texts as sentences if any ends with a full stop, otherwise as list items.
 QString rowOf(const QStringList& texts)
 {
     const bool areSentences = std::ranges::any_of(
@@ -53,7 +53,7 @@ struct ArgumentWords {
     }
 };
 
-/// Returns the translated sentence with its arguments inserted.
+/// Returns the translated sentence with %1, %2, … replaced by the arguments.
 QString filled(const QString& words, const std::vector<core::MessageArgument>& arguments)
 {
     QString sentence;

@@ -6,18 +6,18 @@
 
 namespace angiopose::ui {
 
-/// Formats numbers for display with the decimal separator of the language and a true minus sign. Files, tables and the
-/// command line always use a point.
+/// Formats a number for display, with the decimal separator of the language and a true minus sign. Files, tables and
+/// the command line always use a decimal point.
 QString numberText(double value, int decimals);
 
-/// Formats with at most `digits` significant digits, without trailing zeros: "0,01", "1000".
+/// Formats a number with at most `digits` significant digits and without trailing zeros, e.g. "0,01" or "1000".
 QString briefNumber(double value, int digits);
 
-/// Parses input with comma or point in any language; empty if it is not a number.
+/// Parses a number typed with a decimal comma or point, in any language; empty if the text is not a number.
 std::optional<double> numberFrom(QString typed);
 
-/// Localizes the decimal separator of texts that contain only numbers, units and angles ("LAO 30.0", "0.31 mm/px");
-/// leaves other texts unchanged, since they may be names.
+/// Replaces the decimal separator by that of the language in texts that contain only numbers, units and angles ("LAO
+/// 30.0", "0.31 mm/px"); leaves other texts unchanged, since they may be names.
 QString withDecimalSign(const QString& text);
 
 /// Formats a local time: "14:32" today, "21 Nov 14:32" otherwise; empty without a time.

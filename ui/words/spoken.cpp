@@ -25,7 +25,7 @@ void setWords(QComboBox& box, const QStringList& choices)
     for (int i = 0; i < choices.size(); ++i) {
         box.setItemText(i, choices[i]);
     }
-    QEvent measuredAgain(QEvent::StyleChange);   // Qt caches the minimum width of the previous text
+    QEvent measuredAgain(QEvent::StyleChange);   // makes Qt discard the cached minimum width of the previous texts
     QApplication::sendEvent(&box, &measuredAgain);
 }
 

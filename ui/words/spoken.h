@@ -11,7 +11,7 @@ class QObject;
 
 namespace angiopose::ui {
 
-/// Notifies all registered objects to update their texts.
+/// Signal that makes all registered objects update their texts.
 class SpokenSignal : public QObject {
     Q_OBJECT
 public:
@@ -27,15 +27,15 @@ signals:
 
 using Words = std::function<QString()>;
 
-/// Calls `say` now, and again whenever the language or the shortcuts change, for the lifetime of `speaker`. Each
-/// repeated call is a separate event, which keeps the window responsive.
+/// Calls `say` now, and again whenever language or shortcuts change, as long as `speaker` exists. Each repeated call is
+/// a separate event, which keeps the window responsive.
 void speak(QObject* speaker, std::function<void()> say);
 
-/// Updates all texts after a change of language or shortcuts.
+/// Updates all texts after the language or shortcuts have changed.
 void speakAgain();
 
-/// Returns the widget with a text that follows the language; the functions below do the same for its tooltip and
-/// accessible name.
+/// Gives a widget a text that follows the language, and returns the widget; the functions below do the same for tooltip
+/// and accessible name.
 template <class Widget>
 Widget* withText(Widget* widget, Words text)
 {
@@ -57,7 +57,7 @@ Widget* withName(Widget* widget, Words name)
     return widget;
 }
 
-/// Replaces the item texts of a combo box and keeps its selection.
+/// Replaces the item texts of a combo box, keeping its selection.
 void setWords(QComboBox& box, const QStringList& choices);
 
 }   // namespace angiopose::ui

@@ -6,11 +6,11 @@
 
 namespace angiopose::ui {
 
-/// Returns the display name of a method, or "by hand".
+/// Returns the display name of a method, or "manual" for an empty ID.
 QString methodWords(const std::string& methodId);
 
-/// Translates a term of core's tables: label, help or choice of an option, summary of a method, stage of a registration
-/// or reason why it ended. Returns other terms unchanged. Sentences are messages, see message_text.h.
+/// Translates a term from the tables of core: label, help or choice of an option, summary of a method, stage of a
+/// registration or stop reason. Returns unknown terms unchanged. For whole sentences, see message_text.h.
 QString termText(std::string_view term);
 QString termText(const QString& term);
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto tableInterval =
-    std::chrono::seconds(1);   // limits how often a table with thousands of rows is rewritten
+    std::chrono::seconds(1);   // minimum interval between rewrites of the tables, which may have thousands of rows
 
 core::Status makeFolder(const std::string& folder)
 {
@@ -27,7 +27,7 @@ core::Status makeFolder(const std::string& folder)
                    : core::Status(core::Done{});
 }
 
-/// Returns the exit code of the worst case: failed, low confidence, done.
+/// Returns the exit code of the worst outcome (from worst to best: failed, low confidence, done).
 int worstOf(const BatchOutcomes& outcomes, const core::Shard& shard)
 {
     int exitCode = exitDone;
@@ -52,7 +52,7 @@ void printOutcome(const BatchOutcome& outcome)
     }
 }
 
-/// Parsed request of a batch.
+/// Parsed batch request.
 struct BatchPlan {
     std::vector<io::BatchEntry> entries;
     io::CaseSettings settings;   ///< common to all rows
@@ -126,11 +126,11 @@ private:
         written_ = Clock::now();
         if (const auto status = writeTables(plan_.folder, plan_.entries, outcomes_, plan_.shard, MissingRows::LeftOut);
             !status) {
-            printMessage(status.error().message.text());   // the outcomes themselves are stored
+            printMessage(status.error().message.text());   // not fatal: the outcomes themselves are stored
         }
     }
 
-    /// Writes the table of this shard, and the table of all shards once the last of them has finished.
+    /// Writes the table of this shard; the last shard to finish also writes the table of all shards.
     core::Status finish() const
     {
         if (auto status = writeTables(plan_.folder, plan_.entries, outcomes_, plan_.shard, MissingRows::LeftOut);

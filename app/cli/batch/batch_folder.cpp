@@ -15,7 +15,7 @@
 namespace angiopose::app {
 namespace {
 
-// Tables of a batch; texts are quoted according to RFC 4180.
+// Writing of batch tables; text fields are quoted according to RFC 4180.
 
 std::string quoted(const std::string& text)
 {
@@ -54,7 +54,7 @@ std::string summaryRow(const io::BatchEntry& entry, const BatchOutcome* outcome)
     return row + "," + quoted(outcome ? outcome->message : messages::batchRowMissing().text()) + "\n";
 }
 
-/// Times.
+/// Columns of computing times, which differ between runs.
 std::string timesHeader()
 {
     return "row,name,read_ms,trace_ms,register_ms,write_ms,finished\n";
@@ -75,7 +75,7 @@ std::string folderOf(const std::string& output, const io::BatchEntry& entry)
     return (fs::path(output) / entry.name).string();
 }
 
-/// Path of the table, one per shard, so shards that share a folder do not overwrite each other's rows.
+/// Returns the path of a table. Each shard has its own, since shards may share a folder.
 std::string tablePath(const std::string& folder, const std::string& stem, const core::Shard& shard)
 {
     const std::string part =

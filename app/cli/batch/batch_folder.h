@@ -12,15 +12,15 @@
 
 namespace angiopose::app {
 
-/// Outcomes of a manifest's rows, in its order; unknown ones are empty.
+/// Outcomes in the order of the manifest's rows; empty where unknown.
 using BatchOutcomes = std::vector<std::optional<BatchOutcome>>;
 
 /// Reads the stored outcomes in a results folder that match these rows and common settings.
 BatchOutcomes outcomesIn(const std::string& folder, const std::vector<io::BatchEntry>& entries,
                          const io::CaseSettings& common);
 
-/// Reads the stored outcomes of several folders with any common settings. Fails if the folders differ in their
-/// settings, and names two of them.
+/// Reads the stored outcomes in several folders, whatever their common settings. Fails if the folders differ in these
+/// settings, and names two that do.
 core::Result<BatchOutcomes> mergedOutcomes(const std::vector<std::string>& folders,
                                            const std::vector<io::BatchEntry>& entries);
 

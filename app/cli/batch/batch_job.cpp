@@ -80,7 +80,7 @@ BatchJob jobOf(const io::BatchEntry& entry, const io::CaseSettings& common, cons
     job.frame = entry.frame;
     job.settings = common.assignments();
     for (const std::string& own :
-         entry.settings.assignments()) {   // appended after the common settings, which they override
+         entry.settings.assignments()) {   // the row's own settings come last and override the common ones
         job.settings.push_back(own);
     }
     job.folder = (std::filesystem::absolute(outputFolder) / entry.name).string();

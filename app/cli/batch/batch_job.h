@@ -10,23 +10,23 @@
 
 namespace angiopose::app {
 
-/// Row of a batch as sent to a worker.
+/// Batch row as sent to a worker.
 struct BatchJob {
     std::string name;
-    std::string casePath;   ///< empty: the two inputs below
+    std::string casePath;   ///< if empty, the two inputs below are used
     std::string vesselsPath;
     std::string angiogramPath;
-    std::string method;   ///< empty: that of the case
-    std::optional<int> frame;   ///< empty: that of the case
-    std::vector<std::string> settings;   ///< "name=value" of io::CaseSettings
-    std::string folder;   ///< output folder of this row alone
-    std::string asked;   ///< everything except the inputs that determines the outcome, as JSON text; see askedOf
+    std::string method;   ///< if empty, the method of the case
+    std::optional<int> frame;   ///< if empty, the frame of the case
+    std::vector<std::string> settings;   ///< "name=value" pairs; see io::CaseSettings
+    std::string folder;   ///< output folder used by this row only
+    std::string asked;   ///< everything that determines the outcome except the inputs, as JSON text; see askedOf
     bool isResumed = false;   ///< keep an existing outcome that is up to date
     bool isWithoutPictures = false;
 };
 
-/// Serializes the request of a row without file locations, so it is the same wherever the manifest is stored. `common`
-/// applies to all rows.
+/// Serializes the request of a row without file locations, so that the text does not depend on where the manifest is
+/// stored. `common` applies to all rows.
 std::string askedOf(const io::BatchEntry& entry, const io::CaseSettings& common);
 
 /// Returns whether two requests describe the same row, regardless of common settings.

@@ -26,7 +26,7 @@ std::string joinedTexts(const core::Messages& messages)
     return text;
 }
 
-/// Writes a figure; NaN and infinity, which JSON numbers cannot represent, become words.
+/// Converts a figure to JSON. NaN and infinity become strings, since JSON numbers cannot represent them.
 OutcomeJson figureJson(double value)
 {
     return std::isfinite(value) ? OutcomeJson(value)

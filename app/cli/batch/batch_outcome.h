@@ -12,16 +12,16 @@
 
 namespace angiopose::app {
 
-/// Times spent on a case; they differ between runs.
+/// Computing times of one case; they differ between runs.
 struct BatchTimes {
-    double readMs = 0.0;   ///< includes tracing the vessels
+    double readMs = 0.0;   ///< includes vessel tracing
     double traceMs = 0.0;   ///< for the displayed frame
     double registerMs = 0.0;
     double writeMs = 0.0;
     std::string finished;   ///< ISO 8601, UTC
 };
 
-/// File of an outcome; path relative to the folder of the case.
+/// Output file of a case; the path is relative to the folder of the case.
 struct WrittenFile {
     std::string path;
     std::uint64_t size = 0;
@@ -35,7 +35,7 @@ struct BatchOutcome {
     std::string method;
     std::size_t viewCount = 0;
     std::vector<double> figures;   ///< in the order of figureNames(); empty if the case has no result
-    std::string message;   ///< warnings of the result, or the reason why there is none
+    std::string message;   ///< warnings of the result, or the reason why there is no result
     std::vector<std::string> notes;   ///< warnings from opening the case
     std::string asked;   ///< see askedOf
     std::vector<io::InputFacts> inputs;

@@ -16,7 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int askedEveryMs = 200;   // interval of checking for an interrupt by the user
+constexpr int askedEveryMs = 200;   // polling interval for an interrupt by the user
 constexpr auto stopPatience = std::chrono::seconds(2);
 
 std::unique_ptr<io::WorkerProcess> startWorker(int threads)
@@ -33,7 +33,7 @@ struct BatchPool::Seat {
     std::unique_ptr<io::WorkerProcess> worker;
     std::optional<std::size_t> job;
     std::optional<Clock::time_point> deadline;
-    bool isFresh = true;   ///< it has not finished any job yet
+    bool isFresh = true;   ///< true until the worker has finished its first job
 };
 
 BatchPool::BatchPool(std::vector<BatchJob> jobs, PoolOptions options) : jobs_(std::move(jobs)), options_(options)
@@ -100,7 +100,7 @@ void BatchPool::give(Seat& seat, std::size_t job)
         seat.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                            std::chrono::duration<double>(*options_.timeLimitSeconds));
     }
-    seat.worker->tell(lineOf(jobs_[job]));   // if the worker has died, its end is noticed when reading from it
+    seat.worker->tell(lineOf(jobs_[job]));   // if the worker has died, the next read from it detects this
 }
 
 void BatchPool::settle(Seat& seat, BatchOutcome outcome)
@@ -138,8 +138,8 @@ void BatchPool::hear(Seat& seat)
     }
 }
 
-/// Handles a worker that ended. An earlier case may have caused it, so the job is repeated in a fresh worker unless the
-/// worker was fresh already.
+/// Handles a worker that ended. The cause may lie in one of its earlier cases, so the job is repeated in a new worker,
+/// unless the ended worker was new itself.
 void BatchPool::lose(Seat& seat)
 {
     const std::string how = seat.worker->end();
@@ -159,7 +159,7 @@ void BatchPool::endLate()
 {
     for (const auto& seat : seats_) {
         if (seat->job && seat->deadline && Clock::now() >= *seat->deadline) {
-            seat->worker.reset();   // kills the process: a hung worker reads no requests
+            seat->worker.reset();   // kills the process, because a hung worker reads no requests
             settle(*seat, abandonedRow(jobs_[*seat->job], "out of time",
                                        messages::batchOutOfTime(
                                            core::Quantity{*options_.timeLimitSeconds, core::Quantity::asNeeded, "s"})));

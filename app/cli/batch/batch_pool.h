@@ -13,8 +13,8 @@ namespace angiopose::app {
 
 struct PoolOptions {
     int workers = 1;
-    int threadsEach = 1;   ///< per worker
-    std::optional<double> timeLimitSeconds;   ///< per case
+    int threadsEach = 1;   ///< threads per worker
+    std::optional<double> timeLimitSeconds;   ///< time limit per case, s
 };
 
 /// Pool of worker processes that each run cases one after the other. A worker that crashes, or is killed at the time

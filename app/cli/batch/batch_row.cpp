@@ -54,7 +54,7 @@ core::Result<core::Case> openRow(const BatchJob& job, core::Messages& warnings)
     return session;
 }
 
-/// Lists the input files of the row; if the case could not be opened, the files that it names.
+/// Lists the input files of the row. If the case could not be opened, lists the files that the row names.
 std::vector<io::InputFacts> inputsOf(const BatchJob& job, const core::Case* opened)
 {
     std::vector<core::InputFile> files;
@@ -137,7 +137,7 @@ BatchOutcome begunOutcome(const BatchJob& job)
     return outcome;
 }
 
-/// Waits until no other program writes into the folder; the outcome of that program is then found there.
+/// Waits until no other process writes into the folder; the outcome of that process can then be read from the folder.
 void waitForTurn(const io::HeldFile& folder)
 {
     using namespace std::chrono_literals;

@@ -5,12 +5,12 @@
 
 namespace angiopose::app {
 
-/// Registers one row of a batch, with all views of its case jointly, and writes the outputs of `register` into its
-/// folder, the outcome last. Any failure becomes the outcome. Empty if stopped: files written so far are then not an
-/// outcome.
+/// Registers one batch row, with all views of its case jointly, and writes the outputs of `register` into the folder of
+/// the row, the outcome last. Any failure becomes the outcome. Returns an empty value if stopped; the files written so
+/// far then count as no outcome.
 std::optional<BatchOutcome> doRow(const BatchJob& job);
 
-/// Creates the outcome of a row whose worker ended, and removes its files.
+/// Creates the outcome of a row whose worker ended early, and removes the files of that row.
 BatchOutcome abandonedRow(const BatchJob& job, const std::string& status, const core::Message& why);
 
 }   // namespace angiopose::app

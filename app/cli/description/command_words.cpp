@@ -20,7 +20,7 @@ std::vector<std::string> splitAtCommas(const std::string& text)
     return parts;
 }
 
-/// Lists the choices of options that CLI11 does not know because their values are validated later.
+/// Lists the allowed values of options that the program validates itself, so CLI11 does not know them.
 std::vector<std::string> choicesByName(const std::string& name)
 {
     std::vector<std::string> choices;
@@ -42,7 +42,7 @@ std::vector<std::string> choicesByName(const std::string& name)
     return choices;
 }
 
-/// Parses the choices, which CLI11 writes as "TEXT:{minimum,maximum}".
+/// Parses the allowed values, which CLI11 writes as "TEXT:{minimum,maximum}".
 std::vector<std::string> choicesIn(const std::string& value)
 {
     const std::size_t open = value.find('{');
@@ -52,7 +52,7 @@ std::vector<std::string> choicesIn(const std::string& value)
                : splitAtCommas(value.substr(open + 1, close - open - 1));
 }
 
-/// Removes a repeated type, as in "INT:INT in [1 - 9]".
+/// Removes a repeated type name, e.g. from "INT:INT in [1 - 9]".
 std::string withoutEcho(const std::string& value)
 {
     const std::size_t colon = value.find(':');

@@ -8,15 +8,15 @@ namespace angiopose::app {
 
 /// Option or operand of a command, as shown by `--help`.
 struct OptionWords {
-    std::vector<std::string> names;   ///< "-h", "--help"; for an operand its only name: "CASE"
-    std::string value;   ///< type of the value: "INT in [1 - 200]"; empty for flags
+    std::vector<std::string> names;   ///< e.g. "-h", "--help"; an operand has one name, e.g. "CASE"
+    std::string value;   ///< type of the value, e.g. "INT in [1 - 200]"; empty for flags
     std::string help;
     std::vector<std::string> choices;   ///< allowed values; empty if not known
     bool isRequired = false;
     bool mayRepeat = false;
 
     bool isFlag() const { return value.empty(); }
-    bool isFile() const { return choices.empty() && value.starts_with("TEXT"); }   ///< its value may be a file
+    bool isFile() const { return choices.empty() && value.starts_with("TEXT"); }   ///< true if the value may be a file
 };
 
 /// Command as described in the man page and the completions.

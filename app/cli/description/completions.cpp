@@ -32,7 +32,7 @@ std::string bashCommands(const ProgramWords& program)
     return joinedBySpaces(names);
 }
 
-/// Writes the completions for options with a value; options without known choices complete files.
+/// Writes the completions for options with a value. For options without known choices, files are completed.
 void writeBashValues(std::ostream& out, const CommandWords& command)
 {
     for (const OptionWords& option : command.options) {
@@ -124,7 +124,7 @@ void writeFishOption(std::ostream& out, const std::string& condition, const Opti
     out << " -d " << fishQuoted(option.help) << "\n";
 }
 
-/// Escapes text inside single quotes, where a colon or a bracket would end the field.
+/// Escapes text for a single-quoted zsh field, which an unescaped colon or bracket would end.
 std::string zshEscaped(const std::string& text)
 {
     std::string out;
@@ -140,7 +140,7 @@ std::string zshEscaped(const std::string& text)
     return out;
 }
 
-/// Returns the completion of a value, such as ":TEXT:(a b)".
+/// Returns the completion of a value, e.g. ":TEXT:(a b)".
 std::string zshValue(const OptionWords& option, const std::string& called)
 {
     std::string action = option.isFile() ? "_files" : " ";

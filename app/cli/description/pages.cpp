@@ -5,7 +5,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Escapes text for roff: hyphens stay copyable, and a leading dot or apostrophe is not read as a request.
+/// Escapes text for roff: keeps hyphens copyable and prevents a leading dot or apostrophe from being read as a request.
 std::string escaped(const std::string& text)
 {
     std::string out;
@@ -52,7 +52,7 @@ void writeOption(std::ostream& out, const OptionWords& option)
         << (option.mayRepeat && help.find("repeated") == std::string::npos ? " (may be repeated)" : "") << "\n";
 }
 
-/// Writes the footer line by line; a line with a word followed by two spaces becomes a list item.
+/// Writes the footer line by line. A line with a word followed by two spaces becomes a list item.
 void writeFooter(std::ostream& out, const std::string& footer)
 {
     std::istringstream lines(footer);
@@ -83,7 +83,7 @@ void writeCommand(std::ostream& out, const std::string& program, const CommandWo
         writeOption(out, operand);
     }
     for (const OptionWords& option : command.options) {
-        if (option.names.back() != "--help") {   // common to all commands and described once
+        if (option.names.back() != "--help") {   // the same for all commands, described once elsewhere
             writeOption(out, option);
         }
     }
@@ -130,7 +130,7 @@ void writeSection(std::ostream& out, const std::string& program, const CommandWo
         writeRow(out, operand);
     }
     for (const OptionWords& option : command.options) {
-        if (option.names.back() != "--help") {   // common to all commands and described once
+        if (option.names.back() != "--help") {   // the same for all commands, described once elsewhere
             writeRow(out, option);
         }
     }

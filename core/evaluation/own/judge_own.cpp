@@ -19,7 +19,7 @@ double meanOf(const std::vector<double>& values)
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Distances in px from the projected points to their pixels; infinite behind the source.
+/// Returns the distances in px from the projected points to their pixels; infinite for points behind the source.
 std::vector<double> pixelDistances(const OwnCase& own, const RigidTransform& pose)
 {
     std::vector<double> distances;
@@ -30,7 +30,7 @@ std::vector<double> pixelDistances(const OwnCase& own, const RigidTransform& pos
     return distances;
 }
 
-/// Mean distance in mm from the points to the rays through their pixels.
+/// Returns the mean distance in mm from the points to the rays through their pixels.
 double meanRayDistanceMm(const OwnCase& own, const RigidTransform& pose)
 {
     std::vector<double> distances;

@@ -21,7 +21,7 @@ struct OwnTruth {
     std::optional<RigidTransform> cameraFromPatient;
     std::vector<Eigen::Vector3d> landmarksInPatient;   ///< targets of mTRE and mRPD; empty: the tree's, see targetsOf
     std::vector<PointPair> pairs;
-    /// In addition to a reference pose: the true positions of non-rigidly displaced vessels, see Truth.
+    /// Optional, in addition to a reference pose: true positions of non-rigidly displaced vessels (see Truth).
     std::shared_ptr<const VesselTree> deformedTree;
 };
 
@@ -37,13 +37,13 @@ struct OwnCase {
     OwnTruth truth;
 };
 
-/// Computes the errors of a method's result, or of the initial pose without a result. A reference pose gives all errors
-/// (ALGORITHMS §4.5), those of the deformed tree if the true vessel positions are known. With point pairs only, PR is
-/// the distance of a projected point to its pixel, mRPD the distance of the point to the ray through its pixel, and
-/// depth errors (mTRE, angles) stay unknown.
+/// Computes the errors of a method's result, or of the initial pose if there is no result. A reference pose gives all
+/// errors (ALGORITHMS §4.5), including those of the deformed tree if the true vessel positions are known. With point
+/// pairs only, PR is the distance of a projected point to its pixel and mRPD the distance of the point to the ray
+/// through its pixel; mTRE and angle errors stay unknown.
 RunRecord judgeOwn(const OwnCase& own, const std::optional<RegistrationResult>& result);
 
-/// Same for a pose found by other means; its confidence is unknown.
+/// Does the same for a pose found by other means; the confidence is unknown.
 RunRecord judgeOwn(const OwnCase& own, const RigidTransform& found);
 
 }   // namespace angiopose::core

@@ -37,7 +37,7 @@ ObserverMean meanOf(const std::vector<Measures>& readings)
     return result;
 }
 
-/// Means of one measure, by image and observer.
+/// Returns the means of one measure by image and observer.
 std::map<std::string, std::map<std::string, double>> byImage(const std::vector<ObserverMean>& means,
                                                              std::size_t measure)
 {

@@ -13,9 +13,9 @@ namespace angiopose::core {
 /// A finished trial in which an observer registered the vessels to an image manually.
 struct ObserverReading {
     std::string observer;
-    std::string image;   ///< key of case, image and frame, the same for all their trials
+    std::string image;   ///< key of case, image and frame, the same for all trials of that image
     RigidTransform cameraFromPatient;   ///< final pose set by the observer
-    RigidTransform centerCameraFromPatient;   ///< pose before the trial, to which readings of the image are relative
+    RigidTransform centerCameraFromPatient;   ///< pose before the trial, the reference for all readings of the image
     Eigen::Vector3d pivotInPatient = Eigen::Vector3d::Zero();   ///< centroid of the tree
 };
 
@@ -28,8 +28,8 @@ struct PoseMeasure {
 };
 const std::array<PoseMeasure, poseMeasureCount>& poseMeasures();
 
-/// Mean and variance, for each measure, of an observer's repeated readings of one image, relative to the pose before
-/// the first trial of that image.
+/// Mean and variance of each measure over an observer's repeated readings of one image, relative to the pose before the
+/// first trial of that image.
 struct ObserverMean {
     std::string observer;
     std::string image;
@@ -45,36 +45,36 @@ std::vector<ObserverMean> observerMeans(const std::vector<ObserverReading>& read
 struct Repeatability {
     int images = 0;
     int readings = 0;
-    double within = 0.0;   ///< standard deviation within an image
-    double coefficient = 0.0;   ///< 1.96 √2 × `within`: two readings differ by less in 95 of 100 cases
+    double within = 0.0;   ///< within-image standard deviation
+    double coefficient = 0.0;   ///< 1.96 √2 × `within`: 95 % of all pairs of readings differ by less
 };
 std::optional<Repeatability> repeatabilityOf(const std::vector<ObserverMean>& means, const std::string& observer,
                                              std::size_t measure);
 
-/// Differences between two observers' means in the images that both read (Bland and Altman 1986), first minus second.
+/// Differences, first minus second, between two observers' means in the images that both read (Bland and Altman 1986).
 struct LimitsOfAgreement {
     std::vector<Eigen::Vector2d> points;   ///< (mean of both, difference), one per image
     double bias = 0.0;
     double deviation = 0.0;   ///< standard deviation of the differences
     double biasError = 0.0;   ///< standard error of the bias
-    double limitError = 0.0;   ///< standard error of a limit of agreement, √(3/n) of the deviation
+    double limitError = 0.0;   ///< standard error of a limit of agreement: √(3/n) times `deviation`
 
     double lower() const { return bias - 1.96 * deviation; }
     double upper() const { return bias + 1.96 * deviation; }
 };
-/// Returns nothing if both have fewer than two images in common.
+/// Returns nothing if the observers have fewer than two images in common.
 std::optional<LimitsOfAgreement> agreementOf(const std::vector<ObserverMean>& means, const std::string& first,
                                              const std::string& second, std::size_t measure);
 
-/// Reproducibility between observers: the standard deviation of their means within an image, pooled over the images
-/// read by more than one of them.
+/// Reproducibility between observers: the standard deviation of the observers' means of an image, pooled over the
+/// images that more than one observer read.
 struct Reproducibility {
     int images = 0;
     double between = 0.0;
 };
 std::optional<Reproducibility> reproducibilityOf(const std::vector<ObserverMean>& means, std::size_t measure);
 
-/// Returns the names of the observers, sorted.
+/// Returns the sorted names of the observers.
 std::vector<std::string> observersOf(const std::vector<ObserverMean>& means);
 
 }   // namespace angiopose::core

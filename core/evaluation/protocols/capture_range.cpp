@@ -57,7 +57,7 @@ const std::vector<CaptureSetting>& captureSettings()
     return rows;
 }
 
-/// A scalable displacement about the centroid (OBJ).
+/// Displacement about the centroid (OBJ) along a fixed direction, scaled by a factor.
 struct Displacement {
     Eigen::Vector3d omega;
     Eigen::Vector3d shift;
@@ -81,14 +81,14 @@ Displacement drawDisplacement(CounterRandom& random)
     return unit;
 }
 
-/// Returns the initial pose along the drawn displacement whose mTRE is `wantedMm`. mTRE grows with the displacement, so
-/// bisection finds it.
+/// Returns the initial pose with an mTRE of `wantedMm` along the drawn displacement. Bisection works because the mTRE
+/// grows with the displacement.
 RigidTransform startAt(double wantedMm, const SharedPhantom& phantom, const Displacement& unit)
 {
     const RigidTransform& truth = phantom.scene.trueCameraFromPatient;
     const std::vector<Eigen::Vector3d> targets = targetsOf(*phantom.tree);
     double low = 0.0;
-    double high = std::numbers::pi / unit.omega.norm();   // half a turn
+    double high = std::numbers::pi / unit.omega.norm();   // rotation by 180°
     for (int halving = 0; halving < 50; ++halving) {
         const double scale = 0.5 * (low + high);
         const RigidTransform pose = unit.applied(truth, phantom.centroid, scale);

@@ -42,7 +42,7 @@ constexpr int trustAnatomies = 6;
 constexpr std::uint64_t trustSeeds = 1000;
 constexpr std::uint64_t otherTreesFrom = 500;   // offset of the tree seeds within an experiment
 
-/// Modification of a clinical case that makes methods fail, or should.
+/// Modification of a clinical case that makes methods fail, or should make them report low confidence.
 enum class Mischief { None, OtherTree, Mirrored, FarStart, HalfOutside };
 
 struct TrustSetting {
@@ -91,7 +91,7 @@ ImageF mirrored(ImageF image)
     return image;
 }
 
-/// Returns the window of the given size whose top-left pixel is (left, top).
+/// Returns the crop of the given size whose top-left pixel is (left, top).
 ImageF cutOut(const ImageF& image, int left, int top, int width, int height)
 {
     ImageF part(width, height);
@@ -119,8 +119,8 @@ void cutHalf(SimulatedCase& view, CounterRandom& random)
     view.camera.height = height;
 }
 
-/// Moves the initial pose about the tree's centroid: a rotation, a lateral shift and a shift along the ray, each in a
-/// random direction.
+/// Displaces the initial pose by a rotation about the tree's centroid, a lateral shift and a shift along the ray, each
+/// in a random direction.
 void startFarOff(SimulatedCase& view, CounterRandom& random)
 {
     const Eigen::Vector3d centroid = centroidInPatient(view.tree);
@@ -134,7 +134,7 @@ void startFarOff(SimulatedCase& view, CounterRandom& random)
     view.initialCameraFromPatient = {rotation, truth * centroid + shift - rotation * centroid};
 }
 
-/// Replaces the tree by another one whose centroid lies at the same initial position.
+/// Replaces the tree with another one and keeps the initial position of the centroid.
 void replaceTree(SimulatedCase& view, std::uint64_t treeSeed)
 {
     const Eigen::Vector3d centroid = centroidInPatient(view.tree);

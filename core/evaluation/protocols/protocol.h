@@ -15,35 +15,35 @@ namespace angiopose::core {
 struct Condition {
     std::string id;   ///< used in files and on the command line: "cam-2-5"
     std::string title;   ///< used in tables
-    bool isStandard = true;   ///< included when no condition is requested
+    bool isStandard = true;   ///< whether the condition is included when none is requested
 };
 
-/// Makes trial number `trial`, which is the same for every method, thread and shard.
+/// Makes trial number `trial`; the trial does not depend on the method, the thread or the shard.
 using TrialMaker = std::function<Trial(std::uint64_t trial)>;
 
-/// Criterion of success.
+/// Success criterion of a registration.
 enum class Success { ProjectionWithin5Px, RayDistanceWithin2Mm, ProjectionWithin1Px };
 
 /// One protocol of ALGORITHMS §4.
 struct Protocol {
     std::string_view id;
-    std::string_view summary;   ///< one sentence
+    std::string_view summary;   ///< description in one sentence
     std::uint64_t defaultTrials = 0;   ///< trials per condition
-    int anatomyCount = 1;   ///< trial k shows anatomy k mod anatomyCount
+    int anatomyCount = 1;   ///< number of anatomies; trial k shows anatomy k mod anatomyCount
     Success success = Success::ProjectionWithin5Px;
     std::vector<Condition> conditions;
     TrialMaker (*prepare)(std::size_t condition, std::uint64_t seed) = nullptr;
 };
 
-/// Returns the protocols that make their own trials.
+/// Returns the protocols that generate their own trials.
 std::span<const Protocol> protocols();
 
 /// Returns the protocol with this id, or null. "own" has no conditions and makes no trials; both come from its runs.
 const Protocol* findProtocol(std::string_view id);
 
-/// Returns the indices of the conditions in a comma-separated list of ids or id prefixes that end at a dash ("clean"
-/// selects "clean-0-1", …); the standard conditions if the list is empty. Fails naming the request that matches no
-/// condition.
+/// Parses a comma-separated list of condition ids or id prefixes that end at a dash ("clean" selects "clean-0-1", …)
+/// and returns the indices of the conditions; for an empty list, those of the standard conditions. The error names the
+/// request that matches no condition.
 Result<std::vector<std::size_t>> conditionsFrom(const Protocol& protocol, const std::string& requests);
 
 }   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 namespace angiopose::core {
 
-/// Random streams of an experiment, one per protocol, so that draws of one protocol never shift those of another.
+/// Random streams of an experiment, one per protocol. Draws of one protocol never shift those of another.
 enum ProtocolNumber : std::uint64_t {
     toyNumber = 1,
     simulationNumber,
@@ -20,7 +20,7 @@ Protocol robustnessProtocol();
 Protocol clinicalProtocol();
 Protocol captureRangeProtocol();
 Protocol trustProtocol();
-Protocol ownProtocol();   ///< takes its conditions from its runs
+Protocol ownProtocol();   ///< its conditions come from the runs
 
 template <class Setting>
 std::vector<Condition> conditionsOf(const std::vector<Setting>& settings)

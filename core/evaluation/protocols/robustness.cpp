@@ -74,7 +74,7 @@ const std::vector<RobustnessSetting>& robustnessSettings()
     return rows;
 }
 
-/// Draws a twist with the norms of the setting, in the camera frame.
+/// Draws a random motion in the camera frame whose rotation angle and shift length are those of the setting.
 RigidTransform disturbance(const RobustnessSetting& setting, CounterRandom random)
 {
     Vector6d twist;

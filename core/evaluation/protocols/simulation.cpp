@@ -10,16 +10,16 @@ namespace {
 constexpr int simulationAnatomies = 10;
 
 enum class Pivot { Centroid, Source, SourceByNorm };   ///< OBJ, CAM, and CAM with fixed norm (ALGORITHMS §4.2)
-/// Exact projections of the tree's points, the same curves resampled, or curves degraded as tracing would.
+/// Exact projections of the tree's points, the same curves resampled, or curves with simulated tracing errors.
 enum class Target { Exact, Resampled, Degraded };
 
 struct SimulationSetting {
     Condition condition;
     Pivot pivot = Pivot::Centroid;
-    double rotationStdDeg = 0.0;   ///< per axis, or of the whole rotation
-    double translationStdMm = 0.0;   ///< per axis, or of the whole shift
+    double rotationStdDeg = 0.0;   ///< per axis; for `SourceByNorm`, the angle of the whole rotation
+    double translationStdMm = 0.0;   ///< per axis; for `SourceByNorm`, the length of the whole shift
     Target target = Target::Resampled;
-    double depthStdMm = 0.0;   ///< additional shift in depth
+    double depthStdMm = 0.0;   ///< standard deviation of an additional shift in depth
 };
 
 const std::vector<SimulationSetting>& simulationSettings()

@@ -13,8 +13,8 @@ constexpr double tiltDeg = 30.0;
 constexpr double shiftMm = 1.0;
 const Eigen::Vector3d middle(7.5, 0.0, 12.5);
 
-/// The square as printed, in one plane with the source, or tilted out of that plane (variants T-A and T-B of ALGORITHMS
-/// §4.1).
+/// `Literal`: the square as printed, coplanar with the source; `Tilted`: tilted out of that plane (variants T-A and T-B
+/// of ALGORITHMS §4.1).
 enum class SquareView { Literal, Tilted };
 
 struct ToySetting {
@@ -24,7 +24,7 @@ struct ToySetting {
     SquareView view = SquareView::Tilted;
 };
 
-/// Adds one row per number of points.
+/// Adds one setting per number of points.
 void addToySettings(const std::string& variant, const std::string& disturbance, const ToySetting& like,
                     std::vector<ToySetting>& rows)
 {
@@ -52,7 +52,7 @@ const std::vector<ToySetting>& toySettings()
     return rows;
 }
 
-/// Makes the published square: four edges of length 5 in the plane y = 0. Neighboring edges share their corner.
+/// Makes the published square: four edges of length 5 in the plane y = 0. Neighboring edges share a corner.
 VesselTree makeSquare(int segmentsPerEdge)
 {
     const std::array<Eigen::Vector3d, 4> corners{Eigen::Vector3d(5, 0, 10), {10, 0, 10}, {10, 0, 15}, {5, 0, 15}};
@@ -84,7 +84,7 @@ Phantom makeToy(const ToySetting& setting)
     toy.camera = {520.0, 520.0, 512.0, 512.0, 1024, 1024};
     toy.trueCameraFromPatient = poseOf(setting.view);
     toy.exactTarget = projectTree(toy.tree, toy.camera, toy.trueCameraFromPatient);
-    toy.target = toy.exactTarget;   // the experiment varies the number of points
+    toy.target = toy.exactTarget;   // not resampled: the experiment varies the number of points
     return toy;
 }
 

@@ -13,7 +13,7 @@ constexpr double agreeing = 2.0;   ///< factor, up or down, within which a figur
 constexpr std::string_view startsAsLength = "exact-cam-norm-2-5";
 constexpr std::string_view startsPerAxis = "exact-cam-2-5";
 
-/// The paper's measures of one method: PR to the nearest target point, in mm at the depth of the centroid.
+/// Errors of one method measured as in the paper: PR to the nearest target point, in mm at the depth of the centroid.
 struct Measured {
     int grossCount = 0;
     int count = 0;
@@ -40,14 +40,14 @@ bool isNear(double measured, double published)
     return measured <= agreeing * published && agreeing * measured >= published;
 }
 
-/// Whether the failure rate is compatible, by its confidence interval, with half to twice the published rate.
+/// Whether the confidence interval of the failure rate overlaps the range from half to twice the published rate.
 bool failsAsOften(const Measured& measured, double publishedShare)
 {
     const Interval interval = wilsonInterval(measured.grossCount, measured.count);
     return interval.low <= agreeing * publishedShare && agreeing * interval.high >= publishedShare;
 }
 
-/// Returns "yes", or "no: mean, p95" with the figures outside half to twice the published ones.
+/// Returns "yes", or "no: mean, p95" with the names of the figures outside half to twice the published values.
 std::string agreementCell(const Measured& measured, const PublishedErrors& published)
 {
     std::string outside;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double demandedRate = 0.95;
 
-/// Returns all bins of the protocol, including those that were not run.
+/// Returns all bins of the protocol for one kind of target, including those that were not run.
 std::vector<Condition> binsOf(const RunGroups& groups, const std::string& target)
 {
     std::vector<Condition> bins;
@@ -20,7 +20,7 @@ std::vector<Condition> binsOf(const RunGroups& groups, const std::string& target
     return bins;
 }
 
-/// Returns "5-6" for "clean-5-6".
+/// Returns the mTRE range of a bin, "5-6" for "clean-5-6".
 std::string rangeOf(const Condition& bin, const std::string& target)
 {
     return bin.id.substr(target.size() + 1);
@@ -37,7 +37,7 @@ bool hasRun(const RunGroups& groups, const Condition& bin)
                                [&](const std::string& method) { return groups.of(bin, method).count() > 0; });
 }
 
-/// Returns "Not run: 3-4, 60-65." for the bins of a table; empty if all were run.
+/// Returns a note such as "Not run: 3-4, 60-65 mm." about the bins of a table; empty if all were run.
 std::string missingNote(const RunGroups& groups, const std::vector<Condition>& bins, const std::string& target)
 {
     std::string missing;
@@ -49,8 +49,8 @@ std::string missingNote(const RunGroups& groups, const std::vector<Condition>& b
     return missing.empty() ? "" : missing + " mm.";
 }
 
-/// Returns the upper edge of the last bin for which it and all lower bins succeed often enough: "0" if the first bin
-/// fails, with a leading "≥" if the next bin was not run.
+/// Returns the upper edge of the last bin up to which every bin reaches `demandedRate`: "0" if the first bin fails,
+/// with a leading "≥" if the next bin was not run.
 std::string captureRangeCell(const RunGroups& groups, const std::vector<Condition>& bins, const std::string& target,
                              const std::string& method)
 {

@@ -35,10 +35,10 @@ std::vector<std::string> clinicalCells(const std::string& method, const RunGroup
             fixedText(successes.mean(&RunRecord::nees), 1)};
 }
 
-/// Counts the pairs of methods that rank, by the median, in the order published in the paper.
+/// Returns a note on how many pairs of methods have medians in the order published in the paper.
 std::string orderNote(const RunGroups& groups, const Condition& condition)
 {
-    std::vector<std::pair<double, double>> medians;   // ours, published
+    std::vector<std::pair<double, double>> medians;   // (ours, published)
     for (const std::string& method : groups.methods()) {
         const RunGroup& group = groups.of(condition, method);
         if (const auto published = publishedInVivo(method); published && group.count() > 0) {

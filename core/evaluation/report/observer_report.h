@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// Makes the tables of repeatability, reproducibility and pairwise agreement of the observers; empty if no image was
-/// read twice.
+/// Makes the tables of repeatability, reproducibility and pairwise agreement of the observers; returns none if no image
+/// was read twice.
 std::vector<ResultTable> observerTables(const std::vector<ObserverReading>& readings);
 
 /// Makes the Bland–Altman plots for each measure and each pair of observers with at least two images in common.

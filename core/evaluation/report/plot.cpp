@@ -30,7 +30,7 @@ constexpr DrawnError drawnProjectionDistance{"cumulative", "mean projection dist
 constexpr DrawnError drawnRayDistance{"cumulative-mrpd", "distance to the rays (mRPD), mm", &RunRecord::mrpdMm};
 constexpr DrawnError drawnTargetError{"cumulative-mtre", "target registration error (mTRE), mm", &RunRecord::mtreMm};
 
-/// Returns a step function: the share of registrations at or below each error.
+/// Returns a step function: the percentage of registrations at or below each error.
 PlotSeries cumulativeSeries(const std::string& method, const RunGroup& group, RunValue value)
 {
     std::vector<double> errors = group.values(value);
@@ -71,7 +71,7 @@ void addRate(const Protocol& protocol, const RunGroup& group, PlotSeries& series
     series.bands.push_back({100.0 * interval.low, 100.0 * interval.high});
 }
 
-/// Returns the success rate in bins with equal numbers of initial poses.
+/// Returns the success rate with its interval for each nonempty bin, over the mean initial mTRE of the bin.
 PlotSeries successSeries(const Protocol& protocol, const std::string& method, const std::vector<RunGroup>& bins)
 {
     PlotSeries series{method, {}, {}};
@@ -135,7 +135,7 @@ Plot successPlot(const RunGroups& groups, const Condition& condition)
     return plot;
 }
 
-/// Plots all bins of the capture range for one kind of target.
+/// Plots the success rate over all bins of the capture range for one kind of target.
 Plot capturePlot(const RunGroups& groups, const std::string& target, const std::string& title)
 {
     Plot plot = emptySuccessPlot(groups, target, title);
@@ -152,7 +152,7 @@ Plot capturePlot(const RunGroups& groups, const std::string& target, const std::
     return plot;
 }
 
-/// Returns the median over the runs after each report; a finished run keeps its last value.
+/// Returns the median error over the runs at each progress report; a finished run keeps its last value.
 PlotSeries convergenceSeries(const std::string& method, const RunGroup& group)
 {
     std::size_t longest = 0;

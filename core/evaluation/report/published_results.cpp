@@ -59,7 +59,7 @@ std::optional<PublishedRobustness> publishedRobustness(std::string_view conditio
         std::string_view method;
         PublishedRobustness value;
     };
-    // The block pruned at 10 mm repeats the other one and is omitted (decision 6).
+    // The paper prints the same values for the pruned 10 mm block as for another block, so it is omitted (decision 6).
     static constexpr std::array rows{
         Row{"full-5-2", "nicp", {0.578, 0.407, 5.00}},
         Row{"full-5-2", "nicp-alternating", {0.355, 0.203, 3.31}},

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 
 // Figures printed in the paper (DynaWeightPnP, Song and Ghaffari), with corrected labels (ALGORITHMS §2, decisions 5–7
-// and §4). NaN where it prints nothing usable.
+// and §4). NaN marks figures that are missing or unusable in the paper.
 
 struct PublishedErrors {
     double grossPercent, meanMm, p75Mm, p95Mm, timeMs;
@@ -19,7 +19,7 @@ struct PublishedInVivo {
 };
 std::optional<PublishedInVivo> publishedInVivo(std::string_view methodId);
 
-/// Means over P1–P6.
+/// Means over the trees P1–P6.
 struct PublishedRobustness {
     double closestMedianPx, angleDeg, seedDistanceMm;
 };

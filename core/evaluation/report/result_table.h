@@ -7,7 +7,7 @@
 
 namespace angiopose::core {
 
-/// A table for readers; io writes it as Markdown and LaTeX.
+/// A table for the report; io writes it as Markdown and LaTeX.
 struct ResultTable {
     struct Row {
         std::vector<std::string> cells;   ///< one per column

@@ -23,7 +23,7 @@ public:
 
     int count() const { return static_cast<int>(runs_.size()); }
     const std::vector<const RunRecord*>& runs() const { return runs_; }
-    /// Returns the known values, including infinite ones.
+    /// Returns the known values of the runs (NaN is unknown), including infinite ones.
     std::vector<double> values(RunValue value) const;
     double quantile(RunValue value, double fraction) const;
     double median(RunValue value) const { return quantile(value, 0.5); }
@@ -42,7 +42,7 @@ public:
     explicit RunGroups(const RunSet& runs);
 
     const Protocol& protocol() const { return *protocol_; }
-    /// Returns the conditions that occur, in the protocol's order, or sorted by id if the protocol has none.
+    /// Returns the conditions present in the runs, in the protocol's order, or sorted by id if the protocol has none.
     const std::vector<Condition>& conditions() const { return conditions_; }
     int anatomyCount() const { return anatomyCount_; }   ///< the protocol's, or the runs' if it makes no trials
     const std::vector<std::string>& methods() const { return methods_; }   ///< in order of appearance

@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Ratio of the root mean square error to the Cramér–Rao bound, over the runs without gross failure.
+/// Returns the ratio of the root mean square error to the Cramér–Rao bound, over the runs without gross failure.
 std::string boundRatioCell(const RunGroup& group)
 {
     double squares = 0.0;
@@ -47,7 +47,7 @@ std::vector<std::string> simulationCells(const std::string& method, const RunGro
             boundRatioCell(group)};
 }
 
-/// States the mean error of the initial poses.
+/// Returns a note with the mean error of the initial poses.
 std::string startNote(const RunGroups& groups, const Condition& condition)
 {
     const auto ran = std::find_if(groups.methods().begin(), groups.methods().end(),

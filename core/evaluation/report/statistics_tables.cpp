@@ -11,14 +11,14 @@ namespace angiopose::core {
 namespace {
 
 constexpr double sameMm = 1e-6;   // smaller differences are rounding errors
-constexpr int fewestAnatomies = 6;   // with fewer, even N wins out of N are not significant at 5 %
+constexpr int fewestAnatomies = 6;   // with fewer anatomies, not even N wins out of N are significant at 5 %
 
 RunValue comparedValue(const Protocol& protocol)
 {
     return protocol.success == Success::RayDistanceWithin2Mm ? &RunRecord::mrpdMm : &RunRecord::meanMm;
 }
 
-/// The quantile of a tree's trials that is compared.
+/// The quantile by which the trials of one tree are compared.
 struct ComparedQuantile {
     const char* name;
     double fraction;
@@ -31,7 +31,7 @@ bool comparesByAnatomy(const RunGroups& groups)
     return groups.anatomyCount() >= fewestAnatomies;
 }
 
-/// Returns the differences, first minus second: by anatomy if there are enough anatomies, otherwise by trial.
+/// Returns the paired differences, first minus second: by anatomy if there are enough anatomies, otherwise by trial.
 std::vector<double> differences(const RunGroups& groups, const RunGroup& ours, const RunGroup& theirs, double fraction)
 {
     const RunValue value = comparedValue(groups.protocol());

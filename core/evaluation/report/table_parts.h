@@ -6,39 +6,39 @@
 #include <string>
 #include <vector>
 
-// Parts from which tablesOf() builds the tables, and helpers that their layouts share.
+// Table groups from which tablesOf() builds the report, and helpers shared by their layouts.
 
 namespace angiopose::core {
 
 std::vector<ResultTable> toyTables(const RunGroups& groups);
 std::vector<ResultTable> simulationTables(const RunGroups& groups);
-std::vector<ResultTable> asPublishedTables(const RunGroups& groups);   ///< simulation in the paper's measure
+std::vector<ResultTable> asPublishedTables(const RunGroups& groups);   ///< simulation results, measured as in the paper
 std::vector<ResultTable> robustnessTables(const RunGroups& groups);
 std::vector<ResultTable> clinicalTables(const RunGroups& groups);
 std::vector<ResultTable> captureRangeTables(const RunGroups& groups);
 std::vector<ResultTable> trustTables(const RunGroups& groups);
 std::vector<ResultTable> ownTables(const RunGroups& groups);
-std::vector<ResultTable> statisticsTables(const RunGroups& groups);   ///< paired comparisons, any protocol
+std::vector<ResultTable> statisticsTables(const RunGroups& groups);   ///< paired comparisons; for any protocol
 std::vector<ResultTable> ablationTables(const RunGroups& groups);   ///< if the settings of DynaWeightPnP were varied
 std::vector<ResultTable> timeTables(const RunGroups& groups);
 
-/// Returns the method id, "dynaweight" for "dynaweight:seed_mean".
+/// Returns the method id of a label, for example "dynaweight" for "dynaweight:seed_mean".
 std::string methodIdOf(const std::string& label);
 
-/// Whether the label is the last one of its method; the published row follows it.
+/// Whether the label is the last one of its method, after which the published row is inserted.
 bool isLastOfItsMethod(const std::vector<std::string>& labels, std::size_t index);
 
-/// Returns "12.5 [10.1, 15.2]": the share in % of the runs for which `holds` is true and its 95 % interval,
+/// Returns "12.5 [10.1, 15.2]": the percentage of the runs for which `holds` is true and its 95 % interval,
 /// bootstrapped over trees with all their trials (clusteredInterval); "–" if there are no runs.
 std::string shareCell(const RunGroup& group, const std::function<bool(const RunRecord&)>& holds);
 
-/// Returns the share, "95 %"; "–" if `whole` is zero.
+/// Returns `part` as a percentage of `whole`, such as "95 %"; "–" if `whole` is zero.
 std::string percentCell(int part, int whole);
 
 /// Returns the median absolute depth error of the centroid.
 double medianDepthMm(const RunGroup& group);
 
-/// Returns a row of the paper's figures: its label, then the cells, padded with dashes to the table's width.
+/// Returns a row with the paper's figures: the label, then the cells, padded with dashes to the table's width.
 ResultTable::Row publishedRow(const ResultTable& table, const std::string& label, std::vector<std::string> cells);
 
 }   // namespace angiopose::core

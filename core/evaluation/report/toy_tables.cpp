@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Returns 44 for "b1-44".
+/// Returns the number of points of a condition, 44 for "b1-44".
 int pointsOf(const Condition& condition)
 {
     int points = 0;
@@ -63,7 +63,7 @@ ResultTable errorTable(const RunGroups& groups, const std::string& variant, cons
     return table;
 }
 
-/// Fills each column with "3 of 20": the number of runs for which `holds` is true.
+/// Fills each column with the number of runs for which `holds` is true, such as "3 of 20".
 ResultTable countTable(const RunGroups& groups, const std::string& variant, ResultTable table,
                        const std::function<bool(const RunRecord&)>& holds)
 {
@@ -95,7 +95,7 @@ ResultTable failureTable(const RunGroups& groups, const std::string& variant, co
                       [rule](const RunRecord& run) { return !isSuccess(rule, run); });
 }
 
-/// The square as printed projects to a single line, which determines no pose.
+/// Makes the tables of the square as printed, which projects onto a single line and does not determine the pose.
 std::vector<ResultTable> literalTables(const RunGroups& groups)
 {
     const std::string title = "as printed, shift of 1";

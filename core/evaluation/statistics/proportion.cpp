@@ -13,7 +13,7 @@ namespace {
 constexpr int bootstrapDraws = 2000;
 constexpr std::uint64_t bootstrapSeed = 1;
 
-/// Returns the shares of trees drawn with replacement.
+/// Returns the success rates of bootstrap samples, each drawn from the trees with replacement.
 std::vector<double> drawnShares(const std::vector<ClusterCount>& trees)
 {
     CounterRandom random(bootstrapSeed);

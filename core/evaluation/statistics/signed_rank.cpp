@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t largestExactCount = 50;
 
-/// Returns twice the mid-ranks by absolute value, which are integers even for ties.
+/// Returns twice the mid-ranks by absolute value; doubling keeps them integers even for ties.
 std::vector<int> doubledRanks(const std::vector<double>& differences)
 {
     std::vector<std::size_t> order(differences.size());
@@ -27,7 +27,7 @@ std::vector<int> doubledRanks(const std::vector<double>& differences)
             ++to;
         }
         for (std::size_t k = from; k < to; ++k) {
-            ranks[order[k]] = static_cast<int>(from + 1 + to);   // twice the mean of the ranks (from + 1) … to
+            ranks[order[k]] = static_cast<int>(from + 1 + to);   // twice the mean of the ranks from + 1, …, to
         }
         from = to;
     }
@@ -54,11 +54,11 @@ double normalBelow(double z)
     return 0.5 * std::erfc(-z / std::numbers::sqrt2);
 }
 
-/// Tail probabilities of the doubled rank sum.
+/// Tail probabilities of the doubled rank sum under the null hypothesis.
 struct Tails {
-    double below = 1.0;   ///< P(this value or smaller)
-    double above = 1.0;   ///< P(this value or larger)
-    double z = 0.0;   ///< standard normal deviate of `below`, with opposite sign
+    double below = 1.0;   ///< P(this sum or smaller)
+    double above = 1.0;   ///< P(this sum or larger)
+    double z = 0.0;   ///< standard normal quantile of `below` with the sign reversed
 };
 
 Tails exactTails(const std::vector<int>& ranks, int doubledSum)
@@ -78,7 +78,7 @@ Tails normalTails(const std::vector<int>& ranks, int doubledSum)
     }
     const double sum = 0.5 * doubledSum;
     const double std = std::sqrt(variance);
-    const double z = (mean - sum - 0.5) / std;   // defined even if its probability underflows
+    const double z = (mean - sum - 0.5) / std;   // stays finite even if its probability underflows
     return {normalBelow(-z), normalBelow((mean - sum + 0.5) / std), z};
 }
 
@@ -103,7 +103,7 @@ SignedRankTest signedRankTest(const std::vector<double>& differences)
     test.rankSum = 0.5 * doubledSum;
     test.pLess = tails.below;
     test.pTwoSided = std::min(1.0, 2.0 * std::min(tails.below, tails.above));
-    // From 42 exact pairs that all agree, the quotient exceeds 1.
+    // The quotient exceeds 1 from 42 exactly tested pairs on if all differences have the same sign.
     test.effectSize = std::clamp(tails.z / std::sqrt(static_cast<double>(test.count)), -1.0, 1.0);
     return test;
 }

@@ -4,17 +4,17 @@
 
 namespace angiopose::core {
 
-/// Wilcoxon's signed-rank test of paired differences (ALGORITHMS §4.6): zeros are dropped, ties share their mean rank.
-/// Exact up to 50 differences, above that a normal approximation with tie and continuity correction.
+/// Wilcoxon's signed-rank test of paired differences (ALGORITHMS §4.6). Zeros are dropped and ties get their mean rank.
+/// Exact for up to 50 differences; above that, a normal approximation with tie and continuity correction.
 struct SignedRankTest {
     int count = 0;   ///< number of nonzero differences
     double rankSum = 0.0;   ///< W: rank sum of the positive differences ("ours minus theirs": ours is worse)
     double pLess = 1.0;   ///< P(W or smaller) if neither side is better; one-sided, small for negative differences
     double pTwoSided = 1.0;
-    double effectSize = 0.0;   ///< r = Φ⁻¹(1 − pLess)/√count, −1…1
+    double effectSize = 0.0;   ///< r = Φ⁻¹(1 − pLess)/√count, in −1…1
 };
 
-/// Runs the test. NaN differences are a caller error; infinities of one sign rank as the largest.
+/// Runs the test. Infinite differences of one sign get the largest ranks; NaN is not allowed.
 SignedRankTest signedRankTest(const std::vector<double>& differences);
 
 /// Returns the Hodges–Lehmann estimate of the shift: the median of the means of all pairs, including each value paired

@@ -10,8 +10,8 @@
 
 namespace angiopose::core {
 
-/// Returns the distance in px from every projected tree point to the nearest traced point, per branch id, in the order
-/// of the branch. Infinite for points at or behind the source; empty if nothing was traced.
+/// Returns, for every branch id, the distances in px from the branch's projected points to the nearest traced point, in
+/// the order of the points. Infinite for points at or behind the source; empty if nothing was traced.
 std::map<int, std::vector<double>> branchDistances(const VesselTree& tree, const Centerline2d& target,
                                                    const ProjectionCamera& camera,
                                                    const RigidTransform& cameraFromPatient);

@@ -25,8 +25,8 @@ std::vector<std::string> split(const std::string& text, char separator)
     return parts;
 }
 
-/// Returns "preset=seed_mean" for "seed_mean": the only option of the method that has a choice of this name. "on" is
-/// not the name of a choice.
+/// Returns "preset=seed_mean" for "seed_mean" if exactly one option of the method has a choice with this name. "on"
+/// does not count as a choice name.
 Result<std::string> assignmentOf(const std::string& setting, const std::string& method)
 {
     std::vector<std::string> found;
@@ -46,11 +46,11 @@ std::vector<std::string> allMethods()
     std::vector<std::string> requests;
     for (const MethodInfo& info : methodInfos()) {
         if (info.id == "wire") {
-            continue;   // no trial shows a guidewire alone
+            continue;   // no trial shows only a guidewire
         }
         requests.emplace_back(info.id);
         if (info.id == "dynaweight") {
-            requests.emplace_back("dynaweight:seed_noprior");   // shows the cost of the prior
+            requests.emplace_back("dynaweight:seed_noprior");   // for comparison: shows the effect of the prior
         }
     }
     return requests;

@@ -15,20 +15,20 @@ namespace angiopose::core {
 struct Contestant {
     std::string label;   ///< as requested: "angiopose", "dynaweight:seed_noprior", …
     RegistrationOptions options;
-    bool choosesSpacing = false;   ///< whether the request sets resampling; otherwise the trial does
+    bool choosesSpacing = false;   ///< whether the request sets the resampling; otherwise the trial determines it
 };
 
-/// Parses "method", followed by settings after colons: "key=value", or only the name of a choice that a single option
-/// of the method has ("dynaweight:seed_noprior:rotationFirst=off"). Fails naming the unknown part.
+/// Parses a method id followed by settings, separated by colons: "key=value", or only the name of a choice if a single
+/// option of the method has it ("dynaweight:seed_noprior:rotationFirst=off"). The error names the unknown part.
 Result<Contestant> contestantFrom(const std::string& request);
 
-/// Parses requests separated by commas. Groups: "all" is every method with its defaults except the one for guidewires,
-/// plus DynaWeightPnP without its prior; "ablation" is the settings of ALGORITHMS §2: {preset} × {rotation first} ×
-/// {alternation} of DynaWeightPnP.
+/// Parses requests separated by commas. The group "all" stands for every method with its defaults, except the one for
+/// guidewires, plus DynaWeightPnP without its prior. The group "ablation" stands for the settings of ALGORITHMS §2:
+/// {preset} × {rotation first} × {alternation} of DynaWeightPnP.
 Result<std::vector<Contestant>> contestantsFrom(const std::string& requests);
 
-/// Returns the options for one trial: published point-to-point solvers use exact targets without resampling, so exact
-/// correspondences exist; everything else is resampled.
+/// Returns the options for one trial: published point-to-point solvers use exact targets without resampling, which
+/// gives exact correspondences; all other methods use resampled targets.
 RegistrationOptions optionsFor(const Contestant& contestant, bool targetIsExact);
 
 enum class KeepHistory { No, Yes };

@@ -10,7 +10,7 @@ namespace {
 
 using PixelJacobian = Eigen::Matrix<double, 2, 6>;
 
-/// d(pixel)/d(rotation, shift) of a point rotated about `center` and shifted, in camera axes.
+/// Returns the derivative d(pixel)/d(rotation, shift) of a point rotated about `center` and shifted, in camera axes.
 PixelJacobian pixelJacobian(const ProjectionCamera& camera, const Eigen::Vector3d& pointInCamera,
                             const Eigen::Vector3d& center)
 {

@@ -12,7 +12,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Distance from `point` to the line through the source and `onRay`, in the camera frame.
+/// Returns the distance from `point` to the line through the source and `onRay`, in the camera frame.
 double distanceToRay(const Eigen::Vector3d& point, const Eigen::Vector3d& onRay)
 {
     const Eigen::Vector3d direction = onRay.normalized();

@@ -29,8 +29,8 @@ struct RunRecord {
     double startMtreMm = unknownMeasure;
     double startAngleDeg = unknownMeasure;
     // Output of the method
-    double hasResult = 0.0;   ///< 1 or 0
-    double trustworthy = 0.0;   ///< 1 or 0
+    double hasResult = 0.0;   ///< 1 if the method returned a result, otherwise 0
+    double trustworthy = 0.0;   ///< 1 if the result is rated as reliable, otherwise 0
     double iterations = 0.0;
     double closestMedianPx = unknownMeasure;   ///< the seed's "TRE": distance of tree points to nearest target point
     double closestMeanPx = unknownMeasure;   ///< the seed's "PR", as its figures show

@@ -9,20 +9,20 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double toleranceScalePx = 2.0;   // scale at which hypotheses are compared (ALGORITHMS §6.8)
+constexpr double toleranceScalePx = 2.0;   // Welsch scale at which hypotheses are compared (ALGORITHMS §6.8)
 constexpr std::size_t pointStride = 2;
 constexpr std::size_t maxPoints = 4000;
 constexpr int agreementCellPx = 3;
 
-// Agreement of a partly opacified tree.
+// Parameters of the agreement score for a partly opacified tree.
 constexpr double filledAgreement =
-    0.35;   // pieces that agree less count as unopacified: chance gives 0.1, vessels give 0.6 to 1
+    0.35;   // segments with lower agreement count as unopacified: chance yields 0.1, true matches 0.6 to 1
 constexpr double changeCostMm =
-    6.0;   // length of vessel evidence needed before a piece differs in state from its neighbors
+    6.0;   // vessel length needed as evidence before a segment's state may differ from its neighbors
 constexpr double minTerritoryMm = 15.0;
 constexpr double costOfTerritory = 0.02;
 
-/// Share of the tree points that lie along traced vessels.
+/// Returns the fraction of the tree points that lie along traced vessels.
 double shareOn(const Alignment& alignment, const CentroidPose& pose)
 {
     const double missing = alignment.loss(pose, toleranceScalePx) / (2.0 * toleranceScalePx * toleranceScalePx);

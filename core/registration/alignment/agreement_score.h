@@ -10,26 +10,26 @@ namespace angiopose::core {
 
 /// Agreement of a pose with the image when parts of the tree may be unopacified.
 struct FilledAgreement {
-    double agreement = 0.0;   ///< agreement of the opacified parts, reduced for every unopacified territory; 0…1
-    std::vector<std::uint8_t> isOpacified;   ///< per piece of the tree, see AgreementScore::filling
+    double agreement = 0.0;   ///< agreement of the opacified parts, 0…1; each unopacified territory reduces it
+    std::vector<std::uint8_t> isOpacified;   ///< one per tree segment (see AgreementScore::filling)
 };
 
-/// Scores how well a pose explains the image in both directions: the share of the tree that lies along traced vessels
-/// and the share of the traced vessels that the tree explains. Neither shrinking the tree nor covering a single vessel
-/// raises both.
+/// Scores how well a pose explains the image in both directions, from the fraction of the tree that lies along traced
+/// vessels and the fraction of the traced vessels that the tree explains. Neither shrinking the tree nor covering a
+/// single vessel raises both fractions.
 class AgreementScore {
 public:
-    /// If the user chose auxiliary branches {p'}, they count as much as the whole tree.
+    /// If the user selected auxiliary branches {p'}, gives them the same weight as the whole tree.
     AgreementScore(const RegistrationProblem& problem, const TargetLines& target);
 
-    /// Harmonic mean of the two shares, 0…1.
+    /// Returns the harmonic mean of the two fractions, 0…1.
     double of(const CentroidPose& pose);
 
-    /// Same score when the contrast agent need not opacify the whole tree (ALGORITHMS §6.17): whole territories that
-    /// match no traced vessel are excluded from both shares.
+    /// Returns the same score if the contrast agent may have opacified only part of the tree (ALGORITHMS §6.17):
+    /// territories that match no traced vessel are excluded from both fractions.
     FilledAgreement ofFilled(const CentroidPose& pose);
 
-    /// Pieces of the tree.
+    /// Returns the segmentation of the tree between bifurcations; built on first use.
     const VesselFilling& filling();
 
 private:
@@ -39,7 +39,7 @@ private:
     double coveredTargetShare() const;
 
     const TreeSamples& tree_;
-    std::size_t stride_;   ///< stride of the tree points in points_
+    std::size_t stride_;   ///< stride at which points_ samples the tree points
     std::vector<AlignmentPoint> points_;
     ProjectionCamera camera_;
     const TargetLines* target_;
@@ -47,9 +47,9 @@ private:
     Alignment all_;
     std::optional<Alignment> chosen_;
     std::optional<VesselFilling> filling_;   ///< created on first use
-    std::vector<int> pieceOfPoint_;   ///< piece of each point in points_
+    std::vector<int> pieceOfPoint_;   ///< segment index of each point in points_
     std::vector<double> pointAgreement_;
-    std::vector<std::uint8_t> covered_;   ///< image cells near a projected point
+    std::vector<std::uint8_t> covered_;   ///< 1 for image cells near a projected tree point
     int columns_ = 0;
     int rows_ = 0;
 };

@@ -7,8 +7,8 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double agreeingGate = 0.5;   // within 33°
-constexpr double cutOff = 4.0;   // beyond 4 ℓ the Welsch weight is below 4e-4 and is ignored
+constexpr double agreeingGate = 0.5;   // cos⁴ of 33°: directions within this angle agree
+constexpr double cutOff = 4.0;   // in units of ℓ; beyond it the Welsch weight is below 4e-4 and is ignored
 
 bool isInImage(const ProjectionCamera& camera, const Eigen::Vector2d& pixel)
 {
@@ -16,7 +16,7 @@ bool isInImage(const ProjectionCamera& camera, const Eigen::Vector2d& pixel)
            pixel.y() <= camera.height - 0.5;
 }
 
-/// Adds w r² to the model; fills only the lower triangle of its Hessian.
+/// Adds w r² to the model; fills only the lower triangle of the Hessian.
 inline void addRow(double weight, double residual, const Vector6d& J, NormalEquations& sum)
 {
     const Vector6d weighted = weight * J;
@@ -33,9 +33,9 @@ inline void addRow(double weight, double residual, const Vector6d& J, NormalEqua
 /// Target line matched to a tree point.
 struct Alignment::Match {
     const TargetLines::Line* line = nullptr;
-    double du, dv;   ///< offset from the line point to the tree point
-    double normalX, normalY;   ///< normal of the line
-    double residual;   ///< distance along the normal
+    double du, dv;   ///< vector from the line point to the projected tree point, px
+    double normalX, normalY;   ///< unit normal of the line
+    double residual;   ///< signed distance along the normal, px
     double squaredDistance;
     double gate;   ///< cos⁴ of the angle between the directions
 
@@ -51,7 +51,7 @@ struct Alignment::Match {
     void compare(const PointInCamera& seen)
     {
         const double cosine = seen.su * line->tx + seen.sv * line->ty;
-        // The normal points to the same side of the branch whichever way the curve was traced.
+        // Orients the normal to the same side of the branch, whether the curve was traced forward or backward.
         const double side = cosine < 0.0 ? -1.0 : 1.0;
         normalX = -side * line->ty;
         normalY = side * line->tx;
@@ -93,7 +93,7 @@ inline bool Alignment::match(const AlignmentPoint& point, const CentroidPose& po
     return true;
 }
 
-/// d(residual) / d(log of the focal length, cx px, cy px).
+/// Returns d(residual) / d(log focal length, cx px, cy px).
 inline Eigen::Vector3d Alignment::cameraGradient(const PointInCamera& seen, const Match& found) const
 {
     const double along = found.normalX * (seen.u - camera_.cx) + found.normalY * (seen.v - camera_.cy);

@@ -17,8 +17,8 @@ struct Agreement {
 
 /// Contribution of one point to the normal equations; weight 0 where no line is near.
 struct ResidualRow {
-    Eigen::Vector3d fromCentroid = Eigen::Vector3d::Zero();   ///< mm, camera axes
-    Vector6d gradient = Vector6d::Zero();   ///< with respect to the step (rad, mm)
+    Eigen::Vector3d fromCentroid = Eigen::Vector3d::Zero();   ///< offset from the centroid in camera axes, mm
+    Vector6d gradient = Vector6d::Zero();   ///< derivative of the residual with respect to the pose step (rad, mm)
     Eigen::Vector3d cameraGradient = Eigen::Vector3d::Zero();   ///< with respect to the camera error, see CameraError
     double residual = 0.0;   ///< px across the vessel, signed consistently along a branch
     double weight = 0.0;
@@ -33,24 +33,24 @@ public:
 
     Agreement evaluate(const CentroidPose& pose, double scalePx) const;
 
-    /// Overload that reuses an agreement; allocates nothing after the first call.
+    /// Overload that reuses the buffers of `agreement` and allocates nothing after the first call.
     void evaluate(const CentroidPose& pose, double scalePx, Agreement& agreement) const;
 
-    /// Same, but also matches in the other direction (ALGORITHMS §6.6 b): every target line attracts the branch closest
-    /// to it, which makes the whole image count and not only the parts nearest to some tree point.
+    /// Like evaluate, but also matches target lines to the tree (ALGORITHMS §6.6 b): every target line attracts its
+    /// closest branch, which makes the whole image count instead of only the lines nearest to a tree point.
     void searchBothDirections(const CentroidPose& pose, double scalePx, Agreement& agreement);
 
-    /// Loss without the equations.
+    /// Returns the loss only, without building the normal equations.
     double loss(const CentroidPose& pose, double scalePx) const;
 
-    /// Collects the terms of the normal equations point by point.
+    /// Collects the contribution of each point to the normal equations.
     void collectRows(const CentroidPose& pose, double scalePx, std::vector<ResidualRow>& rows) const;
 
-    /// Sets the visibility of the branches to their mean weights (§6.7).
+    /// Sets the visibility of each branch to its mean weight (§6.7).
     void setVisibility(const Agreement& agreement) { visibility_ = agreement.branchWeight; }
     void resetVisibility() { std::fill(visibility_.begin(), visibility_.end(), 1.0); }
 
-    /// Agreement of each point with the target at the given scale, 0…1, independent of the visibility of its branch;
+    /// Collects the agreement of each point with the target at the given scale, 0…1, regardless of branch visibility;
     /// NaN outside the image.
     void collectAgreement(const CentroidPose& pose, double scalePx, std::vector<double>& agreement) const;
 
@@ -83,8 +83,8 @@ private:
     std::vector<AlignmentPoint> points_;
     ProjectionCamera camera_;
     const TargetLines* target_;
-    std::vector<double> visibility_;   ///< per branch, 0…1
-    std::vector<double> pointCount_;   ///< per branch, at least 1
+    std::vector<double> visibility_;   ///< visibility of each branch, 0…1
+    std::vector<double> pointCount_;   ///< number of points of each branch, at least 1
     double spreadMm_ = 0.0;
     Buffers buffers_;
 };
@@ -92,7 +92,7 @@ private:
 /// Final scale of a refinement in standard deviations of the residuals (ALGORITHMS §6.5).
 inline constexpr double scalePerNoise = 1.5;
 
-/// Variance of the residuals that corresponds to a scale; weights the prior.
+/// Returns the residual variance implied by a Welsch scale; used to weight the prior against the data.
 inline double noiseVariance(double scalePx)
 {
     return scalePx * scalePx / (scalePerNoise * scalePerNoise);

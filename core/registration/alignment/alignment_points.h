@@ -14,9 +14,9 @@ std::size_t strideFor(std::size_t count, std::size_t wanted);
 /// Every `stride`-th tree point.
 std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, std::size_t stride = 1);
 
-/// Selects the informative tree points: points of a branch closer than `informativeSpacingPx` to the previous one are
-/// skipped. The target is sampled about every pixel; points in between add no information, and neighbors would count
-/// the same displacement many times.
+/// Selects the informative tree points by skipping points closer than `informativeSpacingPx` to the previous point of
+/// their branch. The target is sampled about once per pixel; denser tree points would count the same displacement
+/// several times.
 inline constexpr double informativeSpacingPx = 1.5;
 std::vector<AlignmentPoint> informativePoints(const TreeSamples& tree, double mmPerPx,
                                               double spacingPx = informativeSpacingPx);

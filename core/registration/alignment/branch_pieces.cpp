@@ -21,7 +21,7 @@ public:
         }
     }
 
-    /// Calls `visit(number)` for all points within the search radius.
+    /// Calls `visit(number)` for every point within the search radius.
     template <class Visit>
     void visitNear(const Eigen::Vector3d& place, const Visit& visit) const
     {
@@ -55,17 +55,17 @@ private:
 };
 
 struct Span {
-    std::size_t from, to;   ///< points of one branch
+    std::size_t from, to;   ///< point range of one branch, [from, to)
 };
 
-/// Branches of a tree, or curves of an image.
+/// Branches of a tree or traced curves of an image.
 struct Curves {
     const std::vector<Eigen::Vector3d>& points;
     const std::vector<int>& index;   ///< curve index of each point
     double touching;
 };
 
-/// Junction where a branch passes or ends.
+/// Point at which a branch is cut by a junction.
 struct Cut {
     std::size_t at;   ///< index of the tree point
     int junction;
@@ -83,7 +83,7 @@ std::vector<Span> spansOf(const Curves& curves)
     return spans;
 }
 
-/// Nearest point of each branch that passes near a place.
+/// Returns, for each branch that passes near a position, its nearest point.
 std::vector<std::size_t> passingPoints(const Curves& curves, const PointCubes& cubes, const Eigen::Vector3d& place)
 {
     std::map<int, std::pair<double, std::size_t>> nearest;
@@ -187,7 +187,7 @@ private:
     Curves curves_;
     std::vector<Span> spans_;
     std::vector<Eigen::Vector3d> places_;   ///< positions of the junctions
-    std::vector<Cut> cuts_;   ///< ascending along the tree's points
+    std::vector<Cut> cuts_;   ///< in ascending order of the tree points
     std::vector<int> leader_;
     BranchPieces result_;
 };

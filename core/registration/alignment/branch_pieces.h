@@ -7,32 +7,32 @@
 
 namespace angiopose::core {
 
-/// Section of one branch between two bifurcations.
+/// Segment of one branch between two bifurcations.
 struct BranchPiece {
     int branchIndex = 0;   ///< index into TreeSamples::branchIds, or index of the curve
-    std::size_t from = 0;   ///< first point
-    std::size_t to = 0;   ///< one past the last
+    std::size_t from = 0;   ///< index of the first point
+    std::size_t to = 0;   ///< one past the last point
 };
 
-/// Piece that begins or ends at a junction.
+/// Incidence of a segment and a junction at one of its ends.
 struct PieceAtJunction {
     int piece = 0;
     int junction = 0;
 };
 
-/// Tree cut at every bifurcation: the pieces in the order of the tree's points, and which of them meet at which
-/// junction. The result is free of cycles: where vessels form a ring, one junction is left out.
+/// Tree cut into segments at every bifurcation, in the order of the tree's points, with the incidence of segments and
+/// junctions. The graph is free of cycles: where vessels form a ring, one incidence is dropped.
 struct BranchPieces {
     std::vector<BranchPiece> pieces;
     std::vector<PieceAtJunction> joints;
     int junctionCount = 0;
 };
 
-/// Branches meet where the end of one lies within 2.5 mm of another.
+/// Two branches meet if an end of one lies within 2.5 mm of the other.
 inline constexpr double branchesTouchMm = 2.5;
 BranchPieces branchPieces(const TreeSamples& tree);
 
-/// Overload for arbitrary concatenated curves with ascending `curveIndex`; lengths are in the unit of the points.
+/// Overload for any concatenated curves with ascending `curveIndex`; `touching` is in the unit of the points.
 BranchPieces branchPieces(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& curveIndex,
                           double touching);
 

@@ -11,15 +11,15 @@ namespace {
 
 constexpr Eigen::Index perCamera = 3;
 
-// With correct cameras the gain stays below 9 (one view) and 11.4 (two views): 80 runs each on synthetic trees
-// (wrong_geometry_table --family development).
+// Minimum gain for a contradiction. With correct cameras the gain stays below 9 (one view) and 11.4 (two views),
+// measured in 80 registrations each on synthetic trees (wrong_geometry_table --family development).
 double minGain(std::size_t cameras)
 {
     return 10.0 + 2.0 * static_cast<double>(cameras);
 }
 
-constexpr double informativeSigmas = 2.5;   // significance of an error that is reported
-constexpr double minFocalShare = 0.01;   // smaller errors are irrelevant
+constexpr double informativeSigmas = 2.5;   // minimum significance of a reported error
+constexpr double minFocalShare = 0.01;   // relative focal-length errors below this are irrelevant
 constexpr double minPrincipalPx = 4.0;
 
 }   // namespace
@@ -39,7 +39,7 @@ CameraInfluence::CameraInfluence(const StackedEquations& equations, const Eigen:
     const Eigen::MatrixXd crossed = H.topRightCorner(poseCount, count);
     const Eigen::MatrixXd ofPose = free.transpose() * H.topLeftCorner(poseCount, poseCount) * free;
     shift_ = -free * solveSymmetric(ofPose, free.transpose() * crossed);
-    // The pose absorbs part of every camera error; the rest is what the images reveal about the cameras.
+    // The pose absorbs part of every camera error; the images constrain only the remainder.
     const Eigen::VectorXd weight = std.cwiseAbs2().cwiseInverse();
     const Eigen::VectorXd pull =
         -(equations.gradient.tail(count) + shift_.transpose() * equations.gradient.head(poseCount) +

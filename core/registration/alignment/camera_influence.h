@@ -8,13 +8,13 @@
 
 namespace angiopose::core {
 
-/// Effect of camera errors on a pose that was registered assuming exact cameras, and the evidence of the images for
-/// such errors (ALGORITHMS §6.18).
+/// Propagates camera errors to a pose that was registered with an exact camera model, and estimates these errors from
+/// the images (ALGORITHMS §6.18).
 class CameraInfluence {
 public:
-    /// `equations` are those of the images and the pose priors, in units of information. Their parameters are those of
-    /// the pose, followed by three per camera (see CameraError) with standard deviations `spreads`. `free` holds the
-    /// allowed pose steps, one per column.
+    /// `equations` combines images and pose priors in units of information. Its parameters are those of the pose, then
+    /// three per camera (see CameraError) with standard deviations `spreads`. Each column of `free` is an allowed pose
+    /// step.
     CameraInfluence(const StackedEquations& equations, const Eigen::MatrixXd& free,
                     std::span<const CameraSpread> spreads);
 
@@ -26,13 +26,13 @@ public:
     CameraEvidence evidence(std::size_t camera) const;
 
 private:
-    Eigen::MatrixXd shift_;   ///< change of the pose parameters per unit of each camera parameter
-    Eigen::VectorXd error_;   ///< most likely camera errors
-    Eigen::MatrixXd left_;   ///< covariance of the camera errors
+    Eigen::MatrixXd shift_;   ///< change of the pose per unit of each camera parameter
+    Eigen::VectorXd error_;   ///< maximum a posteriori camera errors
+    Eigen::MatrixXd left_;   ///< posterior covariance of the camera errors
     double gain_ = 0.0;
 };
 
-/// Messages that describe by how much the images contradict a camera; empty where they do not or where the evidence is
+/// Returns messages that state by how much the images contradict a camera; empty if they agree or if the evidence is
 /// too weak.
 Messages contradictionsOf(const CameraEvidence& evidence, const ProjectionCamera& camera, std::size_t cameras = 1);
 

@@ -6,7 +6,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t keptCandidates = 12;
-constexpr double worthTrying = 0.8;   // fraction of the best score
+constexpr double worthTrying = 0.8;   // minimum score of a kept candidate, as a fraction of the best score
 
 bool isSame(const CentroidPose& a, const CentroidPose& b, const Basin& basin)
 {

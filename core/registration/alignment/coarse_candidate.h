@@ -8,10 +8,10 @@ namespace angiopose::core {
 
 struct CoarseCandidate {
     CentroidPose pose;
-    double score = 0.0;   ///< mean closeness of the tree to the target, 0…1
+    double score = 0.0;   ///< mean closeness of the tree points to the target, 0…1
 };
 
-/// Largest difference between two poses that lead to the same optimum.
+/// Largest difference between two poses that converge to the same optimum.
 struct Basin {
     double shiftMm;
     double turn;   ///< rad

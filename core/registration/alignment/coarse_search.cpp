@@ -12,13 +12,13 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int blockPx = 16;   // step of the shifts
+constexpr int blockPx = 16;   // step between tested shifts
 constexpr int phasePx = 4;   // resolution of the closeness image
 constexpr int phases = blockPx / phasePx;
 constexpr std::size_t keptPerOrientation = 3;
-[[maybe_unused]] constexpr std::size_t maxSearchPoints = 257;   // sums of bytes must fit in 16 bits
+[[maybe_unused]] constexpr std::size_t maxSearchPoints = 257;   // keeps sums of bytes within 16 bits
 constexpr double basinPx = 24.0;
-constexpr double basinSteps = 0.75;   // in steps of the rotation
+constexpr double basinSteps = 0.75;   // rotational size of a basin, in rotation steps
 constexpr double beyondHalfImage = 0.6;   // fraction of the image side; starts farther out are recentered first
 
 }   // namespace
@@ -69,7 +69,7 @@ void CoarseSearch::addPoint(double u, double v, Shifts& shifts) const
 {
     const int column = static_cast<int>(std::lround(u / phasePx)) + (margin_ - shifts.halfColumns) * phases;
     const int row = static_cast<int>(std::lround(v / phasePx)) + (margin_ - shifts.halfRows) * phases;
-    // Floor modulo: points may lie far to the left of the image.
+    // Uses the floor modulo because points may lie far to the left of the image.
     const int phaseColumn = ((column % phases) + phases) % phases;
     const int phaseRow = ((row % phases) + phases) % phases;
     const int firstColumn = (column - phaseColumn) / phases;

@@ -13,22 +13,22 @@ namespace angiopose::core {
 /// Search range around the initial pose and angular step of the search.
 struct SearchReach {
     double radiusMm = 60.0;
-    double tiltDeg = 10.0;   ///< of the tilt's axis-angle length
+    double tiltDeg = 10.0;   ///< maximum length of the tilt's rotation vector
     double rollDeg = 10.0;
     double stepDeg = 4.0;
     PoseFreedom freedom{};   ///< locked degrees of freedom are not searched
 };
 
-/// Exhaustive search over tilts, rolls and 2-D shifts (ALGORITHMS §6.8): sums a closeness image of the target over a
-/// few tree points. The image is rearranged to store all shifts of one point contiguously.
+/// Searches all tilts, rolls and 2-D shifts exhaustively (ALGORITHMS §6.8) by summing a closeness image of the target
+/// over a few tree points. The image is stored with all shifts of one point contiguous in memory.
 class CoarseSearch {
 public:
-    /// `closenessPx` is the distance at which a tree point still counts 0.6; use a wider one for coarser rotation steps
+    /// At the distance `closenessPx`, a tree point still scores 0.6; coarser rotation steps need a larger value
     /// (ALGORITHMS §6.8: 11).
     CoarseSearch(const ProjectionCamera& camera, const TargetLines& target, double closenessPx = 11.0);
 
-    /// Returns the best candidates, best first, each in its own basin. `proceed` receives the completed share after
-    /// each tilt; Stop ends the search with the candidates found so far.
+    /// Returns the best candidate of each basin, best first. `proceed` receives the completed fraction after each tilt;
+    /// Stop ends the search with the candidates found so far.
     std::vector<CoarseCandidate> find(std::span<const AlignmentPoint> points, const CentroidPose& start,
                                       const SearchReach& reach, const std::function<Verdict(double)>& proceed) const;
 
@@ -43,8 +43,7 @@ private:
     int margin_ = 0;   ///< blocks added around the image
     int blockColumns_ = 0;
     int blockRows_ = 0;
-    /// Closeness 0…255 at pixel (16 (bc − margin) + 4 pc, …), stored phase by phase as small row-major images of
-    /// blocks.
+    /// Closeness 0…255 at pixel (16 (bc − margin) + 4 pc, …), stored as one small row-major image of blocks per phase.
     std::vector<std::uint8_t> closeness_;
 };
 

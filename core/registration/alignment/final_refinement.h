@@ -6,9 +6,9 @@
 
 namespace angiopose::core {
 
-/// Refines a roughly refined pose to the final result: first few points until the noise level is known, then points
-/// spaced at the correlation length of the noise, finally all informative points with tolerance for shape errors of the
-/// tree (ALGORITHMS §6.5, §6.14).
+/// Turns a coarsely refined pose into the final result in three passes: with few points until the noise level is known,
+/// with points spaced at the correlation length of the noise, and with all informative points and tolerance for shape
+/// errors of the tree (ALGORITHMS §6.5, §6.14).
 class FinalRefinement {
 public:
     FinalRefinement(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior,
@@ -23,7 +23,7 @@ private:
     const TargetLines& target_;
     Alignment few_;
     std::optional<Alignment>
-        spaced_;   ///< this and the next are created on first use: their spacing depends on the depth
+        spaced_;   ///< spaced_ and all_ are created on first use because their point spacing depends on the depth
     std::optional<Alignment> all_;
 };
 

@@ -6,14 +6,14 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double settledRefinementMm = 1e-3;   // corresponds to 0.003 px
-// The loss jitters because matches jump between lines. Tolerance per point:
+constexpr double settledRefinementMm = 1e-3;   // a step this short ends the refinement; about 0.003 px
+// The loss jitters because matches switch between lines. Tolerance per point:
 constexpr double jitter = 5e-3;   // times ℓ²; a smaller rise is ignored. Losing the point costs 400 times as much
 constexpr double settledGainPx2 = 1e-4;   // a step with a smaller predicted gain is lost in the jitter
-constexpr double noiseMattersPx = 5.0;   // above this, the scale is wider than any noise
+constexpr double noiseMattersPx = 5.0;   // at larger scales the noise is negligible
 constexpr double madToStd = 1.4826;
 
-/// Alignment at one scale: Welsch loss plus the prior.
+/// Least-squares problem of an alignment at one scale: Welsch loss plus prior.
 class AlignmentAtScale {
 public:
     using State = CentroidPose;
@@ -69,7 +69,7 @@ public:
     double scalePx() const { return scalePx_; }
     void setScale(double scalePx) { scalePx_ = scalePx; }
 
-    /// Robust standard deviation of the residuals of matching points.
+    /// Returns the robust standard deviation of the matched residuals.
     double noisePx(const CentroidPose& pose) const
     {
         std::vector<double>& residuals = alignment_.buffers().residuals;
@@ -91,14 +91,14 @@ private:
     bool bothWays_;
 };
 
-/// Number of steps of a schedule if none converges early.
+/// Returns the number of steps of a schedule that does not converge early.
 double expectedSteps(const RefinementSchedule& schedule)
 {
     const double levels = std::log(schedule.endScalePx / schedule.startScalePx) / std::log(schedule.shrink);
     return levels * schedule.stepsPerScale + schedule.lastSteps + 1.0;
 }
 
-/// Final scale according to the current estimate of the residual noise.
+/// Returns the final scale implied by the current estimate of the residual noise.
 double endScaleOf(const RefinementSchedule& schedule, const AlignmentAtScale& problem, const CentroidPose& pose)
 {
     const double ofNoisePx = std::min(problem.scalePx(), scalePerNoise * problem.noisePx(pose));

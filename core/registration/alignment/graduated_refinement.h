@@ -10,12 +10,12 @@ namespace angiopose::core {
 /// Schedule of one refinement (ALGORITHMS §6.5).
 struct RefinementSchedule {
     double startScalePx = 14.0;
-    double endScalePx = 0.7;   ///< the residual noise may end the refinement earlier
+    double endScalePx = 0.7;   ///< lower limit; the residual noise may end the refinement at a larger scale
     double shrink = 0.7;
     int stepsPerScale = 2;
-    int lastSteps = 0;   ///< extra steps at the final scale, until they no longer move the projection
+    int lastSteps = 0;   ///< maximum number of extra steps at the final scale, until the projection stops moving
     int maxSteps = 60;
-    bool bothWays = false;   ///< also match target lines to the tree (§6.6 b)
+    bool bothWays = false;   ///< whether target lines are also matched to the tree (§6.6 b)
 };
 
 struct RefinementStep {
@@ -32,8 +32,8 @@ struct RefinementResult {
     StopReason stopReason = StopReason::Converged;
 };
 
-/// Graduated non-convexity: damped Gauss–Newton on the Welsch loss while its scale shrinks. Rejects a step that raises
-/// the loss at its scale by more than the jitter of the matches.
+/// Refines a pose by graduated non-convexity: damped Gauss–Newton on the Welsch loss with a shrinking scale. Rejects
+/// steps that raise the loss by more than the jitter caused by switching matches.
 RefinementResult refine(Alignment& alignment, const StartPrior& prior, const CentroidPose& start,
                         const RefinementSchedule& schedule, const RefinementObserver& observe = {});
 

@@ -11,7 +11,7 @@ CentroidPose poseInView(const JointPose& joint, std::span<const PlacedCamera> ge
 
 namespace {
 
-/// Jacobian of the step of a view with respect to a step of the first pose.
+/// Returns the Jacobian of a view's pose step with respect to a step of the first view's pose.
 Matrix6d inViewPerFirst(const JointPose& joint, std::span<const PlacedCamera> geometry, std::size_t view)
 {
     const Eigen::Matrix3d& turn = geometry[view].cameraFromFirst.rotation;

@@ -15,22 +15,22 @@ struct JointPose {
         corrections;   ///< one per view (rad, mm about the centroid, axes of that view); the first is zero
 };
 
-/// Camera of a view and its position relative to the first view, before the correction.
+/// Camera of a view and its position relative to the first view, without the correction.
 struct PlacedCamera {
     RigidTransform cameraFromFirst;
     ProjectionCamera camera;
 };
 
-/// Pose in view k.
+/// Returns the pose of the tree in view `view`.
 CentroidPose poseInView(const JointPose& joint, std::span<const PlacedCamera> geometry, std::size_t view);
 
-/// Combines the normal equations of all views. The parameters are the step of the first pose, followed by the
-/// corrections of views 1, 2, …, 6 each. The correction of a view is applied after the geometry: a step of the first
-/// pose reaches the view rotated by cameraFromFirst and the correction.
+/// Combines the normal equations of all views. The parameters are the step of the first view's pose, then six
+/// correction parameters for each further view. Corrections are applied after cameraFromFirst; a step of the first pose
+/// is therefore rotated by cameraFromFirst and the correction.
 StackedEquations stacked(std::span<const NormalEquations> perView, const JointPose& joint,
                          std::span<const PlacedCamera> geometry);
 
-/// Overload that includes the camera errors, three per view after all pose parameters.
+/// Overload that appends three camera errors per view after all pose parameters.
 StackedEquations stacked(std::span<const CameraEquations> perView, const JointPose& joint,
                          std::span<const PlacedCamera> geometry);
 

@@ -17,7 +17,7 @@ constexpr double jointShrink = 0.7;
 constexpr int jointStepsPerScale = 2;
 constexpr int jointLastSteps = 20;
 constexpr double settledJointMm = 1e-3;
-constexpr double implausibleSigmas = 4.0;   // limit of a correction in any direction
+constexpr double implausibleSigmas = 4.0;   // maximum plausible correction in any direction
 
 double mmPerPx(const RegistrationProblem& problem)
 {
@@ -25,13 +25,13 @@ double mmPerPx(const RegistrationProblem& problem)
     return millimetersPerPixel(problem.camera, depthMm);
 }
 
-/// Evaluation of all images at one pose.
+/// Cost and normal equations of all images at one joint pose.
 struct JointEvaluation {
     double loss = 0.0;
     StackedEquations equations;
 };
 
-/// All images at one scale, with the priors of the first pose and of the corrections.
+/// Least-squares problem of all images at one scale, with the priors of the first pose and of the corrections.
 class JointAtScale {
 public:
     using State = JointPose;
@@ -197,8 +197,8 @@ double JointSolve::scoreOf(const JointPose& joint) const
     return sum;
 }
 
-/// Equations of the poses and the cameras in units of information, with the priors of the corrections and without the
-/// prior of the initial pose.
+/// Returns the normal equations of pose, corrections and cameras in units of information, with the priors of the
+/// corrections but without the prior of the initial pose.
 StackedEquations JointSolve::equations(const JointPose& joint) const
 {
     std::vector<CameraEquations> perView;

@@ -19,50 +19,50 @@ struct JointView {
     AgreementScore score;
 };
 
-/// Receives the current pose, the scale in px and the completed share, 0…1; Stop ends the refinement with the current
-/// result.
+/// Receives the current pose, the scale in px and the completed fraction, 0…1; Stop ends the refinement with the
+/// current result.
 using JointObserver = std::function<Verdict(const JointPose& joint, double scalePx, double progress)>;
 
-/// Information of all images at a joint pose.
+/// Information that all images provide at a joint pose.
 struct JointKnowledge {
-    Matrix6d information;   ///< about the first pose, assuming exact cameras
-    Matrix6d covarianceByCameras;   ///< covariance of the first pose caused by camera errors
-    std::vector<CameraEvidence> cameras;   ///< one per view; empty if all cameras count as exact
+    Matrix6d information;   ///< information about the first view's pose, assuming exact cameras
+    Matrix6d covarianceByCameras;   ///< contribution of camera errors to the covariance of the first view's pose
+    std::vector<CameraEvidence> cameras;   ///< one per view; empty if all cameras are treated as exact
 };
 
-/// Registers one tree to all views at once, starting from poses found in single views (ALGORITHMS §6.12).
+/// Registers one tree to all views jointly, starting from single-view poses (ALGORITHMS §6.12).
 class JointSolve {
 public:
     using Views = std::vector<std::unique_ptr<JointView>>;
 
-    /// Takes the geometry between the views from their initial poses; its 1-σ error is `correctionStd` per view (rad,
-    /// mm).
+    /// Derives the relative geometry of the views from their initial poses; `correctionStd` is its 1-σ error per view
+    /// (rad, mm).
     JointSolve(const Views& views, const StartPrior& prior, std::vector<Vector6d> correctionStd);
 
-    /// Converts a pose found in view `view` to the first view.
+    /// Transforms a pose in view `view` to the first view.
     CentroidPose inFirst(const RigidTransform& pose, std::size_t view) const;
 
     /// Initial pose of a view, rotated to match a pose in the first view and the geometry.
     RigidTransform turnedLike(const RigidTransform& poseInFirst, std::size_t view) const;
 
-    /// Joint pose that places every view at its own pose, whatever corrections of the geometry this requires.
+    /// Returns the joint pose in which every view has the given pose, regardless of how large the corrections become.
     JointPose ofEach(std::span<const RigidTransform> poses) const;
 
     JointPose refine(const JointPose& start, const JointObserver& observe);
 
-    /// Mean agreement of the views, 0…1.
+    /// Returns the mean agreement over the views, 0…1.
     double scoreOf(const JointPose& joint) const;
 
     CentroidPose inView(const JointPose& joint, std::size_t view) const { return poseInView(joint, geometry_, view); }
 
-    /// Information of all images about the first pose and the cameras, with the corrections of the geometry unknown
-    /// within their standard deviations.
+    /// Returns the information of all images about the first view's pose and the cameras; the geometry corrections are
+    /// marginalized with their standard deviations.
     JointKnowledge knowledge(const JointPose& joint) const;
 
-    /// Sum of squares of all corrections in units of their σ.
+    /// Returns the sum of squares of all corrections in units of σ.
     double contradiction(const JointPose& joint) const;
 
-    /// Whether the correction of every view stays within 4 σ in all directions.
+    /// Whether every correction stays within 4 σ in all directions.
     bool isPlausible(const JointPose& joint) const;
     bool isPlausible(const JointPose& joint, std::size_t view) const;
 
@@ -77,8 +77,8 @@ private:
     std::vector<Vector6d> correctionStd_;   ///< one per view
 };
 
-/// Displacement caused by a step of all parameters, mm: the larger of the motion of the tree in the first view and the
-/// additional motion by a correction in another.
+/// Returns the displacement caused by a step in all parameters, mm: the larger of the tree's motion in the first view
+/// and the additional motion that a correction causes in another view.
 double jointStepLengthMm(const Eigen::VectorXd& step, double spreadMm);
 
 }   // namespace angiopose::core

@@ -18,20 +18,20 @@ namespace {
 constexpr JunctionScale inTree{2.5, 12.0};   // mm
 constexpr JunctionScale inImage{5.0, 20.0};   // px
 constexpr double shortestBasePx = 50.0;
-constexpr double largestZoom = 1.25;   // initial pose off by 160 mm along the ray
+constexpr double largestZoom = 1.25;   // maximum scale ratio; corresponds to a depth error of 160 mm
 constexpr int sectors = 64;
-constexpr int spreadSectors = 6;   // directions within 34° count as alike
-constexpr int minLikeWays = 2;   // of the three branches at a bifurcation
+constexpr int spreadSectors = 6;   // tolerance on each side: directions within 34° match
+constexpr int minLikeWays = 2;   // minimum number of matching directions, of the three at a bifurcation
 constexpr double endOn = 0.3;   // directions nearly along the ray carry no information in the image
 constexpr int junctionCellPx = 8;
 constexpr double meetingPx = 12.0;
 constexpr std::size_t maxBaseTrials = 60'000'000;   // compared bases plus looked-up nodes: well below a second
-constexpr std::size_t maxJunctions = 200;   // number of junctions between which bases are formed
+constexpr std::size_t maxJunctions = 200;   // maximum number of junctions used to form bases
 constexpr std::size_t fitsPerTilt = 6;
 constexpr std::size_t usedJunctionPoints = 90;
 constexpr double closenessPx = 11.0;
 constexpr double tiltStepDeg = 10.0;
-constexpr double minRollDeg = 5.0;   // junctions are off their vessels by a few px: no fit is exactly upright
+constexpr double minRollDeg = 5.0;   // minimum roll range: junctions are traced a few px off, which adds apparent roll
 constexpr Basin basin{10.0, 5.0 * radiansPerDegree};
 
 /// Stride near the golden section of the count, which spreads any initial part of the sequence evenly.
@@ -225,7 +225,7 @@ std::size_t JunctionSearch::tryBase(const Base& base, const std::vector<Place>& 
     return cost;
 }
 
-/// Visits every base once, jumping through the list, until the budget is spent.
+/// Tries every base once, striding through the list, until the budget is spent.
 std::vector<JunctionSearch::Fit> JunctionSearch::fitsOf(const std::vector<Place>& nodes, double longestRoll,
                                                         std::size_t budget) const
 {
@@ -237,7 +237,7 @@ std::vector<JunctionSearch::Fit> JunctionSearch::fitsOf(const std::vector<Place>
     for (std::size_t k = 0, pair = 0; k < pairs && spent < budget; ++k, pair = (pair + step) % pairs) {
         const std::size_t from = pair / (count - 1);
         const std::size_t to = from + 1 + pair % (count - 1);
-        if (to < count) {   // each pair once
+        if (to < count) {   // skips duplicates, so that each pair is tried once
             const Base base = baseOf(nodes, static_cast<int>(from), static_cast<int>(to));
             spent += base.lengthPx >= shortestBasePx ? tryBase(base, nodes, longestRoll, fits) : 1;
         }
@@ -259,7 +259,7 @@ double JunctionSearch::closeness(const CentroidPose& pose) const
     return sum / static_cast<double>(points_.size());
 }
 
-/// Pose corresponding to a fit of the tree seen in direction `view`.
+/// Converts the fit of a tree seen with rotation `view` to a pose.
 CentroidPose JunctionSearch::poseOf(const Fit& fit, const Eigen::Matrix3d& view, double depthMm) const
 {
     CentroidPose pose;

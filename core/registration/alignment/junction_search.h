@@ -7,12 +7,12 @@
 
 namespace angiopose::core {
 
-/// Finds initial poses from bifurcations (ALGORITHMS §6.9): for every tilt in range, aligning two nodes of the tree
-/// with two junctions of the traced vessels fixes roll, both shifts and, by their distance, the depth. Where branches
-/// leave both in similar directions, the remaining nodes vote by how many of them also meet a junction; the best fits
-/// are ranked by the closeness of the whole tree to the vessels. The total number of bases tried is fixed,
-/// deterministic and spread evenly over the tree. Searches a wider range than CoarseSearch, which does not vary the
-/// depth, in less time.
+/// Finds initial poses from bifurcations (ALGORITHMS §6.9). For every tilt in range, aligning two nodes of the tree
+/// with two junctions of the traced vessels fixes the roll, both shifts and, through their distance, the depth. If the
+/// branch directions match at both, the fit is scored by the number of remaining nodes that also land on a junction;
+/// the best fits are ranked by the closeness of the whole tree to the vessels. The number of bases tried is limited,
+/// deterministic and spread evenly over the tree. Covers a wider range than CoarseSearch, which keeps the depth fixed,
+/// in less time.
 class JunctionSearch {
 public:
     JunctionSearch(const RegistrationProblem& problem, const TargetLines& target);
@@ -22,24 +22,24 @@ public:
                                       const std::function<Verdict(double)>& proceed) const;
 
 private:
-    /// Set of directions in the image, one bit for each of 64 equal sectors; a rotation of the image is a bit rotation.
+    /// Set of image directions with one bit per sector of 1/64 turn; rotating the image rotates the bits.
     using Ways = std::uint64_t;
 
-    /// Junction, or node as seen under one tilt.
+    /// Traced junction, or tree node projected under one tilt.
     struct Place {
         Eigen::Vector2d px;   ///< relative to the principal point, camera axes
         Ways ways;
     };
-    /// Vector from one place to another.
+    /// Vector between two junctions or two nodes.
     struct Base {
         double lengthPx;
         Eigen::Vector2d along;   ///< unit vector
-        double sectors;   ///< direction, 64 per full turn
+        double sectors;   ///< direction in sectors of 1/64 turn
         int from, to;
     };
-    /// Alignment of two nodes with two junctions.
+    /// Transform that aligns two tree nodes with two traced junctions.
     struct Fit {
-        int meetings = 0;   ///< nodes that land on junctions
+        int meetings = 0;   ///< number of nodes that land on junctions
         double zoom = 1.0;
         Eigen::Vector2d turn;   ///< (cos, sin) of the roll
         Eigen::Vector2d centroidPx;   ///< relative to the principal point, as in Place
@@ -59,10 +59,10 @@ private:
 
     ProjectionCamera camera_;
     const TargetLines& target_;
-    std::vector<Junction<3>> nodes_;   ///< relative to the tree's centroid
+    std::vector<Junction<3>> nodes_;   ///< tree nodes relative to the tree's centroid
     std::vector<Place> junctions_;
-    std::vector<Base> bases_;   ///< between junctions, sorted by length
-    std::vector<std::uint8_t> isNearJunction_;   ///< cells of the image
+    std::vector<Base> bases_;   ///< bases between traced junctions, in ascending order of length
+    std::vector<std::uint8_t> isNearJunction_;   ///< 1 for image cells near a traced junction
     int columns_ = 0;
     int rows_ = 0;
     std::vector<AlignmentPoint> points_;

@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    /// Nearest point of each curve that passes the place, in the order of the curves.
+    /// Returns, for each curve that passes within touching distance, its nearest point, in the order of the curves.
     std::vector<std::size_t> meetingAt(const Vector& place) const
     {
         std::vector<std::size_t> nearest;
@@ -65,7 +65,7 @@ private:
                curveIndex_[i + 1] != curveIndex_[i];
     }
 
-    /// Curve ends that touch another curve, with coinciding ones merged.
+    /// Returns the curve ends that touch another curve, with coinciding ends merged.
     std::vector<Vector> places() const
     {
         std::vector<Vector> places;
@@ -82,8 +82,8 @@ private:
         return places;
     }
 
-    /// Adds the directions in which the curve leaves the junction, measured from its nearest point over the length
-    /// `leaving`.
+    /// Adds the directions in which the curve leaves the junction, each measured over the length `leaving` from the
+    /// curve's nearest point.
     void addWays(std::size_t nearest, Junction<Dimension>& junction) const
     {
         const int curve = curveIndex_[nearest];

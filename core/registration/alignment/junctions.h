@@ -6,23 +6,23 @@
 
 namespace angiopose::core {
 
-/// Place where curves meet, with the directions in which they leave it.
+/// Point where curves meet, with the directions in which they leave.
 template <int Dimension>
 struct Junction {
     using Vector = Eigen::Matrix<double, Dimension, 1>;
 
     Vector point;
-    std::vector<Vector> directions;   ///< unit vectors pointing away from the place
+    std::vector<Vector> directions;   ///< unit vectors pointing away from the junction
 };
 
-/// Lengths used to detect junctions, in the unit of the curve points.
+/// Lengths used for junction detection, in the unit of the curve points.
 struct JunctionScale {
-    double touching;   ///< largest distance at which a curve end counts as touching another curve
+    double touching;   ///< maximum distance between a curve end and another curve that it touches
     double leaving;   ///< length over which a direction is measured
 };
 
-/// Finds places where the end of one curve touches another and at least three directions lead away. `curveIndex` must
-/// ascend.
+/// Finds the points where a curve end touches another curve and at least three directions lead away. `curveIndex` must
+/// be ascending.
 template <int Dimension>
 std::vector<Junction<Dimension>> junctionsOf(std::span<const Eigen::Matrix<double, Dimension, 1>> points,
                                              std::span<const int> curveIndex, const JunctionScale& scale);

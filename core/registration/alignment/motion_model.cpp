@@ -8,9 +8,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t remembered = 30;   // frames, about two seconds of fluoroscopy
+constexpr std::size_t remembered = 30;   // number of frames kept, about two seconds of fluoroscopy
 constexpr std::size_t enoughForAxis = 4;
-constexpr double minAxisMm = 0.3;   // RMS of the steps; slower motion has no reliable direction
+constexpr double minAxisMm = 0.3;   // minimum RMS step; slower motion has no reliable direction
 
 }   // namespace
 
@@ -20,7 +20,7 @@ MotionModel::MotionModel(const CentroidPose& pose, double spreadMm, const Noise&
     inMm_.head<3>().setConstant(spreadMm);
 }
 
-/// Component of the last step along the dominant axis of the recent steps.
+/// Returns the component of the last step along the principal axis of the recent steps.
 Vector6d MotionModel::alongBreathing(const Vector6d& step) const
 {
     if (steps_.size() < enoughForAxis) {
@@ -48,7 +48,7 @@ StartPrior MotionModel::predict() const
     const double rotation = noise_.rotationDeg * std::numbers::pi / 180.0;
     Vector6d std;
     std << rotation, rotation, rotation, noise_.shiftMm, noise_.shiftMm, noise_.shiftMm;
-    // Breathing reverses: the step may also be absent.
+    // Adds half the predicted step to the standard deviation because breathing may stop or reverse.
     std = wider * (std.cwiseAbs2() + 0.25 * expected.cwiseQuotient(inMm_).cwiseAbs2()).cwiseSqrt();
     return independentPrior(predicted, std);
 }

@@ -7,11 +7,11 @@
 
 namespace angiopose::core {
 
-/// Predicts the pose in the next frame: the recent steps define the direction of breathing, along which the tree
-/// continues at its last speed (ALGORITHMS §6.11). Across that direction it is expected to stay in place.
+/// Predicts the pose in the next frame (ALGORITHMS §6.11). The recent steps define the direction of breathing; the
+/// model expects the tree to keep its last speed along this direction and to stay in place across it.
 class MotionModel {
 public:
-    /// Standard deviations of the frame-to-frame motion beyond the prediction.
+    /// Standard deviations of the frame-to-frame motion around the prediction.
     struct Noise {
         double rotationDeg = 0.2;
         double shiftMm = 1.0;
@@ -19,23 +19,23 @@ public:
 
     MotionModel(const CentroidPose& pose, double spreadMm, const Noise& noise);
 
-    /// Predicts the next pose and its uncertainty, which grows with every unobserved frame.
+    /// Predicts the next pose and its uncertainty, which grows with every frame without a pose.
     StartPrior predict() const;
 
-    /// Adds the pose of the next frame; nullopt if it could not be determined.
+    /// Adds the pose of the next frame, or nullopt if no pose was determined.
     void advance(const std::optional<CentroidPose>& pose);
 
-    /// Resets to a pose found by a new search, which is no motion to learn from.
+    /// Resets the pose after a new search; the jump is not used as a motion step.
     void jumpTo(const CentroidPose& pose);
 
 private:
     Vector6d alongBreathing(const Vector6d& step) const;
 
     CentroidPose pose_;
-    Vector6d inMm_;   ///< scales (rad, mm) parameters to mm
+    Vector6d inMm_;   ///< factors that convert pose parameters (rad, mm) to mm
     Noise noise_;
     std::deque<Vector6d> steps_;   ///< frame-to-frame steps in mm, newest last
-    bool isMoving_ = false;   ///< whether the last frame added a step
+    bool isMoving_ = false;   ///< whether the last frame added a step to steps_
     int framesMissed_ = 0;
 };
 

@@ -8,9 +8,9 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t usedRankingPoints = 200;
-constexpr std::size_t maxHypotheses = 64;   // more than any search returns
+constexpr std::size_t maxHypotheses = 64;   // upper bound; no search returns this many
 constexpr double perUnitOfPrior = 0.01;   // an initial pose off by 2σ in all six parameters costs a fifth of the score
-constexpr double wholeTreeEnough = 0.65;   // a conclusive agreement needs no excluded parts
+constexpr double wholeTreeEnough = 0.65;   // agreement above which no part of the tree is considered unopacified
 constexpr double clearlyBetter = 0.1;
 constexpr double sameTurn = 0.02;
 constexpr double sameShiftMm = 3.0;

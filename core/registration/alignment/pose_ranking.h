@@ -11,17 +11,17 @@ struct ScoredPose {
     double agreement =
         0.0;   ///< without that reduction; of the opacified parts where these explain the image clearly better
     StopReason stopReason = StopReason::Converged;
-    std::vector<std::uint8_t> isOpacified{};   ///< per tree point; empty: the whole tree is expected in the image
-    int filledForks = 0;   ///< places where three or more opacified pieces meet
+    std::vector<std::uint8_t> isOpacified{};   ///< one per tree point; empty if the whole tree is expected in the image
+    int filledForks = 0;   ///< number of bifurcations where three or more opacified segments meet
 };
 
 /// Whether parts of the tree may be unopacified (ALGORITHMS §6.17).
 enum class TreeFilling { Whole, InParts };
 
-/// Ranks hypotheses, refined roughly on few points and down to a scale of a few pixels, by how well they explain the
-/// image. The thresholds were measured on 60 wrong optima for each of 60 simulated trees: none of these scored above
-/// 0.56, while true poses score 0.96 on clean targets, 0.6 to 0.87 with missing vessels and clutter, and 0.3 to 0.65 on
-/// traced angiograms, where most thin vessels are not traced.
+/// Ranks hypotheses by how well they explain the image, after a coarse refinement with few points down to a scale of a
+/// few pixels. The thresholds were measured on 60 wrong optima for each of 60 simulated trees: none of these scored
+/// above 0.56, while true poses score 0.96 on clean targets, 0.6 to 0.87 with missing vessels and clutter, and 0.3 to
+/// 0.65 on traced angiograms, where most thin vessels are not traced.
 class PoseRanking {
 public:
     static constexpr RefinementSchedule schedule{14.0, 2.5, 0.6, 2, 0, 40};
@@ -32,8 +32,8 @@ public:
     /// Refines the hypothesis and adds it to the ranking.
     void add(const CentroidPose& hypothesis);
 
-    /// Same for a pose that aligns only parts of the tree with the vessels: branches without a matching vessel do not
-    /// attract.
+    /// Like add, for a hypothesis in which only parts of the tree lie on vessels: branches without a matching vessel do
+    /// not contribute.
     void addFilled(const CentroidPose& hypothesis);
 
     ScoredPose scored(const CentroidPose& pose, StopReason stopReason);
@@ -45,7 +45,7 @@ public:
     bool isConclusive() const { return reaches(0.65); }
     /// Whether the fit is uncertain but unlikely to be a coincidence.
     bool isPlausible() const { return reaches(0.55); }
-    /// Whether the tree matches almost no vessel.
+    /// Whether the tree matches hardly any vessel.
     bool isLost() const { return !reaches(0.4); }
 
     /// Best pose of every optimum, best first, limited to those that score at least `share` of the best.

@@ -41,7 +41,7 @@ SearchReach within(SearchReach reach, const RegistrationOptions& options, const 
     return reach;
 }
 
-/// Values of the points that `alignmentPoints` selects with this stride.
+/// Returns the values of the points that `alignmentPoints` selects with the same stride.
 std::vector<double> everyNth(const std::vector<double>& values, std::size_t stride)
 {
     std::vector<double> chosen;

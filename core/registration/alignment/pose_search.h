@@ -7,29 +7,29 @@
 
 namespace angiopose::core {
 
-/// Receives the completed share, 0…1; Stop ends a search with the results so far.
+/// Receives the completed fraction, 0…1; Stop ends the search with the results so far.
 using SearchObserver = std::function<Verdict(double)>;
 
-/// Coarse searches for poses worth refining (ALGORITHMS §6.8), best first. Each is limited to the range that the
-/// options allow.
+/// Coarse searches that return poses for refinement (ALGORITHMS §6.8), best first. The options limit the range of each
+/// search.
 class PoseSearch {
 public:
     PoseSearch(const RegistrationProblem& problem, const TargetLines& target, const RegistrationOptions& options);
 
-    /// Searches the error range of an initial pose from the DICOM header: fine rotations, short shifts.
+    /// Searches the error range of an initial pose from the DICOM header, with fine rotation steps and short shifts.
     std::vector<CentroidPose> nearby(const CentroidPose& start, const SearchObserver& observe) const;
 
     /// Searches all shifts and rotations of up to 30° in coarse steps.
     std::vector<CentroidPose> wide(const CentroidPose& start, const SearchObserver& observe) const;
 
-    /// Searches from the traced vessels only, regardless of how much of the tree they show; medium range in medium
-    /// steps.
+    /// Scores only how well the tree explains the traced vessels, regardless of how much of the tree is opacified;
+    /// medium range and step size.
     std::vector<CentroidPose> ofTerritories(const CentroidPose& start, const SearchObserver& observe) const;
 
-    /// Searches the whole range by bifurcations.
+    /// Searches the full range by matching bifurcations.
     std::vector<CentroidPose> byJunctions(const CentroidPose& start, const SearchObserver& observe) const;
 
-    /// Searches the short range with the auxiliary branches {p'} only.
+    /// Searches the nearby range with the auxiliary branches {p'} only.
     std::vector<CentroidPose> ofAuxiliary(const CentroidPose& start, const SearchObserver& observe) const;
 
     /// Initial pose shifted to project the tree's centroid onto the middle of the traced vessels (ALGORITHMS §5.4).

@@ -7,28 +7,28 @@
 
 namespace angiopose::core {
 
-/// Tree point for the inner loop, relative to the tree's centroid.
+/// Tree point relative to the tree's centroid, for inner loops.
 struct AlignmentPoint {
     Eigen::Vector3d fromCentroid;   ///< mm, patient axes
     Eigen::Vector3d tangent;   ///< unit vector, patient axes
     int branchIndex = 0;
 };
 
-/// Tree point as seen under one pose.
+/// Tree point in the camera frame and in the image for one pose.
 struct PointInCamera {
     Eigen::Vector3d turned;   ///< offset from the centroid, camera axes, mm
     Eigen::Vector3d inCamera;
-    double perDepth;   ///< 1/mm
-    double u, v;   ///< px
-    double su, sv;   ///< unit direction of its branch in the image
-    bool isInFront = false;   ///< in front of the source; otherwise the other values are undefined
-    bool hasDirection = false;   ///< false if its branch is seen end-on
+    double perDepth;   ///< reciprocal of the depth, 1/mm
+    double u, v;   ///< pixel position
+    double su, sv;   ///< unit direction of the point's branch in the image
+    bool isInFront = false;   ///< whether the point is in front of the source; otherwise the other values are undefined
+    bool hasDirection = false;   ///< false if the branch is seen end-on at this point
 };
 
-/// Shorter projected tangents carry no direction (§6.3).
+/// Minimum projected length of a unit tangent; shorter ones carry no direction (§6.3).
 inline constexpr double endOnShare = 0.3;
 
-/// Projects the point under a pose; returns false if it does not project.
+/// Projects the point at the given pose; returns false if the point is not in front of the source.
 inline bool seePlace(const ProjectionCamera& camera, const AlignmentPoint& point, const CentroidPose& pose,
                      PointInCamera& seen)
 {
@@ -54,7 +54,7 @@ inline void seeDirection(const ProjectionCamera& camera, const AlignmentPoint& p
     seen.hasDirection = length >= endOnShare * camera.fy;
 }
 
-/// d(distance along the normal) / d(rotation rad, shift mm).
+/// Returns d(distance along the normal) / d(rotation rad, shift mm).
 inline Vector6d distanceGradient(const ProjectionCamera& camera, const PointInCamera& seen, double normalX,
                                  double normalY)
 {

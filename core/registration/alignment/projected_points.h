@@ -4,22 +4,21 @@
 
 namespace angiopose::core {
 
-/// Tree point projected under one pose.
+/// Projection of one tree point at one pose.
 struct ProjectedPoint {
     double u, v;   ///< px
     int number;   ///< index of the tree point
 };
 
-/// Projected points binned by image cells; refilled for every pose without allocating.
+/// Projected points binned by image cell; refilling for a new pose does not allocate.
 class ProjectedPoints {
 public:
-    /// Reserves memory for `count` points.
     void reserve(std::size_t count);
 
-    /// Removes all points; later queries look for neighbors within `reachPx`.
+    /// Removes all points and sets the search radius of later queries to `reachPx`.
     void restart(int width, int height, double reachPx);
 
-    /// Adds a point; ignores points outside the image.
+    /// Adds a point unless it lies outside the image.
     void add(const ProjectedPoint& point);
 
     /// Nearest point within the search radius, or null.

@@ -9,17 +9,17 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int stretchPoints = 30;   // 30 mm at the default spacing
-constexpr int stretchStep = 5;   // number of points from one stretch start to the next
+constexpr int stretchPoints = 30;   // length of a stretch; 30 mm at the default point spacing
+constexpr int stretchStep = 5;   // number of points between the starts of successive stretches
 constexpr double residualMadToStd = 1.4826;
 constexpr int minStretchPoints = 6;
 constexpr std::size_t minStretches = 8;
-constexpr double minScatterPx = 0.02;   // sampling error of the curves: no fit is better than this
-constexpr double noMatchPx = 6.0;   // scatter to assume where almost nothing matches
+constexpr double minScatterPx = 0.02;   // sampling error of the curves, which no fit can beat
+constexpr double noMatchPx = 6.0;   // scatter assumed if hardly any point matches
 constexpr std::size_t maxLag = 20;
 constexpr double insignificantCorrelation = 0.05;
 
-/// Calls `visit(from, to)` for overlapping stretches; every row belongs to the same number of stretches.
+/// Calls `visit(from, to)` for overlapping stretches that cover every row equally often.
 template <class Visit>
 void forEachStretch(const std::vector<ResidualRow>& rows, Visit visit)
 {
@@ -37,7 +37,7 @@ void forEachStretch(const std::vector<ResidualRow>& rows, Visit visit)
     }
 }
 
-/// Mean residual of the matched points of a stretch; nullopt if there are too few.
+/// Returns the mean residual of the matched points of a stretch; nullopt if too few points match.
 std::optional<double> offsetOf(const std::vector<ResidualRow>& rows, std::ptrdiff_t from, std::ptrdiff_t to)
 {
     double sum = 0.0;
@@ -59,7 +59,7 @@ double robustStd(std::vector<double> values)
     return residualMadToStd * quantile(std::move(values), 0.5);
 }
 
-/// Offsets of the stretches, and the residuals after subtracting the offset of a surrounding stretch.
+/// Mean offsets of the stretches, and the residuals that remain after subtracting them.
 struct Decomposition {
     std::vector<double> offsets;
     std::vector<double> scatter;   ///< one per row; NaN where unmatched
@@ -84,7 +84,7 @@ Decomposition decompose(const std::vector<ResidualRow>& rows)
     return result;
 }
 
-/// Autocovariance of the scatter for points `lag` apart on one branch, from lag 0 to the first uncorrelated lag.
+/// Returns the autocovariance of the scatter between points of one branch, from lag 0 to the first uncorrelated lag.
 std::vector<double> autocovariance(const std::vector<ResidualRow>& rows, const std::vector<double>& scatter)
 {
     std::vector<double> products;
@@ -107,8 +107,8 @@ std::vector<double> autocovariance(const std::vector<ResidualRow>& rows, const s
 }
 
 struct Correlation {
-    double points = 1.0;   ///< 1 + 2 Σ ρ_k
-    double inflation = 1.0;   ///< true variance of the scatter divided by that within stretches
+    double points = 1.0;   ///< correlation length in points, 1 + 2 Σ ρ_k
+    double inflation = 1.0;   ///< true variance of the scatter divided by the variance within stretches
 };
 
 /// Subtracting the mean of a stretch also removes correlated scatter; this adds back its variance, s² l_c / n.
@@ -141,7 +141,7 @@ ResidualNoise residualNoise(const std::vector<ResidualRow>& rows)
         return noise;
     }
     noise.scatterPx = std::max(minScatterPx, std::sqrt(correlation.inflation) * robustStd(std::move(parts.scatter)));
-    // Correlated scatter alone also gives a nonzero mean.
+    // Correlated scatter alone also yields nonzero mean offsets, whose variance is subtracted here.
     const double byScatter = noise.scatterPx * noise.scatterPx * noise.correlationPoints / stretchPoints;
     const double offset = robustStd(std::move(parts.offsets));
     noise.offsetPx = std::sqrt(std::max(0.0, offset * offset - byScatter));

@@ -4,17 +4,17 @@
 
 namespace angiopose::core {
 
-/// Noise components of the residuals along the branches.
+/// Components of the residual noise along the branches.
 struct ResidualNoise {
     double scatterPx = 0.0;   ///< standard deviation within short stretches
-    double correlationPoints = 1.0;   ///< number of neighboring points with common scatter
-    double offsetPx = 0.0;   ///< standard deviation of whole stretches beyond what the scatter explains
+    double correlationPoints = 1.0;   ///< correlation length of the scatter, points
+    double offsetPx = 0.0;   ///< standard deviation of the stretch offsets, in excess of the scatter
 
-    /// Correction for nearest-point matching, which makes residuals too small: without it the squared errors of
+    /// Correction for nearest-point matching, which biases residuals toward zero: without it, the squared errors of
     /// simulated registrations were 1.25 times as large as their covariance predicted.
     static constexpr double nearestPartnerGain = 1.25;
 
-    /// Variance of one row when rows are treated as independent (ALGORITHMS §6.10: l_c σ̂²); px².
+    /// Variance of one row if rows are treated as independent (ALGORITHMS §6.10: l_c σ̂²); px².
     double rowVariance() const { return nearestPartnerGain * scatterPx * scatterPx * correlationPoints; }
     /// Whether whole stretches are offset from the vessels by more than sampling (about 0.1 px) explains.
     bool hasOffsets() const { return offsetPx >= 0.1; }

@@ -6,27 +6,27 @@
 
 namespace angiopose::core {
 
-/// Nearest tree point of each target line. Recomputed only when a point has moved in the image: its neighbors give the
-/// same distance across a branch, which is the one that counts.
+/// Matches each target line to its nearest tree point. Recomputes the matches only after a point has moved in the
+/// image: until then, a neighboring tree point gives the same distance across the branch.
 class ReverseMatching {
 public:
-    static constexpr std::size_t lineStride = 2;   ///< neighboring lines have correlated noise
+    static constexpr std::size_t lineStride = 2;   ///< skips neighboring lines, whose noise is correlated
 
-    /// Tree points, to be filled by the caller that projects them.
+    /// Projected tree points; the caller fills this buffer.
     std::vector<PointInCamera>& seen() { return seen_; }
     const std::vector<PointInCamera>& seen() const { return seen_; }
 
-    /// Updates the partners for the current points.
+    /// Recomputes the matches for the current points if necessary.
     void match(const TargetLines& target, int width, int height, double reachPx);
 
-    /// Index of the nearest point for every `lineStride`-th line, −1 if none is within the search radius.
+    /// Index of the nearest tree point for every `lineStride`-th line; −1 if none lies within the search radius.
     const std::vector<int>& partners() const { return partners_; }
 
 private:
     bool isUpToDate(double reachPx) const;
 
     std::vector<PointInCamera> seen_;
-    std::vector<Eigen::Vector2d> matchedAt_;   ///< positions of the points when the partners were computed
+    std::vector<Eigen::Vector2d> matchedAt_;   ///< positions of the points when the matches were computed
     double reachPx_ = 0.0;
     ProjectedPoints grid_;
     std::vector<int> partners_;

@@ -7,11 +7,11 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t shortestBlock = 10;   // points
-constexpr std::size_t aboutBlocks = 64;   // the cost grows with the cube of their number
+constexpr std::size_t shortestBlock = 10;   // minimum block length, points
+constexpr std::size_t aboutBlocks = 64;   // approximate number of blocks; the cost grows with its cube
 constexpr std::array<double, 7> offsetsTriedPx{0.1, 0.2, 0.4, 0.8, 1.6, 3.2, 6.4};
 
-/// Derivatives of a row, followed by its residual.
+/// Derivatives of a row with its residual appended.
 template <int Parameters>
 Eigen::Vector<double, Parameters + 1> derivativesAndResidual(const ResidualRow& row)
 {
@@ -24,7 +24,7 @@ Eigen::Vector<double, Parameters + 1> derivativesAndResidual(const ResidualRow& 
     return both;
 }
 
-/// Sums over one block.
+/// Sums over the rows of one block.
 template <int Parameters>
 struct FieldBlock {
     int branchIndex = -1;
@@ -101,7 +101,7 @@ ShapeFieldOf<Parameters>::ShapeFieldOf(const std::vector<ResidualRow>& rows, dou
 template <int Parameters>
 void ShapeFieldOf<Parameters>::eliminate(double offsetPx)
 {
-    // With K the scaled covariance, (K⁻¹ + I)⁻¹ = I − (I + K)⁻¹ is the part that the field absorbs.
+    // With K the scaled covariance, the field absorbs (K⁻¹ + I)⁻¹ = I − (I + K)⁻¹.
     factor_ = offsetPx * offsetPx * kernel_;
     factor_.diagonal().array() += 1.0;
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>, Eigen::Lower> llt(factor_);
@@ -148,7 +148,7 @@ double ShapeFieldOf<Parameters>::likelyOffsetPx(const Equations& prior)
     if (best == 0 || best + 1 == offsetsTriedPx.size()) {
         return offsetsTriedPx[best];
     }
-    // Parabola through three points one octave apart.
+    // Interpolates the maximum with a parabola through three points one octave apart.
     const double below = likelihoods[best - 1] - likelihoods[best];
     const double above = likelihoods[best + 1] - likelihoods[best];
     return offsetsTriedPx[best] * std::exp2(0.5 * (above - below) / -(above + below));

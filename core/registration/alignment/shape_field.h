@@ -6,10 +6,10 @@
 
 namespace angiopose::core {
 
-/// Residual model of a smoothly deformed tree: the projected vessel is displaced from its true position by a Gaussian
-/// random field in the image plane, correlated over about 40 mm in space. The field is constant over short blocks of a
-/// branch. All values are in units of information: weights are divided by the variance of a row, the prior adds 1/σ².
-/// Parameters: 6 of the pose, or 9 with those of the camera appended.
+/// Residual model of a smoothly deformed tree: a Gaussian random field in the image plane, correlated over about 40 mm
+/// in space, displaces the projected vessels from their true positions. The field is constant over short blocks of a
+/// branch. All values are in units of information: weights are divided by the variance of a row, and the prior adds
+/// 1/σ². The parameters are the 6 of the pose, optionally followed by 3 of the camera.
 template <int Parameters>
 class ShapeFieldOf {
 public:
@@ -23,8 +23,8 @@ public:
     /// standard deviation of the field.
     Equations equations(double offsetPx);
 
-    /// Maximum-likelihood standard deviation of the field after eliminating the best parameters (restricted maximum
-    /// likelihood); `prior` holds other information about the parameters.
+    /// Returns the standard deviation of the field by restricted maximum likelihood, with the pose parameters
+    /// eliminated; `prior` holds additional information about these parameters.
     double likelyOffsetPx(const Equations& prior);
 
 private:
@@ -35,8 +35,8 @@ private:
     using Squares = Eigen::Matrix<double, withResidual, withResidual>;
     using Blocks = Eigen::Matrix<double, Eigen::Dynamic, withResidual>;
     Squares plain_ = Squares::Zero();   ///< Σ of [g r]ᵀ[g r] over all rows
-    Squares left_;   ///< same with the field eliminated
-    Blocks blocks_;   ///< Σ of [g r] over each block, divided by the square root of its weight
+    Squares left_;   ///< the same sum with the field eliminated
+    Blocks blocks_;   ///< Σ [g r] over each block, divided by the square root of the block's weight
     Eigen::MatrixXd
         kernel_;   ///< covariance of the blocks for a field of 1 px, scaled by the square roots of their weights
     Eigen::MatrixXd factor_;

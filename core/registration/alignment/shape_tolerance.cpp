@@ -9,13 +9,13 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double matchScalePx = 1.5;   // with the cutoff of the Welsch weight, points up to 6 px away are matched
+constexpr double matchScalePx = 1.5;   // Welsch scale for matching; its cutoff admits points up to 6 px away
 constexpr double scaleFactor = 3.0;   // Welsch scale at which Gaussian residuals keep nearly all their weight
 constexpr int maxShapeSteps = 8;
 constexpr double settledShapeSigmas = 0.1;   // the following steps are even smaller
 constexpr double minShapeDamping = 1e-9;
-// Eigenvalue share of vessels within about 6° (RMS) of one direction: traced directions scatter as much and do not
-// constrain a slide.
+// Eigenvalue fraction of vessels within about 6° (RMS) of one direction: traced directions scatter by this much, and
+// such vessels do not constrain a shift along them.
 constexpr double oneLineShare = 0.01;
 
 NormalEquations priorAt(const StartPrior& prior, const CentroidPose& pose, double variance = 1.0)
@@ -30,7 +30,7 @@ double tolerantScalePx(const ResidualNoise& noise)
     return std::max(1.0, scaleFactor * std::hypot(noise.scatterPx, noise.offsetPx));
 }
 
-/// Collects rows with weights adapted to the spread of the residuals.
+/// Collects rows with weights adapted to the noise of the residuals, which is returned.
 ResidualNoise collectRobustRows(const Alignment& alignment, const CentroidPose& pose, std::vector<ResidualRow>& rows)
 {
     alignment.collectRows(pose, matchScalePx, rows);
@@ -73,12 +73,12 @@ bool isSettled(const Vector6d& step, const NormalEquations& equations, double va
     return squaredSigmas < settledShapeSigmas * settledShapeSigmas;
 }
 
-/// Second moments of the normals of the matched vessels in the image, weighted by length: how well lateral shifts are
-/// constrained.
+/// Returns the length-weighted second moments of the image normals of the matched vessels, which state how well lateral
+/// shifts are constrained.
 Eigen::Matrix2d spreadOfNormals(const std::vector<ResidualRow>& rows, const CentroidPose& pose)
 {
     constexpr std::size_t apart =
-        5;   // rows: far enough apart to give the direction of the vessel instead of its sampling
+        5;   // in rows; far enough apart to measure the direction of the vessel rather than its sampling
     const auto seen = [&pose](const ResidualRow& row) {
         const Eigen::Vector3d inCamera = row.fromCentroid + pose.centroidInCamera;
         return Eigen::Vector2d(inCamera.head<2>() / inCamera.z());
@@ -96,8 +96,8 @@ Eigen::Matrix2d spreadOfNormals(const std::vector<ResidualRow>& rows, const Cent
     return spread;
 }
 
-/// Removes the slide along the vessels from the equations when all matched vessels form one line in the image, because
-/// it changes no distance across them.
+/// If all matched vessels form one line in the image, removes the shift along this line from the equations, because it
+/// changes no distance across the vessels.
 template <int Parameters>
 EquationsOf<Parameters> withoutOpenSlide(EquationsOf<Parameters> equations, const std::vector<ResidualRow>& rows,
                                          const CentroidPose& pose)
@@ -113,7 +113,7 @@ EquationsOf<Parameters> withoutOpenSlide(EquationsOf<Parameters> equations, cons
     return equations;
 }
 
-/// Information of the rows if the vessels may be deformed as much as the residuals show.
+/// Returns the information of the rows, allowing for as much deformation of the vessels as the residuals show.
 template <int Parameters>
 EquationsOf<Parameters> tolerantEquations(const Alignment& alignment, const CentroidPose& pose,
                                           const EquationsOf<Parameters>& prior)
@@ -127,7 +127,7 @@ EquationsOf<Parameters> tolerantEquations(const Alignment& alignment, const Cent
     return withoutOpenSlide(field.equations(field.likelyOffsetPx(prior)), rows, pose);
 }
 
-/// Shifts the rotated tree onto the vessels.
+/// Shifts the rotated tree onto the vessels without rotating it further.
 CentroidPose settleShift(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose, double scalePx,
                          double rowVariance)
 {

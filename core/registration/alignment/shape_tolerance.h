@@ -20,8 +20,8 @@ double likelyOffsetOf(const Alignment& alignment, const CentroidPose& pose);
 /// information.
 NormalEquations tolerantInformation(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose);
 
-/// Information about pose and camera, where the camera has errors with standard deviations `spread`; neither prior is
-/// included in the equations.
+/// Returns the information about pose and camera for camera errors with standard deviations `spread`; the equations
+/// include neither prior.
 CameraEquations tolerantInformation(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose,
                                     const CameraSpread& spread);
 

@@ -14,22 +14,22 @@ namespace angiopose::core {
 namespace {
 
 constexpr int minCellPx = 8;
-constexpr int cellsAcrossImage = 128;   // larger images are downsampled
+constexpr int cellsAcrossImage = 128;   // maximum number of cells per side; larger images get larger cells
 constexpr int stampReach = 3;   // cells
 constexpr double stampScale = 1.4;   // cells
-constexpr double unlikeCloseness = 0.4;   // closeness of a vessel with a different width, whose position still counts
-constexpr double widthStep = 0.5;   // difference in log width between two distinguished widths
-constexpr double finestPx = 1.0;   // radius; tracing detects no thinner vessels
+constexpr double unlikeCloseness = 0.4;   // closeness assigned to a vessel of a different width at the right position
+constexpr double widthStep = 0.5;   // bin width in log vessel width
+constexpr double finestPx = 1.0;   // minimum radius; thinner vessels are not traced
 constexpr double widestPx = 60.0;
-constexpr double likeWidth = 0.75;   // difference in log width within which widths count as alike
-constexpr std::size_t askedPlaces = 150;   // sums of bytes must fit in 16 bits: at most 257
-constexpr double likeDirection = 0.84;   // cosine; within 33° of the direction of a channel
+constexpr double likeWidth = 0.75;   // maximum difference in log width between matching widths
+constexpr std::size_t askedPlaces = 150;   // number of target points; at most 257 keep sums of bytes within 16 bits
+constexpr double likeDirection = 0.84;   // minimum cosine to a channel's direction; cos 33°
 constexpr double endOnTerritory = 0.3;   // vessels nearly along the ray have no direction
 constexpr std::size_t keptPerTurn = 3;
-constexpr double apartCells = 3.0;   // spacing of the places kept for one rotation
+constexpr double apartCells = 3.0;   // minimum spacing of the shifts kept per rotation
 constexpr double basinCells = 3.0;
 constexpr double basinOfStep = 0.75;
-constexpr double maxOfImage = 0.6;   // fraction of the image side
+constexpr double maxOfImage = 0.6;   // maximum shift as a fraction of the image side
 
 /// Unit directions 0°, 45°, 90°, 135°.
 const std::array<Eigen::Vector2d, 4> channelDirections{
@@ -45,7 +45,7 @@ std::size_t nearestDirection(const Eigen::Vector2d& direction)
 
 }   // namespace
 
-/// Sums for all shifts of one orientation; the first is the farthest shift down and to the right.
+/// Scores of all shifts for one orientation; the first entry is the largest shift down and to the right.
 struct TerritorySearch::Shifts {
     int halfColumns;
     int halfRows;
@@ -88,7 +88,7 @@ TerritorySearch::TerritorySearch(const ProjectionCamera& camera, const TargetLin
     }
 }
 
-/// Index of a width; adds a new one if no similar width exists.
+/// Returns the index of a width bin; adds the bin if it is new.
 std::size_t TerritorySearch::widthOf(double radiusPx)
 {
     const double logWidth = radiusPx > 0.0
@@ -103,7 +103,7 @@ std::size_t TerritorySearch::widthOf(double radiusPx)
     return static_cast<std::size_t>(known - logWidths_.begin());
 }
 
-/// Compares the widths of points and vessels; an unknown width matches any other.
+/// Marks which target widths match which tree points; an unknown width matches all.
 void TerritorySearch::compareWidths(std::span<const double> radiusMm, double pxPerMm, std::size_t points)
 {
     isLike_.assign(points * logWidths_.size(), 1);

@@ -4,10 +4,10 @@
 
 namespace angiopose::core {
 
-/// Exhaustive search like CoarseSearch, but in the opposite direction (ALGORITHMS §6.17): scores the distance of the
-/// traced vessels to the projected tree with a similar direction. Unopacified branches cost nothing; a single territory
-/// of the tree is therefore enough to find a pose. Where both widths are known, vessels with a different width score
-/// lower: a wide vessel is compared with wide branches.
+/// Exhaustive search like CoarseSearch, but in the opposite direction (ALGORITHMS §6.17): scores how close each traced
+/// vessel is to a projected branch of similar direction. Unopacified branches do not lower the score; a single
+/// opacified territory of the tree is therefore enough to find a pose. If both widths are known, pairs of different
+/// width score lower.
 class TerritorySearch {
 public:
     /// `radiusPx` holds the radius of each target line, 0 where unknown; may be empty.
@@ -22,10 +22,10 @@ public:
 private:
     static constexpr std::size_t directions = 4;   ///< vessel directions, 45° apart
 
-    /// Place of the target in cells of the canvas.
+    /// Target point in cells of the canvas.
     struct Place {
         int column, row;
-        std::size_t channel;   ///< combination of direction and width
+        std::size_t channel;   ///< index combining width and direction
     };
     using Stamp = std::vector<std::uint8_t>;
     struct Shifts;
@@ -39,15 +39,15 @@ private:
 
     ProjectionCamera camera_;
     int cellPx_;
-    std::vector<Place> places_;   ///< subset of the target's places, evenly spread
+    std::vector<Place> places_;   ///< evenly spaced subset of the target points
     std::vector<double> logWidths_;   ///< widths of the target, each with its own channels; NaN: unknown width
-    std::vector<std::uint8_t> isLike_;   ///< 1 for each width that is compatible with each point
+    std::vector<std::uint8_t> isLike_;   ///< per tree point and target width, 1 if they match
     Stamp like_;   ///< closeness 0…255 around a tree point
-    Stamp unlike_;   ///< same for vessels of a different width
-    int margin_ = 0;   ///< cells around the image
+    Stamp unlike_;   ///< closeness for vessels of a different width
+    int margin_ = 0;   ///< number of cells added around the image
     int columns_ = 0;
     int rows_ = 0;
-    std::vector<std::uint8_t> canvas_;   ///< closeness to the tree, per width and direction
+    std::vector<std::uint8_t> canvas_;   ///< closeness to the projected tree, one image per width and direction
 };
 
 }   // namespace angiopose::core

@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double beyondReach = 1.2;   // factor by which diagonal tilts may exceed the range
+constexpr double beyondReach = 1.2;   // factor by which the combined tilt about both axes may exceed the range
 
 /// Angles −reach … reach in equal steps of about stepDeg, including 0; only 0 if the angle is locked; rad.
 std::vector<double> anglesWithin(double reachDeg, const SearchReach& reach, PoseAxis axis)

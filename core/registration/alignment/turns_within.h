@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// Visits `start` rotated by every tilt and roll within the range, in steps of about `stepDeg`, leaving out locked
-/// angles. `proceed` receives the completed share of the tilts; Stop ends the iteration.
+/// Visits `start` rotated by every tilt and roll within the range, in steps of about `stepDeg`, skipping locked angles.
+/// `proceed` receives the completed fraction of the tilts; Stop ends the iteration.
 void forEachTurn(const CentroidPose& start, const SearchReach& reach,
                  const std::function<void(const CentroidPose&)>& visit, const std::function<Verdict(double)>& proceed);
 

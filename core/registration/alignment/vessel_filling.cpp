@@ -95,7 +95,7 @@ int VesselFilling::emptyTerritories(std::span<const std::uint8_t> isOpacified, d
     for (const Node& node : order_) {
         const bool isPiece = at(node.number) < pieceCount;
         const bool isEmpty = !isPiece || isOpacified[at(node.number)] == 0;
-        // An opacified piece separates the parts attached on either side.
+        // An opacified segment separates the unopacified parts on its two sides.
         const bool continues =
             node.above >= 0 && isEmpty && (at(node.above) >= pieceCount || isOpacified[at(node.above)] == 0);
         top[at(node.number)] = continues ? top[at(node.above)] : node.number;

@@ -11,10 +11,10 @@ namespace angiopose::core {
 namespace {
 
 constexpr double crossingCellPx = 12.0;
-constexpr double sameCrossingPx = 2.0;   // a curve that wavers across the line counts as one crossing
+constexpr double sameCrossingPx = 2.0;   // crossings of one curve closer than this count as one
 
-/// Least-squares parabola over seven points (Savitzky and Golay 1964), five or three near the ends: removes the pixel
-/// steps and keeps the curvature.
+/// Fits a least-squares parabola (Savitzky and Golay 1964) over seven points, five or three near the ends: removes the
+/// pixel staircase and preserves the curvature.
 Eigen::Vector2d smoothedPoint(const std::vector<Eigen::Vector2d>& points, std::size_t first, std::size_t last,
                               std::size_t at)
 {
@@ -83,7 +83,7 @@ void CurveCrossings::sortIntoCells(const ProjectionCamera& camera)
 void CurveCrossings::meet(const Piece& piece, const CrossingQuery& query, double minCosine,
                           std::vector<CurveCrossing>& crossings) const
 {
-    // place + s normal = from + f along
+    // Solves place + s normal = from + f along.
     const Eigen::Vector2d apart = piece.from - query.placePx;
     const double across = query.normal.x() * piece.along.y() - query.normal.y() * piece.along.x();
     if (std::abs(across) < 1e-9) {

@@ -16,20 +16,20 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::array<double, 3> strainsTried{0.15, 0.08, 0.2};   // at most one run each
+constexpr std::array<double, 3> strainsTried{0.15, 0.08, 0.2};   // strains of the successive fits, at most one fit each
 constexpr int annealingSteps = 14;
 constexpr double firstAnnealingMm = 3.5;
 constexpr double lastAnnealingMm = 0.1;
 constexpr int learningFrom = 6;
 constexpr double coarseAboveMm = 0.5;
-constexpr int settlingSteps = 4;   // extra steps of the best run
+constexpr int settlingSteps = 4;   // extra steps of the best fit
 constexpr double allSteps = annealingSteps * static_cast<double>(strainsTried.size()) + settlingSteps;
-constexpr double clearlyRigidGain = -1.0;   // log evidence of one run
-constexpr double runsAgreeMm = 0.1;   // RMS in the image plane of the first view
-constexpr double startTurnDeg = 0.5;   // rotation of the run's starting points away from the rigid pose
+constexpr double clearlyRigidGain = -1.0;   // log evidence below which the first fit shows that the tree is rigid
+constexpr double runsAgreeMm = 0.1;   // RMS difference in the image plane of the first view below which two fits agree
+constexpr double startTurnDeg = 0.5;   // 1-σ rotation of a fit's starting point from the rigid pose
 constexpr double startShiftMm = 1.0;
 
-/// Reports every step of every run to the observer.
+/// Reports every step of every fit to the observer.
 class DeformationProgress {
 public:
     explicit DeformationProgress(const IterationObserver& observe) : observe_(observe) {}
@@ -85,7 +85,7 @@ DeformationFit annealed(const DeformationProblem& problem, std::size_t run, int 
     return fit;
 }
 
-/// Iterates until the variances settle; they converge slowly where there is little motion.
+/// Iterates until the variances converge, which takes long if there is little motion.
 void settleVariances(DeformationFit& fit, double strain, DeformationProgress& progress)
 {
     for (int k = 0; k < settlingSteps && !progress.isStopped(); ++k) {
@@ -105,15 +105,15 @@ double rmsApartMm(const DeformationProblem& problem, const DeformationFit& a, co
     return std::sqrt(squares / static_cast<double>(here.size()));
 }
 
-/// Whether further runs would give the same result.
+/// Whether further fits would give the same result.
 bool areEnough(const DeformationProblem& problem, const std::vector<DeformationFit>& runs)
 {
     return runs.size() == 1 ? logEvidenceGain(problem, runs.front()) < clearlyRigidGain
                             : rmsApartMm(problem, runs[0], runs[1]) < runsAgreeMm;
 }
 
-/// Index of the run with the highest likelihood of all observations: the rows by their evidence, knots without a row at
-/// the background density.
+/// Returns the index of the fit with the highest likelihood of all observations: rows count by their evidence, knots
+/// without a row at the background density.
 std::size_t likeliest(const std::vector<DeformationFit>& runs)
 {
     const auto best = std::ranges::max_element(runs, {}, &DeformationFit::logLikelihood);

@@ -23,8 +23,8 @@ constexpr double independentMm = 4.0;   // along a vessel; errors of a traced cu
 constexpr double minRowWeight = 0.03;
 constexpr double minNoisePx = 0.2;
 constexpr double greatestNoisePx = 4.0;
-// Fraction of the squared residuals kept by the weights for Gaussian residuals, divided by the fraction of the weights
-// kept.
+// For Gaussian residuals, the fraction of the squared residuals that the robust weights keep, divided by the mean
+// weight.
 constexpr double robustBias = 0.67;
 // Standard deviation of each motion at a strain of 1, mm: three motions in space, then the one along the tree.
 constexpr std::array<double, motionCount> motionPerStrainMm{30.0, 20.0, 10.0, 12.0};
@@ -139,7 +139,7 @@ double DeformationFit::foundMm(const MotionRow& row) const
            row.byPose.dot(state_.poseStep) + geometry;
 }
 
-/// Combines the candidates of a knot into one row, or none.
+/// Combines the candidates of a knot into one row, unless none is likely.
 void DeformationFit::addRow(const KnotLook& look, const KnotChoice& choice, std::size_t view,
                             const DeformationStep& step)
 {

@@ -14,24 +14,24 @@ namespace angiopose::core {
 /// One view of a fit.
 struct DeformationView {
     ProjectionCamera camera;
-    RigidTransform cameraFromFirst;   ///< before its correction
+    RigidTransform cameraFromFirst;   ///< camera position relative to the first view, before the correction
     CurveCrossings curves;
 };
 
-/// Data common to all runs of a fit.
+/// Data shared by all fits.
 struct DeformationProblem {
     TreeKnots knots;
     FieldKernel kernel;
     std::vector<DeformationView> views;
     Eigen::Vector3d centroidInPatient;
-    CentroidPose start;   ///< pose in the first view
-    MotionPrior prior;   ///< prior of the motion; each run has its own variances
-    LinearBelief startStep;   ///< step from the rigid pose according to the initial pose only
+    CentroidPose start;   ///< rigid pose in the first view
+    MotionPrior prior;   ///< priors of pose, geometry and motion; each fit estimates its own motion variances
+    LinearBelief startStep;   ///< prior of the step from the rigid pose, from the initial pose alone
 };
 
-/// State of a run.
+/// Current estimates of a fit.
 struct DeformationState {
-    Vector6d poseStep = Vector6d::Zero();   ///< relative to the start, see CentroidPose
+    Vector6d poseStep = Vector6d::Zero();   ///< step relative to DeformationProblem::start, see CentroidPose
     std::vector<Vector6d> corrections;   ///< corrections of the geometry between views
     Eigen::Matrix3Xd motionMm;   ///< motion of each knot, patient axes
     Eigen::MatrixXd deviationMm;   ///< 1-σ across the vessel, knots × views
@@ -41,14 +41,14 @@ struct DeformationState {
 
 /// Settings of one step.
 struct DeformationStep {
-    double annealingMm = 0.0;   ///< 1-σ added to the noise
-    double strain = 0.15;   ///< strain between neighbors, see NeighborModel
+    double annealingMm = 0.0;   ///< 1-σ added to the tracing noise
+    double strain = 0.15;   ///< assumed strain between neighboring knots, see NeighborModel
     bool isLearning = false;   ///< whether variances and noise are estimated
     bool isCoarse = false;   ///< only every other knot gives a row: sufficient while the noise is large
 };
 
-/// One run of the fit, step by step: evaluate, match along the tree, and solve for pose and motion jointly (ALGORITHMS
-/// §11.3).
+/// One annealed fit. Each step evaluates the knots, matches them along the tree, and solves jointly for pose and motion
+/// (ALGORITHMS §11.3).
 class DeformationFit {
 public:
     /// `problem` must outlive the fit.
@@ -60,15 +60,15 @@ public:
     const std::vector<MotionRow>& rows() const { return rows_; }
     const std::optional<FieldPosterior>& posterior() const { return posterior_; }   ///< nullopt if there are no rows
 
-    /// Fraction of the used tree's visible length that has a matching vessel, 0…1.
+    /// Fraction of the visible length of the used branches that matches a vessel, 0…1.
     double explainedShare() const { return explainedShare_; }
-    /// Log likelihood of the rows and the unmatched knots, up to a constant common to all runs.
+    /// Log likelihood of the rows and the unmatched knots, up to a constant that all fits share.
     double logLikelihood() const;
 
     double medianResidualPx() const { return medianResidualPx_; }
 
     DeformedTree deformedTree() const;
-    RigidTransform viewFromFirst(std::size_t view) const;   ///< with the correction applied
+    RigidTransform viewFromFirst(std::size_t view) const;   ///< includes the geometry correction
 
 private:
     using Looks = std::vector<std::optional<KnotLook>>;
@@ -88,7 +88,7 @@ private:
     std::vector<MotionRow> rows_;
     std::vector<double> rowPx_;   ///< mm per px for each row
     std::vector<double> rowWeight_;
-    std::vector<std::vector<MotionRow>> others_;   ///< per view: rows of knots that gave no observation
+    std::vector<std::vector<MotionRow>> others_;   ///< per view, rows of the knots without an observation
     std::optional<FieldPosterior> posterior_;
     double seenMm_ = 0.0;
     double explainedMm_ = 0.0;
@@ -96,7 +96,7 @@ private:
     double medianResidualPx_ = 0.0;
 };
 
-/// Initial state of a run with motions of this strain.
+/// Returns the initial state of a fit whose motion variances correspond to this strain.
 DeformationState startOfRun(const DeformationProblem& problem, double strain);
 
 }   // namespace angiopose::core

@@ -38,7 +38,7 @@ Matrix6d independentVariances(double turnDeg, double shiftMm)
     return deviations.cwiseAbs2().asDiagonal();
 }
 
-/// Belief about the step from the rigid pose to the true one according to the initial pose.
+/// Prior of the step from the rigid to the true pose, from the initial pose alone.
 LinearBelief stepByStart(const CentroidPose& rigid, const RegistrationInput& input, const DeformableOptions& options)
 {
     Vector6d deviations;

@@ -7,7 +7,7 @@
 
 namespace angiopose::core {
 
-/// Builds the deformation problem for these views; fails if views or options are unusable.
+/// Builds the deformation problem for these views; fails if a view or an option is unusable.
 Result<DeformationProblem> makeDeformationProblem(std::span<const DeformableView> views,
                                                   const DeformableOptions& options);
 

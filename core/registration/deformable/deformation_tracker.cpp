@@ -18,10 +18,10 @@ constexpr double warmStrain = 0.15;
 constexpr std::array<double, 5> warmAnnealingMm{1.0, 0.6, 0.35, 0.2, 0.1};
 constexpr std::size_t warmLearningFrom = 1;
 constexpr double warmCoarseAboveMm = 0.5;
-constexpr double warmDeviationMm = 1.5;   // from frame to frame, in addition to the tracked rigid pose
-constexpr double fitsLikeLast = 0.8;   // fraction of the last frame's share of matched tree length
+constexpr double warmDeviationMm = 1.5;   // 1-σ motion between frames, relative to the tracked rigid pose
+constexpr double fitsLikeLast = 0.8;   // minimum matched tree length, relative to the last frame
 
-/// Motion at the knots of each branch, which divide it evenly, interpolated from the motion at its points.
+/// Interpolates the motion of a branch's points to its evenly spaced knots.
 Eigen::Matrix3Xd motionAtKnots(const TreeKnots& knots, const VesselTree& tree, const DeformableResult& known)
 {
     Eigen::Matrix3Xd motion = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(knots.size()));
@@ -56,7 +56,7 @@ Result<DeformationTracker> DeformationTracker::after(const DeformableView& view,
     return DeformationTracker(std::move(problem).value(), std::move(known), view.rigidCameraFromPatient, options);
 }
 
-/// Vessels as in the last frame, moved with the rigid pose.
+/// Returns the last frame's deformation, moved with the rigid pose.
 DeformationState DeformationTracker::startOf(const DeformableView& view) const
 {
     const RigidTransform carried = view.rigidCameraFromPatient * lastRigid_.inverse() * last_.cameraFromPatient;

@@ -6,16 +6,16 @@
 
 namespace angiopose::core {
 
-/// Tracks deformed vessels through the frames of a run (ALGORITHMS §11.6): each frame starts from the deformation of
-/// the previous one and needs a few steps where a cold start takes three fits. If only little of the tree finds a
-/// matching vessel that way, the frame is fitted from scratch.
+/// Tracks deformed vessels through a cine run (ALGORITHMS §11.6). Each frame starts from the deformation of the
+/// previous one and needs only a few steps, whereas a cold start takes three fits. If too little of the tree then
+/// matches a vessel, the frame is fitted from scratch.
 class DeformationTracker {
 public:
-    /// Continues from the deformation `known` found in one frame, in that view only; fails if the view is unusable.
+    /// Continues from the deformation `known`, found in one frame and in this view only; fails if the view is unusable.
     static Result<DeformationTracker> after(const DeformableView& view, DeformableResult known,
                                             const DeformableOptions& options = {});
 
-    /// Computes the deformation of the next frame near its rigid pose; fails if its target is unusable, leaving the
+    /// Computes the deformation of the next frame near its rigid pose. If the target is unusable, fails and leaves the
     /// tracker unchanged.
     Result<DeformableResult> next(const DeformableView& view, const IterationObserver& observe = {});
 
@@ -28,8 +28,8 @@ private:
     DeformableOptions options_;
     DeformationProblem problem_;
     DeformableResult last_;
-    RigidTransform lastRigid_;   ///< rigid pose of the frame of `last_`
-    std::optional<MotionVariances> variances_;   ///< variances estimated in the last frames
+    RigidTransform lastRigid_;   ///< rigid pose of the frame to which last_ belongs
+    std::optional<MotionVariances> variances_;   ///< motion variances estimated in the previous frame
 };
 
 }   // namespace angiopose::core

@@ -13,11 +13,11 @@
 namespace angiopose::core {
 namespace {
 
-/// Part of the tree on one side of a plane across a patient axis that moved as a whole relative to the rest.
+/// Part of the tree on one side of a plane normal to a patient axis that moved as a rigid body relative to the rest.
 struct MovedPart {
-    Eigen::Vector3d side;   ///< unit vector, patient axes: side on which the part lies
+    Eigen::Vector3d side;   ///< unit vector in patient axes toward the part's side of the plane
     double share = 0.0;   ///< fraction of the tree's length
-    Eigen::Vector3d shift;   ///< mm, patient axes: mean motion of the part relative to the rest
+    Eigen::Vector3d shift;   ///< mean motion of the part relative to the rest, mm, patient axes
 };
 
 constexpr std::array<double, 7> cutsTried{0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8};
@@ -25,7 +25,7 @@ constexpr double maxLeftOver = 0.35;   // fraction of the squared motion left un
 constexpr double minPartShiftMm = 2.0;
 constexpr double samplesMm = 5.0;
 
-/// Evenly spaced positions before and after the motion.
+/// Evenly spaced tree positions before and after the motion.
 struct MovedSamples {
     std::vector<Eigen::Vector3d> before;
     std::vector<Eigen::Vector3d> after;
@@ -61,7 +61,7 @@ MovedSamples movedSamplesOf(const VesselTree& tree, const DeformableResult& resu
     return samples;
 }
 
-/// Smaller of the two rigid parts that explain most of the motion, if such parts exist.
+/// Returns the smaller of two rigidly moving parts that together explain most of the motion, if such parts exist.
 std::optional<MovedPart> movedPart(const VesselTree& tree, const DeformableResult& result)
 {
     const MovedSamples all = movedSamplesOf(tree, result);
@@ -103,9 +103,9 @@ std::optional<MovedPart> movedPart(const VesselTree& tree, const DeformableResul
     return found && found->shift.norm() >= minPartShiftMm ? found : std::nullopt;
 }
 
-constexpr double convincingGain = 10.0;   // log evidence
-constexpr double greatestSpreadMm = 0.5;   // larger differences mean that the runs match different branches
-constexpr double minExplained = 0.4;   // fraction of the visible tree
+constexpr double convincingGain = 10.0;   // minimum log evidence for deformation
+constexpr double greatestSpreadMm = 0.5;   // maximum difference between fits that match the same branches
+constexpr double minExplained = 0.4;   // minimum matched fraction of the visible tree
 constexpr double greatestResidualPx = 1.2;   // more than tracing noise explains: motion that was not captured
 
 Message sideWord(const Eigen::Vector3d& direction)

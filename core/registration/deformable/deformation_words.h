@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// Decides between rigid, bent and unsure from the evidence, the spread and the visible share, and describes the motion
-/// in messages (ALGORITHMS §11.4). A rigid verdict restores the rigid poses.
+/// Decides between Rigid, Deformed and Unsure from the evidence, the spread of the fits and the matched fraction of the
+/// visible tree, and describes the motion in messages (ALGORITHMS §11.4). A Rigid verdict restores the rigid poses.
 void judgeDeformation(std::span<const DeformableView> views, DeformableResult& result);
 
 }   // namespace angiopose::core

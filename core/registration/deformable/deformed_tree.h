@@ -10,7 +10,7 @@ namespace angiopose::core {
 /// Whether a result belongs to this tree: same branches, each with the same number of points, in any order.
 bool isOf(const VesselTree& tree, const DeformableResult& result);
 
-/// Whether the result contains nonrigid motion and the fit was not stopped before that was established.
+/// Whether the result contains nonrigid motion; false if the fit was stopped before it could decide.
 bool isDeformed(const DeformableResult& result);
 
 const BranchMotion* motionOf(const DeformableResult& result, int branchId);   ///< null if there is none
@@ -23,12 +23,12 @@ VesselTree deformedTree(const VesselTree& tree, const DeformableResult& result);
 VesselTree deformedTreeAt(const VesselTree& tree, const DeformableResult& result,
                           const RigidTransform& cameraFromPatient);
 
-/// Distance of each point of a branch from its position in the other tree, mm, both projected with `cameraFromPatient`:
-/// across the ray for a single view, otherwise in space.
+/// Returns the distance of each point of a branch from the same point in the other tree, mm, with both trees in the
+/// camera of `cameraFromPatient`: across the ray for a single view, otherwise in space.
 std::vector<double> distancesApart(const VesselBranch& branch, const VesselBranch& other,
                                    const RigidTransform& cameraFromPatient, std::size_t viewCount);
 
-/// Same result with another of its views moved to the first place.
+/// Returns the same result with the given view moved to the first place.
 DeformableResult seenFirst(DeformableResult result, std::size_t view);
 
 /// Rounds to the known accuracy and the precision of files: motions to 1 µm, covariances to three digits.

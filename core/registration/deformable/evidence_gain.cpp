@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::array<double, 7> noiseFactorsTried{1.0, 1.4, 2.0, 2.8, 4.0, 8.0, 16.0};
 
-/// Information of the rows about pose and geometry without motion: few parameters, which makes their evidence cheap to
-/// compute.
+/// Information of the rows about pose and geometry for a tree without motion. It has few parameters, which makes the
+/// evidence cheap to compute.
 class RigidRows {
 public:
     RigidRows(const MotionPrior& prior, const std::vector<MotionRow>& rows)
@@ -41,7 +41,7 @@ public:
         count_ = static_cast<double>(rows.size());
     }
 
-    /// log N(values; 0, covariance) with the deviation of every row scaled by `factor` (Woodbury).
+    /// Returns log N(values; 0, covariance) with the standard deviation of every row scaled by `factor` (Woodbury).
     double logEvidence(double factor) const
     {
         const double f2 = factor * factor;
@@ -74,7 +74,7 @@ double logEvidenceGain(const DeformationProblem& problem, const DeformationFit& 
     for (const double factor : noiseFactorsTried) {
         const double evidence = rigid.logEvidence(factor);
         if (evidence < best) {
-            break;   // past the best-fitting noise
+            break;   // the noise factor is past its optimum
         }
         best = evidence;
     }

@@ -4,8 +4,8 @@
 
 namespace angiopose::core {
 
-/// Log evidence of a deformed tree over a rigid one for the rows of a fit (ALGORITHMS §11.4). The rigid tree may use
-/// its own best-fitting noise.
+/// Returns the log evidence of a deformed over a rigid tree for the rows of a fit (ALGORITHMS §11.4). The rigid tree
+/// gets its own best-fitting noise level.
 double logEvidenceGain(const DeformationProblem& problem, const DeformationFit& fit);
 
 }   // namespace angiopose::core

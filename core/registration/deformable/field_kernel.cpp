@@ -13,7 +13,7 @@ FieldKernel::FieldKernel(const TreeKnots& knots)
     for (Eigen::Index k = 0; k < count; ++k) {
         squared.col(k) = (places.colwise() - places.col(k)).colwise().squaredNorm().transpose();
     }
-    // Lengths halve: each kernel is the fourth power of the previous one.
+    // Each length is half the previous one; each kernel is therefore the fourth power of the previous one.
     kernels_[0] = (static_cast<float>(-0.5 / (motionLengthsMm[0] * motionLengthsMm[0])) * squared.array()).exp();
     kernels_[1] = kernels_[0].array().square().square();
     kernels_[2] = kernels_[1].array().square().square();

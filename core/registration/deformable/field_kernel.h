@@ -8,13 +8,13 @@
 
 namespace angiopose::core {
 
-/// Covariance model of vessel motion (ALGORITHMS §11.1): a Gaussian process per axis, the sum of smooth body motion at
-/// three length scales in space and of motion along the tree, such as a wire causes.
+/// Covariance model of vessel motion (ALGORITHMS §11.1). The motion along each axis is a sum of Gaussian processes:
+/// smooth body motion at three length scales in space, and motion along the tree as caused by a guidewire.
 inline constexpr std::array<double, 3> motionLengthsMm{80.0, 40.0, 20.0};
 inline constexpr double motionAlongTreeMm = 60.0;
 inline constexpr std::size_t motionCount = motionLengthsMm.size() + 1;   ///< the last one acts along the tree
 
-/// Variances of the motions, mm² per axis.
+/// Variance of each motion component, mm² per axis.
 using MotionVariances = std::array<double, motionCount>;
 
 /// Covariances between the knots of a tree for motions of unit variance; single precision is much finer than any noise.
@@ -24,7 +24,7 @@ public:
 
     const Eigen::MatrixXf& of(std::size_t motion) const { return kernels_[motion]; }
 
-    /// Covariances per axis, mm².
+    /// Returns the summed covariances between knots, mm² per axis.
     Eigen::MatrixXf combined(const MotionVariances& variances) const;
 
 private:

@@ -10,7 +10,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double variancePullMm2 = 0.003;   // weak prior on the learned variances: γ = 0 gives 0.01 mm²
+constexpr double variancePullMm2 = 0.003;   // weak prior on the learned variances; yields 0.01 mm² for γ = 0
 constexpr double countPull = 0.3;
 
 Eigen::Index rowAt(std::size_t number)
@@ -18,7 +18,7 @@ Eigen::Index rowAt(std::size_t number)
     return static_cast<Eigen::Index>(number);
 }
 
-/// Inverts a lower triangle in place by recursive halving; skips multiplication by zeros.
+/// Inverts a lower triangular matrix in place by recursive bisection, skipping products with zeros.
 void invertLowerTriangle(Eigen::Ref<Eigen::MatrixXf> lower)
 {
     const Eigen::Index count = lower.rows();
@@ -38,7 +38,7 @@ void invertLowerTriangle(Eigen::Ref<Eigen::MatrixXf> lower)
     last.triangularView<Eigen::StrictlyUpper>().setZero();
 }
 
-/// Lower triangle of VᵀV for a lower triangle V, computed in blocks; skips multiplication by zeros.
+/// Returns the lower triangle of VᵀV for a lower triangular V, computed in blocks that skip products with zeros.
 Eigen::MatrixXf lowerOfSquare(const Eigen::MatrixXf& lower)
 {
     constexpr Eigen::Index blockSize = 64;
@@ -116,7 +116,7 @@ double FieldPosterior::logEvidence() const
 
 Eigen::VectorXd FieldPosterior::variances() const
 {
-    // K − K (K + R)⁻¹ K = R − R (K + R)⁻¹ R
+    // Uses K − K (K + R)⁻¹ K = R − R (K + R)⁻¹ R.
     Eigen::VectorXd result(rowAt(rows_.size()));
     for (std::size_t r = 0; r < rows_.size(); ++r) {
         const double noise = rows_[r].variance;
@@ -128,7 +128,7 @@ Eigen::VectorXd FieldPosterior::variances() const
 
 FieldPosterior::RowBasis FieldPosterior::basisOf(const std::vector<MotionRow>& rows) const
 {
-    std::size_t lastView = 0;   // over these rows and the given ones: either may lack views of the other
+    std::size_t lastView = 0;   // highest view of both row sets, because either set may lack views of the other
     for (const auto* each : {&rows, &rows_}) {
         for (const MotionRow& row : *each) {
             lastView = std::max(lastView, row.view);
@@ -156,7 +156,7 @@ Eigen::VectorXf FieldPosterior::covariances(const MotionRow& row, const Eigen::V
     for (std::size_t r = 0; r < rows_.size(); ++r) {
         alike[rowAt(r)] *= combined_(rowAt(rows_[r].knot), rowAt(row.knot));
     }
-    // The geometry of a view without a given row is independent of all given rows.
+    // A view without rows in rows_ contributes nothing: its geometry is independent of them.
     alike.noalias() += basis_.steps.transpose() * steps.head(basis_.steps.rows());
     return alike;
 }
@@ -246,7 +246,7 @@ LinearBelief FieldPosterior::beliefWithPose(const Eigen::Matrix<float, 6, Eigen:
 
 MotionVariances FieldPosterior::learnedVariances() const
 {
-    // Sums over pairs of rows, accumulated over pairs of their knots.
+    // Accumulates sums over pairs of rows by the pairs of their knots.
     const auto count = rowAt(rows_.size());
     const Eigen::Index knots = combined_.cols();
     const Eigen::MatrixXf inverse = lowerOfSquare(inverseFactor_);

@@ -8,7 +8,7 @@
 
 namespace angiopose::core {
 
-/// Observation of one knot in an image: its distance across its vessel, caused by pose, geometry and motion together.
+/// Observation of one knot in an image: the distance across its vessel, a sum of pose, geometry and motion effects.
 struct MotionRow {
     std::size_t knot = 0;
     std::size_t view = 0;
@@ -16,17 +16,17 @@ struct MotionRow {
     Vector6d byPose;
     Vector6d byGeometry;
     double valueMm = 0.0;
-    double variance = 1.0;   ///< mm²; an unseen knot has no row
+    double variance = 1.0;   ///< mm²; knots without an observation have no row
 };
 
-/// Prior of the pose (a step about its initial value), of the geometry of further views, and of the motion.
+/// Priors of the pose (a step about its initial value), the geometry of the further views, and the motion.
 struct MotionPrior {
     Matrix6d pose = Matrix6d::Identity();   ///< covariance, rad and mm
-    Matrix6d geometry = Matrix6d::Zero();   ///< covariance of the correction of each view except the first
+    Matrix6d geometry = Matrix6d::Zero();   ///< covariance of the correction of each view but the first
     MotionVariances motion{};
 };
 
-/// Belief about six linear functions of pose and motion.
+/// Gaussian distribution of six linear functions of pose and motion.
 struct LinearBelief {
     Vector6d mean = Vector6d::Zero();
     Matrix6d covariance = Matrix6d::Zero();
@@ -43,41 +43,41 @@ public:
     Vector6d geometry(std::size_t view) const;
     Eigen::Matrix3Xd motion() const;   ///< motion of all knots
 
-    /// log N(values; 0, covariance)
+    /// Returns log N(values; 0, covariance).
     double logEvidence() const;
 
-    /// Variance of the noise-free value of a row, for the given rows or for others. Cheap for the given rows.
+    /// Posterior variances of the noise-free values of the posterior's own rows (cheap), or of other rows.
     Eigen::VectorXd variances() const;
     Eigen::VectorXd variancesOf(const std::vector<MotionRow>& others) const;
 
-    /// Covariance of the positions of these knots in the camera of the first view (mm²), from pose and motion together:
-    /// `byPose[k]` is the effect of the step on the position of `knots[k]`.
+    /// Covariances of the positions of `knots` in the camera of the first view, mm², from pose and motion together;
+    /// `byPose[k]` is the derivative of the position of `knots[k]` with respect to the pose step.
     std::vector<Eigen::Matrix3d> placeCovariances(const std::vector<std::size_t>& knots,
                                                   const std::vector<Eigen::Matrix<double, 3, 6>>& byPose,
                                                   const Eigen::Matrix3d& cameraFromPatient) const;
 
-    /// Belief about `byMotion` · (motion of all knots, patient axes, knot by knot) + step of the pose, given the prior
-    /// `pose` of that step. The posterior must have been built without a pose prior (zero covariance), because wide
-    /// pose priors combined with precise rows require double precision.
+    /// Posterior of `byMotion` · (motion of all knots, patient axes, knot by knot) + pose step, given the prior `pose`
+    /// of that step. Requires a posterior built without a pose prior (zero covariance), because wide pose priors
+    /// combined with precise rows need double precision.
     LinearBelief beliefWithPose(const Eigen::Matrix<float, 6, Eigen::Dynamic>& byMotion,
                                 const LinearBelief& pose) const;
 
-    /// Variances that make the estimated motions likely (MacKay 1992): σ² = |w|²/γ, γ the number of well-determined
-    /// parameters, with a weak prior that keeps them finite.
+    /// Variances that maximize the evidence of the estimated motions (MacKay 1992): σ² = |w|²/γ with γ well-determined
+    /// parameters; a weak prior keeps them finite.
     MotionVariances learnedVariances() const;
 
     /// Number of parameters that the rows determine, that is, the degrees of freedom to subtract in a noise estimate.
     double determined() const;
 
 private:
-    /// Design matrix of the rows by columns: motion (3), pose (6), geometry (6 per view), each scaled by the square
-    /// root of its prior.
+    /// Transposed design matrix with one column per row: motion (3), pose (6) and geometry (6 per view), each scaled by
+    /// the square root of its prior.
     struct RowBasis {
         Eigen::Matrix3Xf motion;
         Eigen::MatrixXf steps;
     };
     RowBasis basisOf(const std::vector<MotionRow>& rows) const;
-    /// Covariances of all given rows with another row.
+    /// Returns the covariances of all rows in rows_ with another row.
     Eigen::VectorXf covariances(const MotionRow& row, const Eigen::Vector3f& motion,
                                 const Eigen::VectorXf& steps) const;
 
@@ -85,9 +85,9 @@ private:
     MotionPrior prior_;
     std::vector<MotionRow> rows_;
     RowBasis basis_;
-    Eigen::MatrixXf combined_;   ///< covariance of the knots
+    Eigen::MatrixXf combined_;   ///< prior covariance between the knots
     Eigen::MatrixXf inverseFactor_;   ///< lower triangle V; VᵀV is the inverse of the covariance of the rows
-    Eigen::VectorXd explained_;   ///< inverse covariance times values
+    Eigen::VectorXd explained_;   ///< inverse covariance of the rows times their values
     double logDeterminant_ = 0.0;
 };
 

@@ -11,8 +11,8 @@
 namespace angiopose::core {
 namespace {
 
-// Larger residuals are motion that the field did not capture; they are correlated along a vessel and do not average
-// out.
+// Larger residuals are motion that the field did not capture; they are correlated along a vessel, and averaging does
+// not reduce them.
 constexpr double tracingNoisePx = 0.6;
 constexpr double rivalLogLikelihood = 20.0;   // runs with a log likelihood lower by this count one third
 
@@ -53,7 +53,7 @@ std::vector<Eigen::Matrix3d> covariancesOf(const DeformationProblem& problem, co
     return covariances;
 }
 
-/// Mean over the runs of d dᵀ, where d is the displacement from the best run.
+/// Returns the weighted mean over the fits of d dᵀ, where d is the displacement from the best fit.
 std::vector<Eigen::Matrix3d> spreadOfRuns(const std::vector<KnotPlaces>& places,
                                           const std::vector<DeformationFit>& runs, std::size_t best)
 {
@@ -118,7 +118,7 @@ std::vector<double> seenShares(const DeformationProblem& problem, const Deformat
     return shares;
 }
 
-/// Motion in the image plane for a single view, otherwise in space.
+/// Returns the length of a motion: in the image plane for a single view, otherwise in space.
 double seenMotionMm(const Eigen::Vector3d& motion, const RigidTransform& pose, std::size_t viewCount)
 {
     return viewCount == 1 ? (pose.rotation * motion).head<2>().norm() : motion.norm();

@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minBranchMm = 10.0;   // shorter branches are not reported
+constexpr double minBranchMm = 10.0;   // minimum branch length for reporting
 // Fraction of a motion that the model does not capture: sliding along vessels, second-order effects, other forms of
 // motion. Measured on synthetic trees (bent_trust_table --family development).
 constexpr double notFollowedShare = 0.06;
@@ -23,7 +23,7 @@ StepsOfPlace byStep(const Eigen::Vector3d& fromCentroid)
     return moved;
 }
 
-/// Rigid tree in the camera of the first view, relative to its centroid.
+/// Returns the knots of the rigid tree in the camera of the first view, relative to the centroid.
 std::vector<Eigen::Vector3d> rigidArms(const DeformationProblem& problem)
 {
     std::vector<Eigen::Vector3d> arms;
@@ -33,8 +33,8 @@ std::vector<Eigen::Vector3d> rigidArms(const DeformationProblem& problem)
     return arms;
 }
 
-/// Step that best aligns the rigid tree with slightly moved positions, as a linear function of these displacements:
-/// three columns per knot, camera axes.
+/// Returns the pose step that best aligns the rigid tree with slightly displaced positions, as a linear function of the
+/// displacements: three columns per knot, camera axes.
 StepOfPlaces nearestStep(const std::vector<Eigen::Vector3d>& arms, const std::vector<double>& weights)
 {
     Matrix6d squares = Matrix6d::Zero();
@@ -47,8 +47,8 @@ StepOfPlaces nearestStep(const std::vector<Eigen::Vector3d>& arms, const std::ve
     return squares.ldlt().solve(pulls);
 }
 
-/// Belief about the nearest step given the rows of a run, using the prior of the initial pose instead of that of the
-/// fit.
+/// Returns the posterior of the nearest step given the rows of a fit, with the prior of the initial pose in place of
+/// the fit's pose prior.
 LinearBelief beliefAboutStep(const DeformationProblem& problem, const DeformationFit& fit, const StepOfPlaces& nearest)
 {
     MotionPrior prior = problem.prior;
@@ -63,13 +63,13 @@ LinearBelief beliefAboutStep(const DeformationProblem& problem, const Deformatio
                                     problem.startStep);   // the nearest step to a rigid step is that step
 }
 
-/// Shift in the image plane at the depth of the points for a single view, otherwise in space.
+/// Returns the shift between two points: in the image plane at their depth for a single view, otherwise in space.
 double shiftMm(const DeformationProblem& problem, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
 {
     return problem.views.size() > 1 ? (to - from).norm() : (to.head<2>() - to.z() / from.z() * from.head<2>()).norm();
 }
 
-/// Computes the size of the offset between the knots at the rigid pose and their actual positions.
+/// Computes the mean and largest distance between the knots at the rigid pose and at their actual positions.
 void measureShifts(const VesselTree& tree, const DeformationProblem& problem, const KnotPlaces& from,
                    const KnotPlaces& to, RigidOffset& offset)
 {

@@ -9,7 +9,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr int learningRounds = 4;
-constexpr double firstStepMm2 = 0.25;   // initial variance of a point's step from one frame to the next, per axis
+constexpr double firstStepMm2 = 0.25;   // initial variance of a point's frame-to-frame step, per axis
 constexpr double minStepMm2 = 1e-4;
 constexpr double minNoiseMm2 = 1e-4;
 
@@ -22,7 +22,7 @@ struct PointTrack {
 /// Smoothed point track and its statistics of the steps.
 struct SmoothTrack {
     std::vector<Eigen::Vector3d> place;
-    double squaredSteps = 0.0;   ///< expected squared steps per axis and unit of frame time, summed
+    double squaredSteps = 0.0;   ///< sum of the expected squared steps per axis and frame interval
 };
 
 SmoothTrack smoothed(const PointTrack& track, const std::vector<double>& apart, double stepMm2)
@@ -81,7 +81,7 @@ std::vector<PointTrack> tracksOf(const std::vector<DeformationInTime>& deformati
     return tracks;
 }
 
-/// Number of frames since the previous one; 1 for a run without gaps.
+/// Returns the number of frames since the previous entry; 1 throughout if no frame is missing.
 std::vector<double> framesApart(const std::vector<DeformationInTime>& deformations)
 {
     std::vector<double> apart{0.0};
@@ -91,7 +91,7 @@ std::vector<double> framesApart(const std::vector<DeformationInTime>& deformatio
     return apart;
 }
 
-/// Step variance estimated by expectation maximization over all points.
+/// Estimates the step variance by expectation maximization over all points.
 double learnedStep(const std::vector<PointTrack>& tracks, const std::vector<double>& apart)
 {
     double step = firstStepMm2;
@@ -106,7 +106,7 @@ double learnedStep(const std::vector<PointTrack>& tracks, const std::vector<doub
     return step;
 }
 
-/// Result with its points moved to other positions, patient axes at the rigid pose.
+/// Returns the result with its points moved to new positions, given in patient axes at the rigid pose.
 std::shared_ptr<const DeformableResult> movedTo(const DeformationInTime& deformation, const VesselTree& tree,
                                                 const std::vector<SmoothTrack>& tracks, std::size_t time)
 {

@@ -7,12 +7,12 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double unseenCost = 1.8;   // an unseen knot costs as much as a candidate at the gate
+constexpr double unseenCost = 1.8;   // cost of an unmatched knot, equal to that of a candidate at the gate
 constexpr double greatestDifferenceCost = 6.0;   // neighbors may differ: crossing vessels, wrong candidates
-constexpr double appearCost = 2.0;   // cost when only one of two neighbors is seen
-constexpr double otherCurveCost = 0.3;   // cost of switching curves; curves break at crossings
+constexpr double appearCost = 2.0;   // cost if only one of two neighboring knots is matched
+constexpr double otherCurveCost = 0.3;   // cost of switching curves between neighbors; traced curves break at crossings
 
-/// Messages are likelihoods over the states of a knot: unseen, followed by its candidates.
+/// Likelihoods of a knot's states, passed as messages: first unmatched, then its candidates.
 using StateLikelihoods = Eigen::VectorXd;
 
 StateLikelihoods ownLikelihoods(const KnotChoice& choice)
@@ -25,7 +25,7 @@ StateLikelihoods ownLikelihoods(const KnotChoice& choice)
     return own;
 }
 
-/// Likelihood of every pair of states: rows of the parent, columns of the child.
+/// Returns the likelihood of every pair of states, parent states in rows and child states in columns.
 Eigen::MatrixXd pairLikelihoods(const KnotChoice& parent, const KnotChoice& child, double lengthMm,
                                 const NeighborModel& model)
 {
@@ -43,7 +43,7 @@ Eigen::MatrixXd pairLikelihoods(const KnotChoice& parent, const KnotChoice& chil
         for (Eigen::Index c = 1; c < columns; ++c) {
             const KnotCandidate& there = child.candidates[static_cast<std::size_t>(c) - 1];
             const double difference = here.offsetMm - sign * there.offsetMm;
-            // Where the vessel curves, each normal sees a different component of the motion.
+            // On a curved vessel, each normal measures a different component of the motion.
             const double squares = 0.5 * (here.offsetMm * here.offsetMm + there.offsetMm * there.offsetMm);
             const double spread = 2.0 * (variance + squares * turnSquared);
             const double cost = std::min(greatestDifferenceCost, difference * difference / spread) +

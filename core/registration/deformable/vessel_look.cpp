@@ -6,9 +6,9 @@ namespace angiopose::core {
 namespace {
 
 constexpr double minSeenShare =
-    0.25;   // fraction of a vessel's length: a vessel along the ray has no direction in the image
+    0.25;   // minimum projected fraction of the length; a vessel along the ray has no direction in the image
 
-/// Tangent of the deformed branch at a knot, patient axes; not normalized.
+/// Returns the unnormalized tangent of the deformed branch at a knot, patient axes.
 Eigen::Vector3d deformedTangent(const TreeKnots& knots, const DeformedTree& deformed, std::size_t branch,
                                 std::size_t knot)
 {

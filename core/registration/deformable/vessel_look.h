@@ -11,16 +11,16 @@
 
 namespace angiopose::core {
 
-/// Observation geometry of one knot in one view, and the parameters that move it across its vessel.
+/// Projection of one knot in one view, with the derivatives of its position across the vessel.
 struct KnotLook {
     std::size_t knot = 0;
     Eigen::Vector2d placePx;
     Eigen::Vector2d normal;   ///< unit vector across the projected vessel
     double mmPerPx = 0.0;   ///< at the depth of the knot
-    double seenMm = 0.0;   ///< length across the ray represented by the knot
+    double seenMm = 0.0;   ///< vessel length that the knot represents, measured across the ray
     Eigen::Vector3d byMotion;   ///< mm across the vessel per mm of motion, patient axes
-    Vector6d byPose;   ///< same per step (rad, mm) of the first view's pose about the centroid
-    Vector6d byGeometry;   ///< same per correction of this view's geometry
+    Vector6d byPose;   ///< mm across the vessel per step (rad, mm) of the first view's pose about the centroid
+    Vector6d byGeometry;   ///< mm across the vessel per correction of this view's geometry
 };
 
 /// Current state of the deformed tree.
@@ -32,7 +32,7 @@ struct DeformedTree {
 /// View data needed by the fit of a deformed tree.
 struct DeformableSight {
     ProjectionCamera camera;
-    RigidTransform cameraFromFirst;   ///< with the correction applied
+    RigidTransform cameraFromFirst;   ///< includes the geometry correction
     Eigen::Vector3d centroidInPatient = Eigen::Vector3d::Zero();
     const CurveCrossings* curves = nullptr;
 };

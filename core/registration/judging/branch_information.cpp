@@ -10,8 +10,8 @@
 namespace angiopose::core {
 namespace {
 
-// Noise of neighboring traced points with correlation exp(-1/10): the variance of means is 20 times that of independent
-// points.
+// The noise of neighboring traced points has correlation exp(-1/10); the variance of a mean is therefore 20 times that
+// of independent points.
 constexpr double unitVariancePx2 = 20.0;
 constexpr double worthwhileGain = 0.05;
 
@@ -21,7 +21,7 @@ bool isInside(const ProjectionCamera& camera, const Eigen::Vector2d& pixel)
            pixel.y() <= camera.height - 0.5;
 }
 
-/// Length in px of a piece with both ends in the image; 0 otherwise.
+/// Returns the length of a line segment in px if both ends are inside the image, otherwise 0.
 double visibleLengthPx(const ProjectionCamera& camera, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
 {
     const auto fromPx = project(camera, from);
@@ -49,7 +49,7 @@ Matrix6d sumOf(const std::vector<BranchInformation>& branches)
     return sum;
 }
 
-/// Highest-scoring branch outside `chosen`, or null.
+/// Returns the highest-scoring visible branch that is not in `chosen`, or null.
 template <class Score>
 const BranchInformation* best(const std::vector<BranchInformation>& branches, const std::vector<int>& chosen,
                               const Score& score)
@@ -74,7 +74,7 @@ Matrix6d pieceInformation(const ProjectionCamera& camera, const Eigen::Vector3d&
     const auto fromPx = project(camera, fromInCamera);
     const auto toPx = project(camera, toInCamera);
     const Eigen::Vector2d along = fromPx && toPx ? Eigen::Vector2d(*toPx - *fromPx) : Eigen::Vector2d::Zero();
-    const double lengthPx = along.norm();   // equals the number of traced points
+    const double lengthPx = along.norm();   // equals the number of traced points, one per px
     if (lengthPx < 1e-9) {
         return Matrix6d::Zero();
     }

@@ -8,14 +8,14 @@ namespace angiopose::core {
 namespace {
 
 constexpr double disagreeingMm = 1.0;
-constexpr double seenEnough = 0.5;   ///< fraction of a branch's length
+constexpr double seenEnough = 0.5;   ///< minimum matched fraction of a branch's length
 
 bool isReportedUnopacified(const RegistrationResult& result, int branchId)
 {
     return std::ranges::find(result.unopacified, branchId, &UnopacifiedBranch::branchId) != result.unopacified.end();
 }
 
-/// Whether the vessels were found to be deformed and the image shows this branch at its deformed position.
+/// Whether the vessels are deformed and the image shows this branch at its deformed position.
 bool isExplainedByDeformation(const RegistrationResult& result, int branchId)
 {
     if (!result.deformed || result.deformed->verdict != DeformationVerdict::Deformed) {

@@ -9,12 +9,12 @@ namespace angiopose::core {
 /// Branches whose projection does not match the traced vessels at a pose.
 struct DisagreeingBranches {
     std::vector<int> branchIds;   ///< in the tree's order
-    double worstMm = 0.0;   ///< largest median of these branches, at the vessels
+    double worstMm = 0.0;   ///< largest median distance of these branches, at the depth of the vessels
 };
 
-/// Branches with a median above 1 mm that the registration does not report as unopacified, that no deformation explains
-/// and, if there is a wire, that lie on its path: they may still be unopacified, or have moved. A pose with such
-/// branches may be correct and reliable.
+/// Returns the branches with a median distance above 1 mm, except those reported as unopacified, explained by
+/// deformation or, for a wire, off its path. They may nevertheless be unopacified or have moved; the pose may still be
+/// correct and reliable.
 DisagreeingBranches disagreeingBranches(const RegistrationResult& result, double millimetersPerPixel);
 
 }   // namespace angiopose::core

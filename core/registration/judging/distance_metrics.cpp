@@ -12,7 +12,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Points of several concatenated curves; neighboring points with the same curve number are joined by a line.
+/// Points of concatenated curves; neighboring points of the same curve are joined by a line.
 struct CurvePoints {
     const std::vector<Eigen::Vector2d>& points;
     const std::vector<int>& curveIndex;
@@ -76,7 +76,7 @@ std::vector<double> reverseDistancesPx(const RegistrationProblem& problem, const
     std::vector<double> distances;
     distances.reserve(problem.target.size());
     for (const Eigen::Vector2d& point : problem.target.points) {
-        nearest = index.nearestIndex(point, nearest);   // close to that of the previous point
+        nearest = index.nearestIndex(point, nearest);   // the previous result is a good guess
         distances.push_back(distanceToCurve({index.points(), branch}, nearest, point));
     }
     return distances;
@@ -98,7 +98,7 @@ ProjectedTree projectTree(const RegistrationProblem& problem, const RigidTransfo
         if (!pixel) {
             continue;
         }
-        nearest = target.nearestIndex(*pixel, nearest);   // close to that of the previous point
+        nearest = target.nearestIndex(*pixel, nearest);   // the previous result is a good guess
         projected.pointsPx[i] = *pixel;
         projected.distancePx[i] = distanceToCurve({target.points(), problem.target.curveIndex}, nearest, *pixel);
         projected.isInView[i] = pixel->x() >= -0.5 && pixel->y() >= -0.5 && pixel->x() <= problem.camera.width - 0.5 &&

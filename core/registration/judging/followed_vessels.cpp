@@ -8,9 +8,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int bridgedPoints = 2;   // maximum gap of mismatched points within a matched stretch
+constexpr int bridgedPoints = 2;   // maximum number of mismatched points bridged within a matched stretch
 
-/// Walk along one branch.
+/// Accumulates the matched stretches along one branch.
 class BranchWalk {
 public:
     void step(double lengthMm, bool isInView, bool agrees)
@@ -62,7 +62,7 @@ FollowedVessels followedVessels(const RegistrationProblem& problem, const Target
                                 const RigidTransform& cameraFromPatient, const ProjectedTree& projected)
 {
     const TreeSamples& tree = problem.tree;
-    std::vector<double> residuals;   // NaN: no vessel with a similar direction nearby
+    std::vector<double> residuals;   // NaN if no vessel with a similar direction is near
     Alignment(alignmentPoints(tree), problem.camera, target)
         .collectResiduals(aboutCentroid(cameraFromPatient, tree.centroid), agreementPx, residuals);
     FollowedVessels sum;

@@ -19,7 +19,7 @@ namespace angiopose::core {
 
 namespace {
 
-/// Pose with the resulting projection of the tree.
+/// Pose, represented by the projection of the tree and its uncertainty.
 struct PoseInImage {
     const RegistrationProblem& problem;
     const TargetLines& target;
@@ -38,9 +38,9 @@ double agreementOf(const PoseInImage& seen, const RigidTransform& pose)
     return AgreementScore(seen.problem, seen.target).of(aboutCentroid(pose, seen.problem.tree.centroid));
 }
 
-constexpr int maxOfPath = 4;   // branches: a tree with more matched branches is not a single path
+constexpr int maxOfPath = 4;   // maximum number of matched branches of a single path
 
-/// Whether the matched part of a connected tree has no bifurcation, as with a wire, a catheter or a single vessel.
+/// Whether the matched part of a connected tree has no bifurcation, as for a guidewire, a catheter or a single vessel.
 bool isSinglePath(const PoseInImage& seen)
 {
     const BranchPieces parts = branchPieces(seen.problem.tree);
@@ -62,7 +62,7 @@ bool isSinglePath(const PoseInImage& seen)
     return components <= 1 && std::ranges::all_of(seenThere, [](int pieces) { return pieces < 3; });
 }
 
-/// Computes the signs from which the error of a solution's pose is estimated.
+/// Computes the indicators from which the pose error of a solution is estimated.
 FitSigns fitSigns(const PoseInImage& seen, const RegistrationOptions& options, const MethodSolution& solution)
 {
     const RigidTransform& pose = solution.cameraFromPatient;
@@ -86,7 +86,7 @@ FitSigns fitSigns(const PoseInImage& seen, const RegistrationOptions& options, c
     return signs;
 }
 
-constexpr double settledMm = 0.3;   // a pose that slides farther carries no information about its camera
+constexpr double settledMm = 0.3;   // maximum in-place shift of a pose that carries information about its camera
 
 bool anyIsOpacified(const MethodSolution& solution)
 {

@@ -5,8 +5,8 @@
 
 namespace angiopose::core {
 
-/// Computes all parts of a result that describe a pose: distances, branches, uncertainty, confidence. Leaves method and
-/// history unchanged.
+/// Assesses a pose: computes distances, residuals per branch, uncertainty and confidence. Leaves method and history
+/// unset.
 RegistrationResult judgePose(const RegistrationProblem& problem, const RegistrationOptions& options,
                              const MethodSolution& solution);
 

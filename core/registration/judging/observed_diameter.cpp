@@ -11,10 +11,10 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t minPairs = 20;
-constexpr double minRatio = 0.67;   // a wire is narrower than this fraction of the vessel it passes
+constexpr double minRatio = 0.67;   // minimum width ratio of a lumen; a guidewire is narrower relative to its vessel
 constexpr double maxRatio = 1.5;
 constexpr double likeTheTree = 0.7;
-constexpr double minChange = 0.1;   // σ of the log widths; less means a constant width, as of catheters
+constexpr double minChange = 0.1;   // minimum σ of the log widths; catheters and other devices have a constant width
 
 struct WidthPair {
     double seenMm;

@@ -7,19 +7,19 @@
 
 namespace angiopose::core {
 
-/// Relation between the widths of the traced vessels and those of the tree projected onto them.
+/// Comparison of the traced vessel widths with the widths of the projected tree.
 struct ObservedDiameter {
-    std::size_t pairs = 0;   ///< tree points on vessels with both widths known
+    std::size_t pairs = 0;   ///< number of tree points that lie on a vessel and have both widths
     double ratio = 0.0;   ///< median of observed over expected width
-    double correlation = 0.0;   ///< of the log widths along the vessels; 0 if one of them is constant
+    double correlation = 0.0;   ///< correlation of the log widths along the vessels; 0 if either is constant
 };
 
 /// `projected` is the tree at that pose. Contains no pairs if tree or target has no widths.
 ObservedDiameter observedDiameter(const RegistrationProblem& problem, const TargetLines& target,
                                   const RigidTransform& cameraFromPatient, const ProjectedTree& projected);
 
-/// Whether these are opacified vessels instead of a wire or catheter inside them: roughly as wide as expected, and wide
-/// and narrow where the tree is, unlike any device (ALGORITHMS §6.16).
+/// Whether the traced curves are opacified vessels rather than a guidewire or catheter: about as wide as expected, and
+/// wide or narrow where the tree is, which no device is (ALGORITHMS §6.16).
 bool isLumen(const ObservedDiameter& diameter);
 
 }   // namespace angiopose::core

@@ -23,8 +23,8 @@ double meanShiftMm(const TreeSamples& tree, const RigidTransform& a, const Rigid
     return sum / static_cast<double>(tree.size());
 }
 
-/// Trace of J C Jᵀ over the points, J = [−[a]× | I] without its last row: quadratic in the arm a; the first and second
-/// moments of the arms are therefore sufficient.
+/// Averages the trace of J C Jᵀ over the points, with J = [−[a]× | I] without its last row. It is quadratic in the
+/// offset a from the centroid, which makes the first and second moments of these offsets sufficient.
 double expectedShiftMm(const RegistrationProblem& problem, const RigidTransform& pose,
                        const PoseUncertainty& uncertainty)
 {
@@ -40,7 +40,7 @@ double expectedShiftMm(const RegistrationProblem& problem, const RigidTransform&
     const Eigen::Vector3d m = pose.rotation * mean / count;
     const Eigen::Matrix3d s = pose.rotation * squares * pose.rotation.transpose() / count;
     const Matrix6d& c = uncertainty.imageCovariance;
-    // Shift in x: ωy az − ωz ay + δx; in y: ωz ax − ωx az + δy.
+    // The shift in x is ωy az − ωz ay + δx, in y it is ωz ax − ωx az + δy.
     const double x = c(1, 1) * s(2, 2) + c(2, 2) * s(1, 1) - 2.0 * c(1, 2) * s(1, 2) + c(3, 3) +
                      2.0 * (c(1, 3) * m.z() - c(2, 3) * m.y());
     const double y = c(2, 2) * s(0, 0) + c(0, 0) * s(2, 2) - 2.0 * c(0, 2) * s(0, 2) + c(4, 4) +

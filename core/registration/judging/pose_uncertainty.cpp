@@ -27,7 +27,7 @@ Matrix6d inverseAmong(const StepBasis& free, const Matrix6d& information)
     return free * inverseOf(reduced) * free.transpose();
 }
 
-/// Converts steps about one point of the body to steps about another, `armInCamera` away.
+/// Returns the matrix that converts steps about one point of the body to steps about another, offset by `armInCamera`.
 Matrix6d aboutOther(const Eigen::Vector3d& armInCamera)
 {
     Matrix6d carry = Matrix6d::Identity();

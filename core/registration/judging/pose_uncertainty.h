@@ -6,10 +6,10 @@
 
 namespace angiopose::core {
 
-/// Information of one view about a pose and about the camera.
+/// Information that one view provides about a pose and about its camera.
 struct PoseKnowledge {
     PoseUncertainty uncertainty;
-    std::optional<CameraEvidence> camera;   ///< none: the camera is treated as exact
+    std::optional<CameraEvidence> camera;   ///< nullopt if the camera is treated as exact
 };
 
 /// Covariance of the pose from the residuals across the vessels, their correlation along the branches, the prior of the
@@ -18,25 +18,24 @@ struct PoseKnowledge {
 PoseKnowledge poseKnowledge(const RegistrationProblem& problem, const TargetLines& target,
                             const RigidTransform& cameraFromPatient, const StartPrior& prior);
 
-/// Uncertainty from the image information about a pose: information for steps (rad, mm) about the centroid of the used
-/// points in camera axes, and the covariance of such steps caused by camera errors. Locked degrees of freedom are
-/// exact.
+/// Computes the pose uncertainty from the image information and the covariance caused by camera errors, both for steps
+/// (rad, mm) about the centroid of the used points in camera axes. Locked degrees of freedom are exact.
 PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const Matrix6d& imageInformation,
                                 const Matrix6d& covarianceByCameras, const StartPrior& prior, const CentroidPose& pose);
 
-/// Replaces the image part of the covariance, about the centroid of the whole tree; the camera part is kept. `spreadMm`
-/// is that of the tree.
+/// Replaces the image part of the covariance (about the centroid of the whole tree) and keeps the camera part.
+/// `spreadMm` is the RMS spread of the tree.
 void replaceImageCovariance(PoseUncertainty& uncertainty, const Matrix6d& covariance, double spreadMm);
 
 /// Standard deviations for display.
 struct PoseSigmas {
-    Eigen::Vector3d rotationDeg = Eigen::Vector3d::Zero();   ///< rotation about camera x, y, z
+    Eigen::Vector3d rotationDeg = Eigen::Vector3d::Zero();   ///< about camera x, y, z
     double inPlaneMm = 0.0;   ///< larger of the two in-plane directions
     double depthMm = 0.0;   ///< along the ray
 };
 PoseSigmas sigmasOf(const Matrix6d& covariance);
 
-/// Inverse of the covariance of an unlocked pose, about the centroid of the used points.
+/// Returns the inverse covariance of a pose without locks, about the centroid of the used points.
 Matrix6d poseInformation(const RegistrationProblem& problem, const TargetLines& target, const CentroidPose& pose,
                          const StartPrior& prior);
 

@@ -9,24 +9,24 @@
 namespace angiopose::core {
 namespace {
 
-// Thresholds that separate poses within 2 mm from others, measured on simulated angiograms through the full tracing
-// pipeline for several methods (ALGORITHMS §4.4).
-constexpr double minAgreement = 0.37;   // harmonic mean of the shares of tree and vessels that explain each other
-// Same for the apparently opacified parts of a tree: they are selected by agreement and must therefore agree better.
-// Measured on synthetic trees (foreign_targets_table --family development).
+// Thresholds that separate poses within 2 mm from others, measured for several methods on simulated angiograms
+// processed by the full tracing pipeline (ALGORITHMS §4.4).
+constexpr double minAgreement = 0.37;   // harmonic mean of the explained fractions of tree and traced vessels
+// The same threshold for the apparently opacified parts of a tree. It is higher because these parts were selected by
+// their agreement. Measured on synthetic trees (foreign_targets_table --family development).
 constexpr double minFilledAgreement = 0.55;
 constexpr int minFilledForks = 2;   // a catheter or a single vessel fits in many places
 constexpr double maxSettlingMm = 1.3;
 constexpr double maxExpectedErrorMm = 1.2;
-constexpr double maxRivalMm = 2.0;   // closer alternatives make no difference to the user
-constexpr double minInView = 0.4;   // fraction of the tree's points
-// Wrong poses match up to 0.3 of the tree inside the image; correct poses of trees cropped by the image match 0.47 or
-// more.
+constexpr double maxRivalMm = 2.0;   // alternatives closer than this are clinically equivalent
+constexpr double minInView = 0.4;   // minimum fraction of the tree points inside the image
+// Wrong poses match up to 0.3 of the tree inside the image; correct poses of trees that extend beyond the image match
+// 0.47 or more.
 constexpr double convincingShare = 0.4;
 constexpr int convincingBranches = 4;
 constexpr double wellFollowedShare =
-    0.8;   // fraction of the tree: low agreement is then caused by other vessels in the image
-constexpr double stayedInDepthMm = 5.0;   // depth change that counts as close to the initial pose
+    0.8;   // fraction of the tree on vessels above which other vessels in the image explain low agreement
+constexpr double stayedInDepthMm = 5.0;   // depth change below which the depth counts as unchanged
 constexpr double maxRotationStdDeg = 3.0;
 constexpr double maxInPlaneStdMm = 3.0;
 

@@ -9,8 +9,8 @@ struct Trust {
     Messages warnings;   ///< reasons for low confidence first, then the quantities that one view cannot determine
 };
 
-/// Explains in clinical terms why a pose may be wrong; gives no messages when all checks pass. Metrics, uncertainty,
-/// stop reason and signs of `result` must be filled in.
+/// Explains in clinical terms why a pose may be wrong; returns no messages if all checks pass. Requires the metrics,
+/// uncertainty, stop reason and indicators (signs) of `result`.
 Trust judgeTrust(const RegistrationProblem& problem, const RegistrationResult& result);
 
 }   // namespace angiopose::core

@@ -48,7 +48,7 @@ double judgedShare(const RegistrationResult& result)
             return 0.01 * percent->value;
         }
     }
-    double all = 0.0, filled = 0.0;   // from a result whose messages another version stored
+    double all = 0.0, filled = 0.0;   // fallback for results whose messages were stored by another version
     for (const BranchResidual& branch : result.branches) {
         const bool isEmpty = std::ranges::find(result.unopacified, branch.branchId, &UnopacifiedBranch::branchId) !=
                              result.unopacified.end();

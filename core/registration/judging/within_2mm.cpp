@@ -27,14 +27,14 @@ bool isDeformed(const RegistrationResult& result)
     return result.deformed && result.deformed->verdict != DeformationVerdict::Rigid;
 }
 
-/// Expected offset of the deformed from the rigid vessels, including its uncertainty; 0 if no deformation was computed
-/// or found.
+/// Expected distance between the deformed and the rigid vessels, including its uncertainty; 0 if no deformation was
+/// computed or found.
 double deformationOffMm(const RegistrationResult& result)
 {
     return isDeformed(result) ? std::hypot(result.deformed->rigid.meanMm, result.deformed->placeStdMm) : 0.0;
 }
 
-/// Soft threshold on the offset, 0…1.
+/// Maps a distance to a soft threshold, 0…1.
 double surelyOff(double offMm)
 {
     constexpr double asManyMm = 1.8;
@@ -42,8 +42,8 @@ double surelyOff(double offMm)
     return 1.0 / (1.0 + std::exp(sharpness * (asManyMm - offMm)));
 }
 
-/// Regression term of one sign: its mean and standard deviation in the synthetic data, and the weights of its
-/// standardized value and square.
+/// Regression term of one feature: mean and standard deviation in the synthetic data, and the coefficients of the
+/// standardized value and of its square.
 struct Weight {
     double mean, spread, linear, square;
 };
@@ -68,15 +68,15 @@ constexpr std::array<Weight, signCount> weights{{
     {0.1231, 0.3100, -0.1553, -0.8125},   // surelyOff
 }};
 
-constexpr double farthestUnits = 3.0;   // limit of the training range
+constexpr double farthestUnits = 3.0;   // limit of the standardized values, about the training range
 // A tree farther than this from all vessels is rarely correct; the square terms must not predict otherwise.
 constexpr double farOffMm = 2.0;
 constexpr double farOffProbability = 0.45;
 
-/// Whether half of the tree is far from vessels for another reason than lying outside the image.
+/// Whether half of the tree is far from the vessels even though it lies inside the image.
 bool isFarOff(const RegistrationResult& result)
 {
-    const bool isNear = result.metrics.medianMm < farOffMm;   // also false if the median is NaN
+    const bool isNear = result.metrics.medianMm < farOffMm;   // false for a NaN median too
     return !isNear && result.signs.treeShare <= 0.5 * result.signs.inViewShare;
 }
 

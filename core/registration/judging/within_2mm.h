@@ -12,7 +12,7 @@ inline constexpr std::size_t signCount = 15;
 /// Input of the probability: functions of the result's signs, distances and deformation, all finite.
 std::array<double, signCount> signVector(const RegistrationResult& result);
 
-/// Names of the signs, for tables.
+/// Returns the names of the features, for tables.
 const std::array<std::string_view, signCount>& signNames();
 
 /// Probability that the overlay of a single-view fit by the default method lies within 2 mm of the vessels on average

@@ -44,7 +44,7 @@ void BinGrid::fill(const std::vector<Eigen::Vector2d>& pointsPx, double cellPx)
     }
 }
 
-/// May lie outside the grid, but by at most one cell to avoid overflow.
+/// Returns the cell of a position, clamped to at most one cell outside the grid to avoid overflow.
 Eigen::Vector2i BinGrid::cellOf(const Eigen::Vector2d& placePx) const
 {
     const Eigen::Vector2d cell = (placePx - origin_) / cellPx_;

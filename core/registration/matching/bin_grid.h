@@ -10,15 +10,15 @@
 
 namespace angiopose::core {
 
-/// Image points sorted into square cells for visiting those near a place. Refilling does not allocate once the buffers
-/// are large enough.
+/// Bins image points into square cells for queries near a position. Refilling does not allocate once the buffers are
+/// large enough.
 class BinGrid {
 public:
     /// Fills the grid with finite points; `cellPx` is the cell size and the search radius of `visitNear`.
     void fill(const std::vector<Eigen::Vector2d>& pointsPx, double cellPx);
 
-    /// Calls `visit(number)` for all points in the nine cells around a place: all points within `cellPx` and some
-    /// farther ones.
+    /// Calls `visit(number)` for all points in the nine cells around a position, which includes all points within
+    /// `cellPx`.
     template <class Visit>
     void visitNear(const Eigen::Vector2d& placePx, const Visit& visit) const
     {
@@ -43,7 +43,7 @@ private:
     double cellPx_ = 1.0;
     int columns_ = 0;
     int rows_ = 0;
-    std::vector<std::int32_t> starts_;   ///< first entry of each cell, row by row, and the end
+    std::vector<std::int32_t> starts_;   ///< first entry of each cell in row-major order, with an end entry
     std::vector<std::int32_t> numbers_;
 };
 

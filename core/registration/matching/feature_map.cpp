@@ -11,10 +11,10 @@ namespace {
 
 constexpr int mapMarginPx = 8;
 constexpr std::int32_t noFeature = -1;
-constexpr std::int16_t far = 20000;   // cells; its square still fits in 32 bits
+constexpr std::int16_t far = 20000;   // distance in cells that stands for none; its square fits in 32 bits
 
-/// Number of rows to the nearest seed in the same column, `far` if the column has none. Two bytes per cell and no
-/// branches, which lets compilers vectorize it.
+/// Returns the number of rows to the nearest seed in the same column, or `far` if there is none. Uses two bytes per
+/// cell and no branches, which allows compilers to vectorize it.
 std::vector<std::int16_t> rowsToSeed(const std::vector<std::int32_t>& seeds, std::size_t columns)
 {
     std::vector<std::int16_t> away(seeds.size());
@@ -35,7 +35,7 @@ std::vector<std::int16_t> rowsToSeed(const std::vector<std::int32_t>& seeds, std
     return away;
 }
 
-/// Lower envelope of the parabolas (squared distance) of the columns of one row.
+/// Computes the lower envelope of the parabolas (squared distances) of the columns in one row.
 class RowSweep {
 public:
     explicit RowSweep(int columns)
@@ -72,8 +72,8 @@ public:
 private:
     static constexpr std::int32_t farSquared = far * far;
 
-    /// Finds columns that may be nearest to some cell, judging only by their neighbors: most are eliminated without a
-    /// branch.
+    /// Finds the columns that may be nearest to some cell, by comparison with their direct neighbors only; eliminates
+    /// most columns without a branch.
     std::size_t findCandidates()
     {
         std::size_t count = 0;
@@ -108,17 +108,17 @@ private:
         }
     }
 
-    /// Seed of a column, and the first cell for which it is the nearest in the row.
+    /// Parabola of a column's seed, and the first cell in the row for which it is the nearest.
     struct Parabola {
         double from;
         std::int32_t column;
         std::int32_t offset;   ///< squared row distance plus squared column
     };
     int columns_;
-    std::vector<std::int32_t> squared_;   ///< row distance to the seed; one extra column on both sides
+    std::vector<std::int32_t> squared_;   ///< squared row distances to the seeds, padded by one column on both sides
     std::vector<double> halfInverse_;
     std::vector<int> candidates_;
-    std::vector<Parabola> envelope_;   ///< allocated for all columns
+    std::vector<Parabola> envelope_;   ///< allocated for the maximum number of columns
     std::size_t size_ = 0;
 };
 
@@ -134,7 +134,7 @@ FeatureMap::FeatureMap(std::vector<Eigen::Vector2d> pointsPx, int imageWidth, in
     const auto width = static_cast<std::size_t>(columns_);
     std::vector<std::int32_t> seeds(width * static_cast<std::size_t>(rows_), noFeature);
     for (std::size_t i = 0; i < points_.size(); ++i) {
-        // Points outside the table are assigned to the nearest border cell, which still leads to them.
+        // Assigns points outside the table to the nearest border cell, where lookups still find them.
         seeds[cellOf(points_[i].x(), points_[i].y())] = static_cast<std::int32_t>(i);
     }
     const std::vector<std::int16_t> rowsAway = rowsToSeed(seeds, width);

@@ -8,8 +8,8 @@
 namespace angiopose::core {
 
 /// Nearest-point lookup table: Euclidean feature transform (Felzenszwalb, Huttenlocher 2012) on square cells that cover
-/// the image and a margin around it. A cell stores the result for its center; the point found is therefore farther than
-/// the nearest one by at most a cell's diagonal. Outside the table the border cell is used.
+/// the image and a margin. Each cell stores the result for its center; a lookup is therefore off by at most a cell's
+/// diagonal in distance. Queries outside the table use the border cell.
 class FeatureMap final : public PointIndex {
 public:
     static constexpr int cellPx = 3;
@@ -17,7 +17,7 @@ public:
     /// `pointsPx` must be finite and not empty.
     FeatureMap(std::vector<Eigen::Vector2d> pointsPx, int imageWidth, int imageHeight);
 
-    /// Best result of the query's cell and its neighbors: the exact nearest point if one is within a cell.
+    /// Returns the best result of the query's cell and its neighbors; exact if a point lies within one cell.
     std::size_t nearestIndex(const Eigen::Vector2d& queryPx) const override;
     const std::vector<Eigen::Vector2d>& points() const override { return points_; }
 
@@ -25,7 +25,7 @@ public:
     std::size_t lookUp(double u, double v) const { return static_cast<std::size_t>(nearest_[cellOf(u, v)]); }
 
 private:
-    /// Converts via int, which is faster on the processor.
+    /// Truncates via int, which is faster than a direct conversion.
     static std::size_t whole(double value) { return static_cast<std::size_t>(static_cast<int>(value)); }
 
     std::size_t cellOf(double u, double v) const
@@ -37,7 +37,7 @@ private:
     }
 
     std::vector<Eigen::Vector2d> points_;
-    double offsetPx_ = 0.0;   ///< from pixel coordinates to the outer edge of the first cell
+    double offsetPx_ = 0.0;   ///< added to pixel coordinates to measure from the outer edge of the first cell
     int columns_ = 0;
     int rows_ = 0;
     std::vector<std::int32_t> nearest_;   ///< nearest point per cell, row-major

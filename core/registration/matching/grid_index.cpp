@@ -9,9 +9,9 @@ namespace angiopose::core {
 namespace {
 
 constexpr double usualCellPx = 4.0;
-constexpr double usualPoints = 4000.0;   // more points in the same image are denser: cells shrink accordingly
+constexpr double usualPoints = 4000.0;   // number of points for the default cell size; more points get smaller cells
 constexpr double usualCells = 256.0;   // per axis; distant outliers must not cause a huge table
-constexpr int widestRows = 31;   // rows searched for any nearby point
+constexpr int widestRows = 31;   // maximum number of rows searched on either side for a first point
 
 }   // namespace
 
@@ -56,7 +56,7 @@ struct GridIndex::Best {
     double squared = std::numeric_limits<double>::infinity();
 };
 
-/// Checks the points of one row of cells within `reachPx` of the query, and some farther ones.
+/// Checks at least the points of one row of cells that lie within `reachPx` of the query.
 void GridIndex::searchRow(int row, double reachPx, const Eigen::Vector2d& queryPx, Best& best) const
 {
     const double middle = queryPx.x() - origin_.x();
@@ -72,7 +72,7 @@ void GridIndex::searchRow(int row, double reachPx, const Eigen::Vector2d& queryP
     }
 }
 
-/// Improves `best` row by row away from the query as long as a closer point is possible.
+/// Searches row by row away from the query as long as a point closer than `best` is possible.
 void GridIndex::searchWithin(const Eigen::Vector2d& queryPx, Best& best) const
 {
     const double place = (queryPx.y() - origin_.y()) * perCell_;
@@ -95,8 +95,8 @@ void GridIndex::searchWithin(const Eigen::Vector2d& queryPx, Best& best) const
 
 std::size_t GridIndex::nearestIndex(const Eigen::Vector2d& queryPx) const
 {
-    // The first point found in increasingly wide rows limits the search; far from all points, any point serves as the
-    // limit.
+    // Finds any point in successively wider bands of rows to limit the search; far from all points, an arbitrary point
+    // sets the limit.
     const double place = (queryPx.y() - origin_.y()) * perCell_;
     const auto middle = static_cast<int>(std::clamp(place, 0.0, rows_ - 1.0));
     Best best;

@@ -14,7 +14,7 @@ public:
 
     std::size_t nearestIndex(const Eigen::Vector2d& queryPx) const override;
 
-    /// Same; faster the closer the point `guess` already is.
+    /// Overload that starts from the point `guess`; the closer it is to the query, the faster the search.
     std::size_t nearestIndex(const Eigen::Vector2d& queryPx, std::size_t guess) const;
 
     const std::vector<Eigen::Vector2d>& points() const override { return points_; }
@@ -30,8 +30,8 @@ private:
     double perCell_ = 1.0;
     int columns_ = 1;
     int rows_ = 1;
-    std::vector<std::int32_t> cellStart_;   ///< one entry more than cells
-    std::vector<std::int32_t> members_;   ///< point indices, cell by cell
+    std::vector<std::int32_t> cellStart_;   ///< first entry of each cell in members_, with an end entry
+    std::vector<std::int32_t> members_;   ///< point indices grouped by cell
 };
 
 }   // namespace angiopose::core

@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// Finds several nearby target points in the image.
+/// Interface for finding several nearby target points in the image.
 class NeighborSearch {
 public:
     virtual ~NeighborSearch() = default;
@@ -16,7 +16,7 @@ public:
                       std::vector<Eigen::Vector2d>& foundPx) const = 0;
 };
 
-/// Exact search by KD-tree; `pointsPx` must be finite and not empty.
+/// Creates an exact k-d tree search; `pointsPx` must be finite and not empty.
 std::unique_ptr<NeighborSearch> makeNeighborSearch(std::vector<Eigen::Vector2d> pointsPx);
 
 }   // namespace angiopose::core

@@ -6,17 +6,17 @@
 
 namespace angiopose::core {
 
-/// Finds the nearest of a fixed set of image points. Lookups never allocate and are thread-safe.
+/// Interface for finding the nearest of a fixed set of image points. Lookups never allocate and are thread-safe.
 class PointIndex {
 public:
     virtual ~PointIndex() = default;
 
-    /// Index of the point nearest to a finite pixel.
+    /// Returns the index of the point nearest to a finite pixel position.
     virtual std::size_t nearestIndex(const Eigen::Vector2d& queryPx) const = 0;
 
     virtual const std::vector<Eigen::Vector2d>& points() const = 0;
 
-    /// Point nearest to a finite pixel.
+    /// Returns the point nearest to a finite pixel position.
     const Eigen::Vector2d& nearest(const Eigen::Vector2d& queryPx) const { return points()[nearestIndex(queryPx)]; }
 };
 

@@ -5,18 +5,18 @@
 
 namespace angiopose::core {
 
-/// Target as short line segments with lookup by pixel; built once per image (ALGORITHMS §6.2, §6.15).
+/// Target as short line segments that can be looked up by pixel; built once per image (ALGORITHMS §6.2, §6.15).
 class TargetLines {
 public:
     struct Line {
         double x, y;   ///< point of the curve, px
         double tx, ty;   ///< unit tangent at that point
-        bool hasPrevious, hasNext;   ///< whether the neighboring line belongs to the same curve
+        bool hasPrevious, hasNext;   ///< whether the previous and the next line belong to the same curve
     };
 
     TargetLines(const TargetSamples& target, const ProjectionCamera& camera);
 
-    /// Nearest line to a pixel: from the map, then refined along its curve.
+    /// Returns the line nearest to a pixel, found in the lookup table and refined along its curve.
     const Line& nearest(double u, double v) const
     {
         const Line* line = &lines_[map_.lookUp(u, v)];

@@ -16,15 +16,15 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t finalistPoses = 3;
-constexpr double worthRefining = 0.9;   // fraction of the best rough score
-constexpr double nearlyAsGood = 0.95;   // ALGORITHMS §6.10
+constexpr double worthRefining = 0.9;   // minimum score for fine refinement, as a fraction of the best coarse score
+constexpr double nearlyAsGood = 0.95;   // minimum score of an alternative, as a fraction of the best (ALGORITHMS §6.10)
 constexpr double distinctSigmas = 3.0;
 
-// Fractions of the progress bar.
+// Progress at which each stage ends.
 constexpr double searchEnds = 0.4;
 constexpr double roughEnds = 0.8;
 
-/// Median distance to the target for progress reports, recomputed only when the pose changes.
+/// Caches the median distance to the target for progress reports until the pose changes.
 class DistanceOfPose {
 public:
     double of(const CentroidPose& pose, PoseRanking& ranking)
@@ -41,7 +41,7 @@ private:
     double distancePx_ = 0.0;
 };
 
-/// Current registration: hypotheses → rough poses, ranked → finalists → winner.
+/// One registration in progress: hypotheses → coarse refinement and ranking → finalists → best pose.
 class AngioPose {
 public:
     AngioPose(const RegistrationProblem& problem, const RegistrationOptions& options, ProgressLog& progress);
@@ -81,7 +81,7 @@ private:
     PoseSearch search_;
     PoseRanking ranking_;
     DistanceOfPose reportedDistance_;
-    std::vector<ScoredPose> refined_;   ///< finalists, best first; empty until then
+    std::vector<ScoredPose> refined_;   ///< refined finalists, best first; empty before that stage
     bool isMovedByChoice_ = false;   ///< whether the auxiliary branches changed the pose from the fit of all branches
 };
 
@@ -97,7 +97,7 @@ AngioPose::AngioPose(const RegistrationProblem& problem, const RegistrationOptio
 {
 }
 
-/// Always reports the best pose so far.
+/// Reports the best pose so far.
 Verdict AngioPose::report(std::string_view stage, double progress, double scalePx)
 {
     IterationReport report;
@@ -109,7 +109,7 @@ Verdict AngioPose::report(std::string_view stage, double progress, double scaleP
     return progress_.report(report);
 }
 
-/// Refines the initial pose roughly; often sufficient.
+/// Refines the initial pose coarsely, which is often sufficient.
 void AngioPose::tryStart()
 {
     if (report("search", 0.0, PoseRanking::schedule.startScalePx) == Verdict::Continue) {
@@ -152,7 +152,7 @@ void AngioPose::search(Search reach, const CentroidPose& start, double progress)
     }
 }
 
-/// Searches for a partly opacified tree.
+/// Searches for poses of a partly opacified tree.
 void AngioPose::searchTerritories()
 {
     if (!progress_.isStopped()) {
@@ -174,8 +174,8 @@ void AngioPose::refineRoughly(const std::vector<CentroidPose>& hypotheses, Filin
     }
 }
 
-/// Poses from the auxiliary branches {p'} alone: branches chosen by the user are searched for, nodes are refined from
-/// the best pose so far.
+/// Returns poses refined with the auxiliary branches {p'} only, starting from the initial pose and the best pose so far
+/// and, for branches selected by the user, also from a search.
 std::vector<CentroidPose> AngioPose::auxiliaryHypotheses()
 {
     std::vector<CentroidPose> hypotheses;
@@ -197,7 +197,7 @@ std::vector<CentroidPose> AngioPose::auxiliaryHypotheses()
     return hypotheses;
 }
 
-/// Excludes the parts of the tree that the image does not show, as a user would.
+/// Refines a candidate; excludes the parts of the tree that appear unopacified, as if the user had excluded them.
 ScoredPose AngioPose::refineFinely(const ScoredPose& candidate, FinalRefinement& ofWholeTree)
 {
     const auto observe = [&](const RefinementStep& step) {

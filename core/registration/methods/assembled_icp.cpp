@@ -9,14 +9,14 @@
 namespace angiopose::core {
 namespace {
 
-/// Equality up to rounding.
+/// Whether two point lists are equal up to rounding.
 bool areSame(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen::Vector2d>& b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [](const auto& p, const auto& q) { return (p - q).squaredNorm() < 1e-12; });
 }
 
-/// Alternates matching and solving; the solver takes no initial pose, so rotation cannot be solved for alone.
+/// Alternates matching and PnP. The solver takes no initial pose and therefore cannot solve for the rotation alone.
 class RepeatedPnp final : public PointSolver {
 public:
     explicit RepeatedPnp(int maxIterations) : maxIterations_(maxIterations) {}

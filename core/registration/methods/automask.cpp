@@ -19,18 +19,18 @@
 namespace angiopose::core {
 namespace {
 
-// Stage of the search; lengths in px at half resolution. The source has a single stage; a preceding blurred stage has a
-// wider capture range. Each stage draws its own mask.
+// Stage of the search; lengths in px at half resolution. The published method has a single stage; the blurred stage
+// before it widens the capture range. Each stage samples its own mask pixels.
 struct MaskStage {
     double blurPx = 0.0;
     double depthHold = 0.0;   ///< cost of a shift by depthStdMm along the ray, which a blurred view does not constrain
-    double share = 1.0;   ///< fraction of the evaluations
+    double share = 1.0;   ///< fraction of the total evaluations
 };
 constexpr std::array<MaskStage, 2> maskStages{{{8.0, 0.05, 0.3}, {0.0, 0.01, 0.7}}};
 constexpr double maskDepthStdMm = 30.0;
 constexpr std::size_t fewestPixels = 2000;
-constexpr double minGain = 1e-3;   // gain in correlation by one simplex
-constexpr double settledSimplex = 0.005;   // relative to the first simplex: 0.02°, 0.04 mm
+constexpr double minGain = 1e-3;   // minimum gain in correlation that justifies another simplex
+constexpr double settledSimplex = 0.005;   // final size relative to the initial simplex: 0.02°, 0.04 mm
 
 /// Indices of the covered pixels and a margin around them.
 std::vector<std::size_t> around(const ImageF& covered, double marginPx)
@@ -48,7 +48,7 @@ std::vector<std::size_t> around(const ImageF& covered, double marginPx)
     return pixels;
 }
 
-/// Similarity of image and simulated radiographs over a fixed random sample of mask pixels.
+/// Similarity between the image and simulated DRRs over a fixed random sample of the mask pixels.
 class MaskedSimilarity {
 public:
     MaskedSimilarity(const RegistrationProblem& problem, const RegistrationOptions& options)
@@ -56,7 +56,7 @@ public:
     {
     }
 
-    /// Starts comparing blurred images; sets the mask to the area that the vessels cover at the given poses, plus a
+    /// Blurs the images to compare, and sets the mask to the area that the vessels cover at the given poses, plus a
     /// margin.
     void beginStage(double blurPx, const std::vector<RigidTransform>& poses);
 
@@ -89,7 +89,7 @@ void MaskedSimilarity::beginStage(double blurPx, const std::vector<RigidTransfor
     const double share = std::max(0.01 * options_.automask.sample,
                                   static_cast<double>(fewestPixels) / static_cast<double>(mask.size() + 1));
     pixels_.clear();
-    // A pixel is drawn by its index only: the sample is preserved when the mask grows.
+    // Samples each pixel by its index alone, which preserves the sample when the mask grows.
     const CounterRandom random(static_cast<std::uint64_t>(options_.randomSeed));
     for (const std::size_t pixel : mask) {
         if (random.fork(pixel).uniform() < share) {
@@ -116,8 +116,8 @@ struct SimplexDescent {
     int budget = 0;   ///< maximum number of evaluations
 };
 
-/// Runs simplex after simplex, each starting at the previous result with a newly drawn mask, until one brings no gain:
-/// a collapsed simplex alone does not prove a maximum. Returns true if it ended for lack of gain.
+/// Restarts the simplex search at the previous result, with a new mask each time, until it brings no gain: a collapsed
+/// simplex alone does not prove a maximum. Returns true if it ended for lack of gain.
 bool descend(const RegistrationProblem& problem, MaskedSimilarity& similarity, const SimplexDescent& descent,
              PoseTrials& search)
 {

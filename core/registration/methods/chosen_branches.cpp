@@ -7,11 +7,11 @@
 namespace angiopose::core {
 namespace {
 
-/// The first scale reaches vessels that are offset because the others have moved.
+/// Welsch scales; the first one captures auxiliary branches that are displaced because the other vessels have moved.
 constexpr std::array scalesPx{8.0, 3.0};
 constexpr int chosenSteps = 20;
 
-/// Information of all branches about steps about the pose, in px of residual, plus that of the initial pose.
+/// Returns the information of all branches about pose steps, in px of residual, plus that of the prior.
 Matrix6d informationOfAll(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior,
                           const CentroidPose& pose)
 {
@@ -32,8 +32,8 @@ ChosenFit fitChosenBranches(const RegistrationProblem& problem, const TargetLine
     fit.medianBeforePx = chosen.medianDistancePx(fitOfAll, distances);
     fit.pose = fitOfAll;
     for (const double scalePx : scalesPx) {
-        // A refinement weights its prior with the variance corresponding to the scale; this factor undoes it and leaves
-        // both in px.
+        // A refinement weights its prior with the variance that corresponds to the scale; dividing by this variance
+        // cancels the weight and leaves both terms in px.
         const StartPrior known{fitOfAll, information / noiseVariance(scalePx), prior.freedom};
         chosen.resetVisibility();
         fit.pose = refine(chosen, known, fit.pose, {scalePx, scalePx, 0.7, 0, chosenSteps, chosenSteps}).pose;

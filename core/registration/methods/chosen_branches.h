@@ -5,11 +5,11 @@
 
 namespace angiopose::core {
 
-/// Fit of the user's auxiliary branches, compared with the fit of all branches.
+/// Fit of the auxiliary branches selected by the user, compared with the fit of all branches.
 struct ChosenFit {
     CentroidPose pose;
-    double medianPx = 0.0;   ///< distance of the auxiliary branches' points to the traced vessels
-    double medianBeforePx = 0.0;   ///< same distance in the fit of all branches
+    double medianPx = 0.0;   ///< median distance from the auxiliary branches to the traced vessels
+    double medianBeforePx = 0.0;   ///< the same distance for the fit of all branches
 };
 
 /// Solves {p'} starting from the fit of all branches: minimizes Σ r² of the auxiliary branches + sᵀ H s / weight for

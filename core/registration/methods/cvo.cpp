@@ -11,12 +11,12 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int stepsAtFirstScale = 30;   // from the source
-constexpr double longestFlowStep = 0.5;   // in units of ℓ; beyond it a four-term series is inaccurate
+constexpr int stepsAtFirstScale = 30;   // as in the published method
+constexpr double longestFlowStep = 0.5;   // in units of ℓ; for longer steps the truncated series is inaccurate
 constexpr double settledFlowPx = 1e-3;
 
-/// Gradient in the metric that counts a rotation as the shift it causes at the tree's spread, restricted to the free
-/// steps.
+/// Returns the ascent direction in a metric that counts a rotation as the shift it causes at the RMS radius of the
+/// tree, restricted to the free steps.
 Vector6d uphill(const RegistrationProblem& problem, const Vector6d& gradient, const CentroidPose& pose)
 {
     const double turnMm = problem.tree.spreadMm * problem.tree.spreadMm;

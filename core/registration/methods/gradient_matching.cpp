@@ -13,11 +13,11 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int evaluationsPerRound = 60;   // six line searches of about ten evaluations
-constexpr double minGradientCosine = 0.7071;   // 45°
+constexpr int evaluationsPerRound = 60;   // estimate: six line searches of about ten evaluations each
+constexpr double minGradientCosine = 0.7071;   // cosine of 45°
 constexpr double unknownWallRadiusMm = 1.0;
 
-/// Agreement of wall directions and image gradients, for both walls of every vessel as projected on the detector.
+/// Agreement between image gradients and wall normals, for both projected walls of every vessel.
 class WallAgreement {
 public:
     WallAgreement(const RegistrationProblem& problem, double scalePx)
@@ -25,7 +25,7 @@ public:
     {
     }
 
-    /// Mean over the walls, never negative.
+    /// Returns the weighted mean over all walls, never negative.
     double of(const RigidTransform& pose) const;
 
 private:
@@ -47,7 +47,7 @@ double WallAgreement::of(const RigidTransform& pose) const
         const Eigen::Vector3d center = pose * tree.points[i];
         const Eigen::Vector3d across = center.cross(pose.rotation * tree.tangents[i]);
         if (center.z() < minProjectableDepthMm || across.norm() < 0.1 * center.norm()) {
-            continue;   // behind the source, or seen end-on: no walls
+            continue;   // no walls behind the source or for vessels seen end-on
         }
         const Eigen::Vector3d normal = across.normalized();
         sum += weight * (atWall(center + radiusMm * normal, -normal) + atWall(center - radiusMm * normal, normal));
@@ -55,7 +55,7 @@ double WallAgreement::of(const RigidTransform& pose) const
     return sum / weights;
 }
 
-/// Share of the gradient that points inward, decreasing with the angle and zero from 45° on.
+/// Returns the inward component of the gradient times the squared cosine of its angle to the normal; zero beyond 45°.
 double WallAgreement::atWall(const Eigen::Vector3d& wall, const Eigen::Vector3d& inwards) const
 {
     const auto pixel = project(problem_.camera, wall);

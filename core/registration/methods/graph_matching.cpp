@@ -19,8 +19,8 @@ constexpr std::size_t maxRoots = 24;
 constexpr std::size_t pairsPerBranch = 12;
 constexpr double branchHeadingMm = 12.0;
 constexpr double pathHeadingPx = 20.0;
-constexpr double minLikeCosine = 0.5;   // 60°
-constexpr double undirectedPx = 3.0;   // a branch shorter than this in the image has no direction
+constexpr double minLikeCosine = 0.5;   // cosine of 60°
+constexpr double undirectedPx = 3.0;   // minimum projected length of a branch for a meaningful direction
 constexpr double graphRotationStd = 0.15;   // rad
 constexpr double graphShiftStdMm = 30.0;
 constexpr double graphPairStdMm = 1.0;
@@ -28,7 +28,7 @@ constexpr int graphFitSteps = 3;
 constexpr std::size_t graphFinalists = 3;
 constexpr double distinctFinalistsMm = 3.0;
 
-/// Branch of the tree still to be matched to one of the traced vessels at its matched node.
+/// Tree branch still to be matched, and the traced node at which it starts.
 struct OpenBranch {
     EdgeEnd branch;
     int tracedNode = 0;
@@ -39,8 +39,8 @@ struct Matched {
     CentroidPose pose;
     double score = 0.0;
     std::vector<PlacePair> pairs;
-    std::set<int> branches;   ///< decided edges of the tree
-    std::set<int> traced;   ///< used edges of the image
+    std::set<int> branches;   ///< tree edges already decided
+    std::set<int> traced;   ///< traced edges already used
     std::deque<OpenBranch> open;
 };
 
@@ -56,7 +56,7 @@ class GraphSearch {
 public:
     GraphSearch(const RegistrationProblem& problem, const RegistrationOptions& options, ProgressLog& progress);
 
-    /// Expands states until none is open or the budget is spent.
+    /// Expands states until none is left or the budget is spent.
     void run();
     void refine();
     MethodSolution solution() const { return search_.solution(StopReason::Converged); }
@@ -125,7 +125,7 @@ std::optional<Eigen::Vector2d> GraphSearch::pixelOf(const Eigen::Vector3d& fromC
     return project(problem_.camera, pose.rotation * fromCentroid + pose.centroidInCamera);
 }
 
-/// Empty if a point does not project.
+/// Returns the projected points of a branch; empty if a point does not project.
 std::vector<Eigen::Vector2d> GraphSearch::projected(const EdgeEnd& branch, const CentroidPose& pose) const
 {
     const std::size_t count = branches_.edges[static_cast<std::size_t>(branch.edge)].size();
@@ -140,7 +140,7 @@ std::vector<Eigen::Vector2d> GraphSearch::projected(const EdgeEnd& branch, const
     return pixels;
 }
 
-/// Initial pose shifted across the ray to make the two nodes coincide.
+/// Returns the initial pose, shifted across the ray until the tree node projects onto the traced node.
 CentroidPose GraphSearch::laidOn(int node, int tracedNode) const
 {
     CentroidPose pose = search_.start();
@@ -150,8 +150,8 @@ CentroidPose GraphSearch::laidOn(int node, int tracedNode) const
     return problem_.freedom.held(pose);
 }
 
-/// Pairs of nodes of the same kind (bifurcations or ends) that are close enough at the initial pose; those that fit the
-/// whole tree best.
+/// Returns the pairs of nodes of the same kind (bifurcation or end) that are close at the initial pose, limited to
+/// those that fit the whole tree best.
 std::vector<GraphSearch::Root> GraphSearch::roots()
 {
     struct Near {
@@ -271,7 +271,7 @@ void GraphSearch::run()
     search_.changeCost("graph", GraphScore::scalePx, -score_.of(search_.start()));
     search_.tick();
     std::vector<Matched> states;
-    std::set<std::pair<double, std::size_t>> queue;   // best first; the oldest among equals
+    std::set<std::pair<double, std::size_t>> queue;   // best first; ties in order of creation
     const auto add = [&](Matched state) {
         queue.emplace(-state.score, states.size());
         tried_.emplace_back(state.score, state.pose);

@@ -6,11 +6,11 @@
 
 namespace angiopose::core {
 
-/// Runs kernel PnP (ALGORITHMS §3.1) on all points from each of the poses to its end; keeps the pose with the least
-/// loss at the final scale, including the current pose of `search`.
+/// Runs kernel PnP (ALGORITHMS §3.1) with all points to convergence from each pose; keeps the pose with the lowest loss
+/// at the final scale, also considering the current pose of `search`.
 void refineByKernel(const RegistrationProblem& problem, std::span<const CentroidPose> poses, double finalScalePx,
                     PoseTrials& search);
 
-inline constexpr int kernelFinishIterations = 30;   ///< limit for each pose
+inline constexpr int kernelFinishIterations = 30;   ///< maximum number per pose
 
 }   // namespace angiopose::core

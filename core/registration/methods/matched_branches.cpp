@@ -16,11 +16,11 @@ namespace {
 constexpr double branchReachDecay = 0.8;
 constexpr double shortestBranchReachPx = 5.0;
 constexpr int evaluationsPerFit = 60;
-constexpr int usualEvaluations = 15;   // estimate for the progress display
+constexpr int usualEvaluations = 15;   // evaluations per round, estimated for the progress display
 constexpr std::size_t minBranchPairs = 6;
 constexpr double settledBranchesMm = 1e-3;
 
-/// Mean squared distance of the pairs, px², and its gradient for steps about the pose.
+/// Returns the mean squared distance of the pairs, px², and its gradient with respect to pose steps.
 double pairCost(const RegistrationProblem& problem, const std::vector<BranchPair>& pairs, const CentroidPose& pose,
                 Vector6d& gradient)
 {
@@ -71,8 +71,8 @@ Message whatMoved(const PairDeformation& deformation)
         .as(Severity::Note);
 }
 
-/// Describes in messages how the tree deforms when it may leave the rigid pose; empty when stopped or when nothing
-/// moves.
+/// Deforms the tree onto the matched curves beyond the rigid pose and describes the motion in messages; empty if
+/// stopped or if nothing moves.
 Messages lettingMove(const RegistrationProblem& problem, const BranchMatching& matching, double reachPx,
                      PoseTrials& search)
 {

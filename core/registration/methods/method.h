@@ -17,10 +17,10 @@ using MethodSolver = MethodSolution(const RegistrationProblem& problem, const Re
 struct Method {
     MethodInfo info;
     MethodSolver* solve = nullptr;
-    bool respectsLocks = true;   ///< whether locked degrees of freedom are kept unchanged
+    bool respectsLocks = true;   ///< whether the method keeps locked degrees of freedom unchanged
 };
 
-/// All methods that can be run, the default first.
+/// Returns all available methods, the default first.
 std::span<const Method> methods();
 
 /// Method with this id, or null.

@@ -11,15 +11,15 @@ namespace angiopose::core {
 
 /// Description of a method for users.
 struct MethodInfo {
-    std::string_view id;   ///< FORMATS §5
-    std::string_view label;   ///< "AngioPose", "DynaWeightPnP", …
-    std::string_view summary;   ///< one sentence: what it minimizes, and its source
+    std::string_view id;   ///< identifier used in files, see FORMATS §5
+    std::string_view label;   ///< display name: "AngioPose", "DynaWeightPnP", …
+    std::string_view summary;   ///< one sentence that states what the method minimizes, with its source
 };
 
-/// All methods that can be run, the default first.
+/// Returns the descriptions of all available methods, the default first.
 std::span<const MethodInfo> methodInfos();
 
-/// User message about the first invalid setting; nullopt when all are valid.
+/// Returns a user message about the first invalid option; nullopt if all are valid.
 std::optional<Message> findProblem(const RegistrationOptions& options);
 
 }   // namespace angiopose::core

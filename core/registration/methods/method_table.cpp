@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Add a new method as one more row; the default comes first.
+/// Table of all methods; the default comes first. To add a method, add a row.
 const std::vector<Method>& table()
 {
     static const std::vector<Method> rows{

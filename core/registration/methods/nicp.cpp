@@ -36,7 +36,7 @@ MethodSolution climb(const RegistrationProblem& problem, const RegistrationOptio
     return solution;
 }
 
-constexpr double widenings[] = {2.0, 1.0};   // the initial wider blur has a larger capture range
+constexpr double widenings[] = {2.0, 1.0};   // blur factors; the wider initial blur has a larger capture range
 constexpr double firstMotionPx = 2.0;
 constexpr double settledBrightnessPx = 0.01;
 
@@ -47,7 +47,7 @@ double meanMotionPx(const RegistrationProblem& problem, const CentroidPose& pose
     return motionMm / millimetersPerPixel(problem.camera, depthMm);
 }
 
-/// Steps against the gradient until the steps become negligible; returns whether they did.
+/// Descends along the gradient until the steps become negligible; returns whether they did.
 bool settle(const RegistrationProblem& problem, const VesselBrightness& brightness, double widening, int iterations,
             PoseTrials& search)
 {

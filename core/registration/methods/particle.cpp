@@ -100,7 +100,7 @@ std::vector<Scored> ParticleSearch::filterParticles()
     return particles;
 }
 
-/// Systematic resampling: one random draw, then even spacing.
+/// Systematic resampling: one random offset, then even spacing.
 std::vector<Scored> ParticleSearch::survivors(const std::vector<Scored>& particles, CounterRandom& random) const
 {
     double best = 0.0;
@@ -136,9 +136,8 @@ CentroidPose ParticleSearch::solvedInPlane(CentroidPose pose)
     return pose;
 }
 
-/// Local optima differ mainly in the out-of-plane rotations: visits cells over these, from the initial pose outward,
-/// and solves the remaining parameters in each; the walk continues to the neighbors of a cell only if it beats all
-/// previous cells.
+/// Sweeps the two out-of-plane angles, in which local optima mainly differ, from the initial pose outward and solves
+/// the remaining parameters in each cell. Continues to the neighbors of a cell only if it beats all previous cells.
 std::vector<Scored> ParticleSearch::walkOutOfPlane()
 {
     constexpr int across = 2 * cellsToEachSide + 1;
@@ -181,7 +180,7 @@ std::vector<Scored> ParticleSearch::walkOutOfPlane()
     return solved;
 }
 
-/// Refines the best few with all points to the end; keeps the best fit.
+/// Refines the best few poses with all points to convergence; keeps the best fit.
 void ParticleSearch::refine(const std::vector<Scored>& best)
 {
     std::vector<CentroidPose> finalists;

@@ -35,7 +35,7 @@ RigidTransform PoseTrials::inPatient(const CentroidPose& pose) const
 double PoseTrials::note(const CentroidPose& pose, double cost)
 {
     if (progress_.isStopped()) {
-        return cost;   // the reported pose remains the result
+        return cost;   // keeps the reported pose as the result
     }
     if (cost < bestCost_) {
         bestCost_ = cost;

@@ -6,20 +6,20 @@
 
 namespace angiopose::core {
 
-/// Bookkeeping for methods that test poses: keeps the one with the lowest cost, reports at intervals and knows when to
-/// stop.
+/// Bookkeeping for methods that evaluate trial poses: keeps the pose with the lowest cost, reports progress at
+/// intervals and handles stop requests.
 class PoseTrials {
 public:
-    /// `budget` is the maximum number of poses to be tested, for the progress.
+    /// `budget` is the maximum number of trial poses; used to compute the progress.
     PoseTrials(const RegistrationProblem& problem, int budget, ProgressLog& progress);
 
     const CentroidPose& start() const { return start_; }
     RigidTransform inPatient(const CentroidPose& pose) const;
 
-    /// Records a tested pose; returns its cost.
+    /// Records a trial pose and its cost; returns the cost.
     double note(const CentroidPose& pose, double cost);
 
-    /// Counts work that tests no pose, which keeps progress and stop requests responsive.
+    /// Counts work without a trial pose to keep progress and stop requests responsive.
     void tick();
 
     /// Switches to a new cost: the best pose is kept until a better one by the new cost is found.

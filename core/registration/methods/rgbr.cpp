@@ -20,13 +20,13 @@ constexpr double shortestReachMm = 1.0;
 constexpr double settledGradientMm = 0.01;
 constexpr std::size_t maxSites = 5000;
 constexpr std::size_t scoringSites = 600;
-constexpr double gradientDepthStdMm = 30.0;   // prior of the depth, which one view does not determine
+constexpr double gradientDepthStdMm = 30.0;   // 1-σ of the depth prior; one view does not determine the depth
 constexpr double lateralStdMm = 30.0;
 constexpr double rotationStd = 0.15;   // rad
 constexpr double pairStdMm = 1.0;
 constexpr int fitSteps = 3;
 
-/// Wall site and the edge found for it.
+/// Point on a vessel wall and the image edge found for it.
 using Correspondence = PlacePair;
 
 class Rgbr {
@@ -90,7 +90,7 @@ MethodSolution Rgbr::run()
     return search_.solution(reason);
 }
 
-/// Finds the best agreement along each site's normal within the search range.
+/// Finds, for each wall point, the edge with the best agreement along its normal within the search range.
 std::vector<Correspondence> Rgbr::findEdges(const CentroidPose& pose, double reachMm) const
 {
     std::vector<Correspondence> pairs;
@@ -101,7 +101,7 @@ std::vector<Correspondence> Rgbr::findEdges(const CentroidPose& pose, double rea
         double best = 0.0;
         int bestStep = 0;
         for (int k = 0; k <= 2 * steps; ++k) {
-            const int step = k % 2 == 0 ? -k / 2 : (k + 1) / 2;   // nearest first: the nearest wins among equals
+            const int step = k % 2 == 0 ? -k / 2 : (k + 1) / 2;   // nearest first; in a tie the nearest wins
             const double agreement = gradients_.agreement(place + stepMm * step * normal, normal);
             if (agreement > best) {
                 best = agreement;
@@ -115,8 +115,8 @@ std::vector<Correspondence> Rgbr::findEdges(const CentroidPose& pose, double rea
     return pairs;
 }
 
-/// Poses from three pairs each compete by the gradients of all walls, not by the pairs; the inliers of the winner
-/// refine it.
+/// Fits poses to three random pairs each, ranks them by the gradient score of all walls instead of by inliers, and
+/// refines the best pose with its inliers.
 CentroidPose Rgbr::chooseByRansac(const std::vector<Correspondence>& pairs, const CentroidPose& from, double reachMm)
 {
     const auto inliersOf = [&](const CentroidPose& pose) {
@@ -135,7 +135,7 @@ CentroidPose Rgbr::chooseByRansac(const std::vector<Correspondence>& pairs, cons
         }
         const double area = (three[1].place - three[0].place).cross(three[2].place - three[0].place).norm();
         if (area < 0.25 * spreadMm_ * spreadMm_) {
-            continue;   // too close together or collinear
+            continue;   // pairs too close together or collinear
         }
         const CentroidPose pose = fit(three, from);
         const double score = gradients_.score(fewSites_, pose);
@@ -149,8 +149,8 @@ CentroidPose Rgbr::chooseByRansac(const std::vector<Correspondence>& pairs, cons
     return gradients_.score(fewSites_, refined) >= bestScore ? refined : best;
 }
 
-/// Minimizes the distances to the rays of the edges, with a prior at `from` for the parameters that one view leaves
-/// undetermined.
+/// Minimizes the distances to the rays through the edges, with a prior around `from` for the parameters that one view
+/// does not determine.
 CentroidPose Rgbr::fit(std::span<const Correspondence> pairs, const CentroidPose& from) const
 {
     Vector6d std;

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <type_traits>
 
-// Helpers for defining the rows of the option table.
+// Helpers that create the rows of the option table.
 namespace angiopose::core::option_fields {
 
 using Options = RegistrationOptions;
 
-/// Member at the end of a path of members.
+/// Returns the member at the end of a chain of member pointers.
 template <auto First, auto... Rest, class Object>
 auto& at(Object& object)
 {
@@ -52,7 +52,7 @@ void write(Options& options, const OptionValue& value)
     }
 }
 
-/// Key, label and help text of a row.
+/// Key, label and help text of an option.
 struct Words {
     std::string_view key, label, help;
 };

@@ -9,10 +9,10 @@
 
 namespace angiopose::core {
 
-/// "off" or "on".
+/// Option with the values "off" and "on".
 struct SwitchOption {};
 
-/// One of several names, in the order of the underlying enumeration.
+/// Option with several named values, in the order of the underlying enumeration.
 struct ChoiceOption {
     std::vector<std::string_view> names;
 };
@@ -21,21 +21,21 @@ struct NumberOption {
     std::string_view unit;   ///< "px", "mm", "°" or empty
     double min = 0.0;
     double max = 0.0;
-    int decimals = 0;   ///< 0: integers
+    int decimals = 0;   ///< number of decimals; 0 for integers
 };
 
 using OptionType = std::variant<SwitchOption, ChoiceOption, NumberOption>;
 
-/// Value of a switch, a choice (its index) or a number.
+/// Option value: of a switch, of a choice (its index) or of a number.
 using OptionValue = std::variant<bool, std::size_t, double>;
 
 /// Description of one option; panel, help, range check, command line and case file iterate over the table.
 struct OptionField {
     std::string_view key;   ///< used in files and on the command line
     std::string_view label;   ///< shown in the window
-    std::string_view help;   ///< one sentence about the effect
+    std::string_view help;   ///< one sentence about the effect of the option
     OptionType type;
-    std::vector<std::string_view> methods;   ///< ids of the methods that use it; empty: all
+    std::vector<std::string_view> methods;   ///< ids of the methods that use the option; empty for all methods
     OptionValue (*read)(const RegistrationOptions&) = nullptr;
     void (*write)(RegistrationOptions&, const OptionValue&) = nullptr;   ///< takes a value of its type
 };
@@ -54,18 +54,18 @@ std::span<const std::string_view> namesOf(const OptionField& field);
 /// Name of a value; empty for numbers.
 std::string_view nameOf(const OptionField& field, const OptionValue& value);
 
-/// Allowed range; values of switches and choices also have an index, starting at 0.
+/// Allowed range of a number, or of the value index of a switch or choice, starting at 0.
 struct OptionRange {
     double min = 0.0;
     double max = 0.0;
 };
 OptionRange rangeOf(const OptionField& field);
 
-/// Option value for a number; nullopt if the field has no such value.
+/// Converts a number, or the name of a value, to an option value; nullopt if the option has no such value.
 std::optional<OptionValue> valueFrom(const OptionField& field, double number);
 std::optional<OptionValue> valueFrom(const OptionField& field, std::string_view name);
 
-/// Whether the value of this field in the options is valid.
+/// Whether the options hold a valid value for this field.
 bool isInRange(const OptionField& field, const RegistrationOptions& options);
 
 }   // namespace angiopose::core

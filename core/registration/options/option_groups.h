@@ -5,22 +5,22 @@
 // Option table in parts, one per family of methods.
 namespace angiopose::core::option_fields {
 
-/// Options of all methods or several of them.
+/// Options shared by all or several methods.
 std::vector<OptionField> commonFields();
 
-/// Options of the DynaWeightPnP methods and of those built like them.
+/// Options of the DynaWeightPnP methods and their derivatives.
 std::vector<OptionField> seedFields();
 
-/// Options of matching and the alternating search.
+/// Options of point matching and of the alternating search.
 std::vector<OptionField> alternatingFields();
 
 /// Options of AngioPose's own solver.
 std::vector<OptionField> solverFields();
 
-/// Options of the camera geometry and its errors.
+/// Options of the camera geometry and its uncertainty.
 std::vector<OptionField> geometryFields();
 
-/// Options of iterated closest points.
+/// Options of iterative closest point (ICP).
 std::vector<OptionField> icpFields();
 
 /// Options of gradient ascent on kernels.
@@ -29,7 +29,7 @@ std::vector<OptionField> nicpFields();
 /// Options of intensity-based methods.
 std::vector<OptionField> imageFields();
 
-/// Options of mixtures and global searches.
+/// Options of Gaussian mixtures and global searches.
 std::vector<OptionField> globalFields();
 
 /// Options of the correlation flow.
@@ -38,10 +38,10 @@ std::vector<OptionField> flowFields();
 /// Options of graph-based branch matching.
 std::vector<OptionField> graphFields();
 
-/// Options of registering a single wire or catheter.
+/// Options of registration to a single guidewire or catheter.
 std::vector<OptionField> wireFields();
 
-/// Options of random numbers.
+/// Options that close the table: random numbers.
 std::vector<OptionField> closingFields();
 
 }   // namespace angiopose::core::option_fields

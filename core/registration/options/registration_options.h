@@ -13,8 +13,8 @@ enum class PriorPreset { SeedSum, SeedMean, SeedMetric, NoPrior };
 /// the nodes if none is chosen; the nodes; the widest branches, up to a third of the length; random points.
 enum class AuxiliarySet { Chosen, Nodes, MainBranches, Random };
 
-/// Nearest-point search: exact by KD-tree (the reproduction mode) or by buckets, or by a table that is accurate to
-/// within its cells.
+/// Nearest-point search: exact by k-d tree (the reproduction mode), exact by buckets, or by a lookup table that is
+/// accurate to the size of its cells.
 enum class IndexKind { KdTree, Grid, Map };
 
 /// Initial ℓ: the largest distance d (at most half the image diagonal) or, as printed in the paper, d² (ALGORITHMS §2,
@@ -23,7 +23,7 @@ enum class StartScale { Largest, LargestSquared };
 
 /// Criterion for shrinking the kernel width ℓ (ALGORITHMS §3.1).
 enum class Decay {
-    Halving,   ///< ÷2 every five accepted steps, as in DynaWeightPnP
+    Halving,   ///< halves ℓ every five accepted steps, as in DynaWeightPnP
     Stagnation   ///< ×0.7 after at least ten steps, once no further points come within range: RKHS-BA
 };
 
@@ -31,19 +31,19 @@ enum class Decay {
 enum class Neighbors {
     Closest,
     Five,   ///< the five nearest
-    Radius   ///< all within three kernel widths, at most the nearest 64
+    Radius   ///< all within three kernel widths, limited to the nearest 64
 };
 
-/// Options of dynaweight and iterative-pnp; other point-based methods share some of them.
+/// Options of dynaweight and iterative-pnp, partly shared by other point-based methods.
 struct SeedOptions {
     PriorPreset preset = PriorPreset::SeedMean;
-    double priorWeight = 100.0;   ///< λ of the prior at the initial pose
+    double priorWeight = 100.0;   ///< weight λ of the prior at the initial pose
     bool rotationFirst = true;   ///< start with a rotation-only solve
     bool alternation = true;   ///< alternate between auxiliary and full problem
     IndexKind index = IndexKind::KdTree;
     StartScale startScale = StartScale::LargestSquared;
     Decay decay = Decay::Halving;
-    Neighbors neighbors = Neighbors::Closest;   ///< number of target points that attract each tree point
+    Neighbors neighbors = Neighbors::Closest;   ///< target points that attract each tree point
     AuxiliarySet auxiliary = AuxiliarySet::Chosen;
     int auxiliaryCount = 60;   ///< number of points in AuxiliarySet::Random
 
@@ -53,14 +53,14 @@ struct SeedOptions {
 /// Damped steps with updated matches, or L-BFGS on the squared distances.
 enum class DescentSolver { DampedSteps, Lbfgs };
 
-/// Affine: an affine stage follows; its rigid part is kept if it fits better.
+/// Affine adds an affine stage, whose rigid part is kept if it fits better.
 enum class IcpModel { Rigid, Affine };
 
 /// Options of dt-icp and assembled-icp.
 struct IcpOptions {
     int iterations = 100;
     bool alternate = false;   ///< run inside the alternating search
-    double huberPx = 5.0;   ///< distance beyond which the attraction no longer grows
+    double huberPx = 5.0;   ///< distance beyond which the force on a point no longer grows
     DescentSolver solver = DescentSolver::DampedSteps;
     IcpModel model = IcpModel::Rigid;
 
@@ -70,8 +70,8 @@ struct IcpOptions {
 /// Image features that attract the tree.
 enum class NicpImage { TracedVessels, Brightness };
 
-/// Conversion of the gradient to a step: rotations scaled by the depth, giving both the same effect in the image, or
-/// raw radians combined with millimeters, where rotation dominates (ALGORITHMS §3.3).
+/// Conversion of a gradient to a step: rotations scaled by the depth, which gives rotations and shifts the same effect
+/// in the image, or raw radians next to millimeters, where rotations dominate (ALGORITHMS §3.3).
 enum class StepMetric { Balanced, Literal };
 
 /// Options of nicp and nicp-alternating.
@@ -81,13 +81,13 @@ struct NicpOptions {
     bool prior = false;   ///< use the prior of SeedOptions
     double startScalePx = 20.0;
     double finalScalePx = 3.0;
-    int iterations = 300;   ///< per scale
+    int iterations = 300;   ///< maximum number per scale
 
     bool operator==(const NicpOptions&) const = default;
 };
 
 struct RgbrOptions {
-    double reachMm = 20.0;   ///< initial search range along the normals
+    double reachMm = 20.0;   ///< initial search range along the wall normals
     int hypotheses = 500;
     int rounds = 30;
 
@@ -95,7 +95,7 @@ struct RgbrOptions {
 };
 
 struct AutoMaskOptions {
-    double sample = 100.0;   ///< % of the mask
+    double sample = 100.0;   ///< sampled pixels, % of the mask
     double marginPx = 8.0;
     int evaluations = 1000;
 
@@ -113,7 +113,7 @@ struct GradientOptions {
 struct OgmmOptions {
     double startScalePx = 15.0;
     double finalScalePx = 0.5;
-    double orientation = 0.3;   ///< kernel width of the directions
+    double orientation = 0.3;   ///< kernel width of the unit directions
     double selfWeight = 1.0;   ///< weight of the term that keeps the projected tree from collapsing
 
     bool operator==(const OgmmOptions&) const = default;
@@ -122,7 +122,7 @@ struct OgmmOptions {
 struct CvoOptions {
     double startScalePx = 20.0;
     double finalScalePx = 1.0;
-    double decay = 0.95;   ///< factor on the width in each step after the first thirty
+    double decay = 0.95;   ///< factor on ℓ after each step beyond the first thirty
     int iterations = 300;
     bool directions = true;   ///< weight pairs by the similarity of their directions
 
@@ -157,7 +157,7 @@ struct EvolutionOptions {
     bool operator==(const EvolutionOptions&) const = default;
 };
 
-/// Annealed particle filter, or walk over the out-of-plane angles (Tian).
+/// Annealed particle filter, or sweep of the out-of-plane angles (Tian).
 enum class ParticleSearchKind { Filter, OutOfPlane };
 
 struct ParticleOptions {
@@ -168,7 +168,7 @@ struct ParticleOptions {
     bool operator==(const ParticleOptions&) const = default;
 };
 
-/// Options of angiopose. The errors of the initial pose apply to the covariance of every method except wire.
+/// Options of angiopose. The 1-σ errors of the initial pose enter the covariance of every method except wire.
 struct AngioPoseOptions {
     bool search = true;   ///< coarse search before refinement; otherwise only the initial pose is refined
     double searchRadiusMm =
@@ -179,19 +179,19 @@ struct AngioPoseOptions {
     double priorLateralMm = 30.0;   ///< 1-σ of the initial position across the ray
     double priorDepthMm = 30.0;   ///< 1-σ of the initial position along the ray
     double auxiliaryWeight =
-        10.0;   ///< weight of chosen auxiliary branches relative to the fit of all; 1: no separate fit
+        10.0;   ///< weight of the auxiliary branches relative to the fit of all branches; 1 disables the separate fit
 
     bool operator==(const AngioPoseOptions&) const = default;
 };
 
-/// Options of wire: error of the last full pose, and distance of the wire from the vessel axis.
+/// Options of wire: errors of the previous registered pose, and distance of the wire from the vessel axis.
 struct WireOptions {
     double rotationDeg = 2.0;   ///< 1-σ of the initial rotation
     double lateralMm = 5.0;   ///< 1-σ of the initial position across the ray
     double depthMm = 10.0;   ///< 1-σ of the initial position along the ray
     double offAxisMm =
-        1.5;   ///< 1-σ of the wire's distance from the vessel axis, in addition to the play inside the lumen
-    int way = 1;   ///< rank of the path to use, 1 the most likely; overrides the automatic choice
+        1.5;   ///< 1-σ of the wire's distance from the vessel axis, in addition to its freedom inside the lumen
+    int way = 1;   ///< rank of the path to use, counting from the most likely; overrides the automatic choice
 
     bool operator==(const WireOptions&) const = default;
 };
@@ -199,14 +199,14 @@ struct WireOptions {
 /// Errors of focal length and principal point: derived from their origin (ALGORITHMS §5.8), as given here, or none.
 enum class GeometrySpread { ByOrigin, Given, None };
 
-/// Camera errors used in the covariance of every method, and handling of a camera that the images contradict.
+/// Camera errors that enter the covariance of every method, and reaction to a camera that the images contradict.
 struct GeometryOptions {
     GeometrySpread spread = GeometrySpread::ByOrigin;
     double focalPercent = 3.0;   ///< 1-σ, for GeometrySpread::Given
     double principalPx = 10.0;   ///< 1-σ of each coordinate, for GeometrySpread::Given
     bool estimate = false;   ///< if the images contradict the camera, register again with the estimated camera
     bool otherFrames =
-        true;   ///< after a failed registration, test whether the image is mirrored or rotated; angiopose only
+        true;   ///< angiopose only: whether to test, after a failed registration, if the image is mirrored or rotated
 
     bool operator==(const GeometryOptions&) const = default;
 };
@@ -218,16 +218,16 @@ enum class Deformation {
     Always
 };
 
-/// Selected method, options common to all methods, and options of each. Described for users by optionFields().
+/// Selected method, common options, and the options of each method. optionFields() describes them for users.
 struct RegistrationOptions {
     std::string method = "angiopose";
 
     double pointSpacingMm = 1.0;   ///< spacing of the tree points
     double targetSpacingPx = 1.0;   ///< spacing of the target points
-    bool resample = true;   ///< resample to the spacing above; otherwise use the original points
+    bool resample = true;   ///< whether to resample to the spacings above or use the original points
     int maxIterations = 60;
     double finalScalePx = 1.0;   ///< kernel width at which the annealing ends
-    int randomSeed = 1;   ///< for methods that use random numbers
+    int randomSeed = 1;   ///< seed of the methods that use random numbers
 
     Deformation deformation = Deformation::Auto;
 
@@ -247,7 +247,7 @@ struct RegistrationOptions {
     ParticleOptions particle{};
     WireOptions wire{};
 
-    PoseLocks locks{};   ///< degrees of freedom fixed at their initial values; used by nearly all methods
+    PoseLocks locks{};   ///< degrees of freedom kept at their initial values; nearly all methods support them
 
     bool operator==(const RegistrationOptions&) const = default;
 };

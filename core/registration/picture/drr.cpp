@@ -11,16 +11,15 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double wideningShare = 1.5;   // fraction of the radius: the mask extends slightly beyond the vessel
+constexpr double wideningShare = 1.5;   // radius of the mask in vessel radii; extends slightly beyond the vessel
 constexpr double unknownTubeRadiusMm = 1.5;
 constexpr std::size_t maxBodyVoxels = 700'000;
 constexpr double airHu = -1000.0;
-constexpr double minAirHu = -500.0;   // a scan with lower values contains air and is therefore in HU
-constexpr double minDenseHu =
-    300.0;   // above air; lower values belong to the lung, and a lung scan has many such voxels
-constexpr double tissueHu = 150.0;   // denser voxels contain contrast agent
+constexpr double minAirHu = -500.0;   // values below this show that a scan contains air and is in HU
+constexpr double minDenseHu = 300.0;   // above air; lower values belong to lung, which would add many voxels
+constexpr double tissueHu = 150.0;   // soft tissue without contrast agent; denser voxels contain it
 
-/// Adds a value to the four pixels around a place with bilinear weights.
+/// Adds a value to the four pixels around a position with bilinear weights.
 void splat(ImageF& image, const Eigen::Vector2d& place, float value)
 {
     const double x = std::floor(place.x());

@@ -8,24 +8,24 @@
 
 namespace angiopose::core {
 
-/// Set of voxels for projecting one by one.
+/// Voxels that are projected one by one.
 struct XrayedVoxels {
     struct Voxel {
-        Eigen::Vector3d place;   ///< patient LPS mm
+        Eigen::Vector3d place;   ///< position, patient LPS, mm
         float brightness = 0.0F;
     };
     std::vector<Voxel> voxels;
-    double spacingMm = 0.0;   ///< longest side of a voxel
+    double spacingMm = 0.0;   ///< largest voxel spacing
 
-    /// Adds the brightness of every voxel at its projection, spread over the pixels it covers.
+    /// Renders the image by adding the intensity of every voxel at its projection, spread over the pixels it covers.
     ImageF from(const ProjectionCamera& camera, const RigidTransform& cameraFromPatient) const;
 };
 
-/// Simulated radiographs of the whole body in a CT: line integrals of a reduced scan, dense tissue bright on 0. If the
-/// values are not HU, uses the part above the darkest value.
+/// DRRs of the whole body in a CT: line integrals of a downsampled scan, with dense tissue bright on 0. For scans that
+/// are not in HU, integrates the values above the darkest one.
 class BodyDrr {
 public:
-    /// `longestSidePx` is the size of the radiographs, which cover the camera's field of view.
+    /// `longestSidePx` limits the size of the DRRs, which cover the camera's field of view.
     BodyDrr(const Volume& scan, const ProjectionCamera& camera, int longestSidePx);
 
     ImageF from(const RigidTransform& cameraFromPatient) const { return body_.from(camera_, cameraFromPatient); }
@@ -35,22 +35,22 @@ private:
     XrayedVoxels body_;
 };
 
-/// Renders digitally reconstructed radiographs of the vessels at half the image's resolution: line integrals of the CTA
-/// inside the dilated tree, or of tubes without a CTA (ALGORITHMS §3.7).
+/// Renders DRRs of the vessels at half the image resolution: line integrals of the CTA inside the dilated tree or,
+/// without a CTA, of tubes (ALGORITHMS §3.7).
 class Drr {
 public:
     explicit Drr(const RegistrationProblem& problem);
 
     ImageF from(const RigidTransform& cameraFromPatient) const;
 
-    const ProjectionCamera& camera() const { return camera_; }   ///< camera of the radiographs
+    const ProjectionCamera& camera() const { return camera_; }   ///< camera of the DRRs
 
 private:
     void collectVoxels(const Volume& volume);
 
     const TreeSamples& tree_;
     ProjectionCamera camera_;
-    XrayedVoxels vessels_;   ///< empty without a CTA
+    XrayedVoxels vessels_;   ///< empty if there is no CTA
 };
 
 }   // namespace angiopose::core

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t grayBins = 256;
 
-/// Tie-averaged ranks minus the mean of all ranks.
+/// Returns the tie-averaged ranks minus their mean.
 std::vector<double> centeredRanks(const std::vector<float>& values)
 {
     const auto [low, high] = std::minmax_element(values.begin(), values.end());

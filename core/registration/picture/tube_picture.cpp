@@ -8,8 +8,8 @@ namespace {
 
 constexpr double unknownRadiusPx = 1.5;
 constexpr double unknownPictureRadiusMm = 1.0;
-constexpr double softEdgePx = 0.5;   // extent of one pixel
-constexpr double longestPiecePx = 40.0;   // longer pieces connect points that do not belong together
+constexpr double softEdgePx = 0.5;   // half the extent of one pixel, added to the radius
+constexpr double longestPiecePx = 40.0;   // longer segments would join unrelated points
 
 double distanceToPiece(const Eigen::Vector2d& point, const Eigen::Vector2d& from, const Eigen::Vector2d& along,
                        double squaredLength)

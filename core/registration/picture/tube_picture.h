@@ -5,17 +5,17 @@
 
 namespace angiopose::core {
 
-/// Draws a straight vessel piece as in an X-ray image, by the length of the chords through it (px); where pieces
-/// overlap, keeps the longer chord.
+/// Draws a straight vessel segment as in an X-ray image, with the chord length through the tube as intensity (px);
+/// where segments overlap, keeps the longer chord.
 void drawTube(ImageF& image, const Eigen::Vector2d& fromPx, const Eigen::Vector2d& toPx, double radiusPx);
 
-/// Renders the traced vessels at their traced widths, 1.5 px where the width is unknown.
+/// Renders the traced vessels at their traced radii, or 1.5 px if unknown.
 ImageF pictureOf(const TargetSamples& target, int width, int height);
 
-/// Renders the tree projected by `camera`, each vessel at its width, 1 mm where it is unknown.
+/// Renders the tree projected by `camera`, each vessel at its radius, or 1 mm if unknown.
 ImageF pictureOf(const TreeSamples& tree, const ProjectionCamera& camera, const RigidTransform& cameraFromPatient);
 
-/// Camera of the images that `halved` returns.
+/// Returns the camera of the images that are downsampled by `halved`.
 ProjectionCamera halved(const ProjectionCamera& camera);
 
 }   // namespace angiopose::core

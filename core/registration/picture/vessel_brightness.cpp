@@ -93,7 +93,7 @@ NormalEquations VesselBrightness::pull(const CentroidPose& pose, double widening
         const Eigen::Vector2d along = jacobian * (pose.rotation * point.tangent);
         const Eigen::Vector2d across = Eigen::Vector2d(-along.y(), along.x()).normalized();
         if (!across.allFinite()) {
-            continue;   // seen end-on
+            continue;   // vessel seen end-on
         }
         const double slope = across.dot(gradientAt(*pixel, levelOf(inCamera, widening * point.radiusMm)));
         const Eigen::Vector3d row = jacobian.transpose() * across;

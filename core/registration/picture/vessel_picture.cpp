@@ -14,7 +14,7 @@ namespace {
 constexpr double widestVesselPx = 16.0;
 constexpr double surroundingsPx = 24.0;
 constexpr std::size_t pictureSamples = 100000;
-constexpr double drawnBlurPx = 0.7;   // blur of a typical detector
+constexpr double drawnBlurPx = 0.7;   // typical detector blur, applied to drawn tubes
 
 ImageF flattened(const ImageF& image, Polarity polarity, const Mask2d& shutter)
 {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int sitesAround = 8;
 constexpr double unknownSiteRadiusMm = 1.0;
-constexpr double minWallCosine = 0.5;   // 60°
+constexpr double minWallCosine = 0.5;   // cosine of 60°
 
 }   // namespace
 
@@ -46,7 +46,7 @@ double BackprojectedGradients::agreement(const Eigen::Vector3d& place, const Eig
         return 0.0;
     }
     const Eigen::Vector2d gradient = gradientAt(picture_, *pixel);
-    // Image axes in the camera frame; a mirrored image flips the first axis.
+    // Converts the gradient from image to camera axes; a mirrored image flips the first axis.
     const Eigen::Vector3d inDetector(std::copysign(gradient.x(), gradient.x() * camera_.fx),
                                      std::copysign(gradient.y(), gradient.y() * camera_.fy), 0.0);
     const Eigen::Vector3d ray = place.normalized();

@@ -6,16 +6,16 @@
 
 namespace angiopose::core {
 
-/// Point on a vessel wall, where a CT has its gradient along the normal.
+/// Point on a vessel wall, with the normal along which a CT has its gradient.
 struct WallSite {
-    Eigen::Vector3d place;   ///< mm relative to the tree's centroid, patient axes
+    Eigen::Vector3d place;   ///< offset from the tree's centroid, mm, patient axes
     Eigen::Vector3d normal;   ///< unit vector pointing outward
 };
 
-/// At most `most` sites around the vessels, evenly distributed.
+/// Returns about `most` evenly distributed points on the vessel walls.
 std::vector<WallSite> wallSites(const TreeSamples& tree, std::size_t most);
 
-/// Agreement of vessel walls with the image gradients backprojected along the rays (Markelj 2008).
+/// Measures how well vessel walls agree with image gradients that are backprojected along the rays (Markelj 2008).
 class BackprojectedGradients {
 public:
     BackprojectedGradients(const ImageF& picture, const ProjectionCamera& camera, double blurPx);
@@ -23,7 +23,7 @@ public:
     /// |v_B| f(β) at a position in the camera frame (mm) for a wall with this normal; 0 outside the image.
     double agreement(const Eigen::Vector3d& place, const Eigen::Vector3d& normal) const;
 
-    /// Mean agreement of all sites at a pose.
+    /// Returns the mean agreement over all wall points at a pose.
     double score(const std::vector<WallSite>& sites, const CentroidPose& pose) const;
 
     const ProjectionCamera& camera() const { return camera_; }

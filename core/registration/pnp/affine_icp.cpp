@@ -10,7 +10,7 @@ namespace {
 constexpr double settledAffineShare = 1e-6;
 constexpr int rigidIterations = 50;
 
-/// x' = rows · (x, y, z, 1), z' = z: both image coordinates are linear in the rows.
+/// Affine map x' = rows · (x, y, z, 1), z' = z, for which both image coordinates are linear in the rows.
 struct AffineRows {
     Eigen::Vector4d x = Eigen::Vector4d::UnitX();
     Eigen::Vector4d y = Eigen::Vector4d::UnitY();
@@ -23,7 +23,7 @@ Eigen::Vector2d pixelOf(const ProjectionCamera& camera, const AffineRows& map, c
             camera.fy * map.y.dot(homogeneous) / point.z() + camera.cy};
 }
 
-/// Sums of one iteration: both rows of the map share the weights but not the focal length.
+/// Sums of one iteration; both rows of the map share the weights but have their own focal length.
 struct Round {
     Eigen::Matrix4d squares = Eigen::Matrix4d::Zero();
     Eigen::Vector4d towardsX = Eigen::Vector4d::Zero();

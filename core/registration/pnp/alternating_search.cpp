@@ -9,10 +9,10 @@ namespace angiopose::core {
 namespace {
 
 constexpr int maxRounds = 5;
-constexpr double goodEnoughPx = 1.0;   // ξ, decision 3
+constexpr double goodEnoughPx = 1.0;   // median distance ξ that ends the search (decision 3)
 constexpr double sameShare = 0.001;   // decision 1
 
-// Shares of the progress: the rotation, then each round's auxiliary and full problem.
+// Fractions of the progress: rotation of the total, auxiliary problem of each round.
 constexpr double turnShare = 0.2;
 constexpr double auxiliaryShareOfRound = 1.0 / 3.0;
 
@@ -23,7 +23,7 @@ struct Stage {
     double progressTo = 0.0;
 };
 
-/// Has one function per step of the paper. Poses are cameraFromStart.
+/// Runs the search with one function per step of the paper. Poses are cameraFromStart.
 class AlternatingSearch {
 public:
     AlternatingSearch(const RegistrationProblem& problem, const SeedProblem& seed, PointSolver& solver,
@@ -58,7 +58,7 @@ private:
     RigidTransform
         best_;   ///< by E_data at the final ℓ; until the end of the first round, the latest pose of the full problem
     std::optional<double> bestLoss_;
-    std::optional<double> lastMedianPx_;   ///< of the previous round
+    std::optional<double> lastMedianPx_;   ///< median distance after the previous round
     KernelDistances distances_;
     std::vector<double> scratch_;
 };
@@ -97,7 +97,7 @@ MethodSolution AlternatingSearch::run(Alternation alternation)
     return solution;
 }
 
-/// Step 0: rotation only; the position of the source is fixed (decision 4).
+/// Step 0: rotates the tree about the source, whose position stays fixed (decision 4).
 void AlternatingSearch::turnAboutSource(const Stage& stage)
 {
     const auto observe = [&](const KernelIteration& step) {
@@ -107,8 +107,8 @@ void AlternatingSearch::turnAboutSource(const Stage& stage)
     pose_ = solver_.solve(full_, SearchStage::Turn, pose_, observe).pose;
 }
 
-/// Step A: {p'} with its current matches held fixed. Fixed matches push the pose out of a local optimum of the full
-/// set.
+/// Step A: solves for {p'} with its current matches held fixed, which pushes the pose out of local optima of the full
+/// point set.
 void AlternatingSearch::solveAuxiliary(const Stage& stage)
 {
     std::vector<Eigen::Vector3d> points;
@@ -128,7 +128,7 @@ void AlternatingSearch::solveAuxiliary(const Stage& stage)
     pose_ = solver_.solve(held, SearchStage::Auxiliary, pose_, observe).pose;
 }
 
-/// Step B: all points with updated matches.
+/// Step B: solves for all points with updated matches.
 StopReason AlternatingSearch::solveFull(const Stage& stage)
 {
     const KernelPnpResult result = solver_.solve(full_, SearchStage::Full, pose_, [&](const KernelIteration& step) {
@@ -139,9 +139,9 @@ StopReason AlternatingSearch::solveFull(const Stage& stage)
     return result.stopReason;
 }
 
-/// Decision 1: reason to end the loop, if any. A round that ends worse than the previous one does not end it, because
-/// the fixed matches at the new pose often push it out in the next round. A round that ends where the previous one did
-/// would repeat itself.
+/// Decision 1: returns the reason to end the loop, if any. A worse round does not end the loop, because the matches
+/// fixed at the new pose often push it out in the next round. A round that ends where the previous one did ends the
+/// loop, because the next one would repeat it.
 std::optional<StopReason> AlternatingSearch::closeRound()
 {
     measure(full_, pose_, distances_);
@@ -170,7 +170,7 @@ Verdict AlternatingSearch::reportStep(const Stage& stage, const KernelIteration&
     return progress_.report(report);
 }
 
-/// Only poses measured with all points compete, each with its nearest partners.
+/// Keeps the pose if it is the best so far. Only poses measured with all points and their nearest matches compete.
 void AlternatingSearch::keepIfBest(const KernelIteration& step)
 {
     if (bestLoss_) {

@@ -7,15 +7,15 @@
 
 namespace angiopose::core {
 
-/// Enabled parts of the alternating search; with neither, one problem with all points.
+/// Enabled parts of the alternating search; with both disabled, it solves one problem with all points.
 struct Alternation {
     bool turnsFirst = false;
     bool alternates = false;
 };
 
 /// Runs a point-matching method inside the alternating search of Song and Ghaffari (ALGORITHMS §3.2): auxiliary points
-/// with fixed partners push the pose out of local optima of all points. Ends when the median distance is below a pixel
-/// or no longer changes, after at most five rounds, with the pose of the best E_data at the final kernel width.
+/// with fixed matches push the pose out of local optima of all points. Ends when the median distance is below one pixel
+/// or no longer changes, after at most five rounds, with the pose that has the best E_data at the final kernel width.
 MethodSolution searchAlternating(const RegistrationProblem& problem, const RegistrationOptions& options,
                                  const SeedProblem& seed, PointSolver& solver, Alternation alternation,
                                  ProgressLog& progress);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double curvesTouchPx = 5.0;
 
-/// Group indices in the order of first members; members within reach of one another form a group.
+/// Union-find that numbers groups of joined members in the order of their first members.
 class Grouping {
 public:
     explicit Grouping(std::size_t count) : leader_(count) { std::iota(leader_.begin(), leader_.end(), std::size_t{0}); }
@@ -28,7 +28,7 @@ public:
         std::vector<int> numbers(leader_.size());
         int next = 0;
         for (std::size_t i = 0; i < leader_.size(); ++i) {
-            const std::size_t leader = leaderOf(i);   // never after i
+            const std::size_t leader = leaderOf(i);   // at most i
             numbers[i] = leader == i ? next++ : numbers[leader];
         }
         return numbers;

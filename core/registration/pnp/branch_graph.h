@@ -8,27 +8,27 @@
 
 namespace angiopose::core {
 
-/// Section of a vessel between two nodes: points [from, to) of the underlying samples.
+/// Vessel segment between two nodes: points [from, to) of the underlying samples.
 struct BranchEdge {
-    int curve = 0;   ///< index of its branch or traced curve
+    int curve = 0;   ///< index of the branch or traced curve
     std::size_t from = 0;
     std::size_t to = 0;
-    std::array<int, 2> nodes{};   ///< at its first and its last point
+    std::array<int, 2> nodes{};   ///< nodes at its first and last point
 
     std::size_t size() const { return to - from; }
 };
 
-/// Edge as it leaves a node.
+/// Edge with the direction in which it leaves a node.
 struct EdgeEnd {
     int edge = 0;
-    bool isReversed = false;   ///< traversed from its last point to its first
+    bool isReversed = false;   ///< whether the edge is traversed from its last point to its first
 };
 
-/// Graph of the vessels, cut wherever one branches off another: ends within reach of each other form one node. Rings
-/// are kept.
+/// Graph of the vessels, cut wherever one branches off another; ends within touching distance of one another form one
+/// node. Rings are kept.
 struct BranchGraph {
     std::vector<BranchEdge> edges;   ///< in the order of the samples
-    std::vector<std::vector<EdgeEnd>> nodes;   ///< ends that meet at each node, ascending by edge
+    std::vector<std::vector<EdgeEnd>> nodes;   ///< edge ends at each node, in ascending order of the edge
 
     /// Node reached by following the edge.
     int arrivalOf(const EdgeEnd& way) const
@@ -37,7 +37,7 @@ struct BranchGraph {
     }
 };
 
-/// Branches meet within 2.5 mm.
+/// Builds the graph of a tree, whose branches meet within 2.5 mm.
 BranchGraph graphOf(const TreeSamples& tree);
 
 /// Traced curves meet within 5 px; curves that cross without an end at the crossing do not.

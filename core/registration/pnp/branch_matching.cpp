@@ -8,15 +8,15 @@ namespace {
 
 constexpr std::size_t samplesPerEdge = 24;
 constexpr double visitedReaches = 2.5;
-constexpr double minCloseness = 0.05;   // of a candidate, 0…1
+constexpr double minCloseness = 0.05;   // minimum closeness of a candidate, 0…1
 constexpr std::size_t maxCurvesPerEdge = 6;
-constexpr double closenessOfNone = 0.1;   // closeness a curve must exceed to be preferred to none
+constexpr double closenessOfNone = 0.1;   // closeness assigned to the alternative that no curve matches
 constexpr int relaxations = 8;
-constexpr double ownSay = 0.25;   // weight of an edge relative to its neighbors
+constexpr double ownSay = 0.25;   // weight of an edge's own probability relative to the support of its neighbors
 constexpr double supportOfNone = 0.25;
 constexpr double pairedReaches = 3.0;
 constexpr double minPairCosine = 0.5;
-constexpr double shortestSeen = 1e-3;   // fraction of the length across the ray: seen end-on
+constexpr double shortestSeen = 1e-3;   // minimum projected fraction of the length; below it, the vessel is seen end-on
 
 std::vector<std::vector<int>> neighborsIn(const BranchGraph& graph)
 {
@@ -76,7 +76,7 @@ std::optional<BranchMatching::Seen> BranchMatching::look(std::size_t point, cons
     return Seen{*pixel, along.normalized()};
 }
 
-/// Mean over the edge of the best closeness to each curve.
+/// Returns, for each curve, the closeness to the edge, averaged over the points of the edge.
 BranchMatching::Candidates BranchMatching::closenessOf(const BranchEdge& edge, const CentroidPose& pose, double reachPx,
                                                        const BinGrid& near) const
 {
@@ -106,7 +106,7 @@ BranchMatching::Candidates BranchMatching::closenessOf(const BranchEdge& edge, c
 
 BranchMatching::Candidates BranchMatching::candidatesOf(const Candidates& closeness)
 {
-    std::vector<std::pair<double, int>> ranked;   // nearest first
+    std::vector<std::pair<double, int>> ranked;   // in descending order of closeness
     for (const auto& [curve, mean] : closeness) {
         if (mean >= minCloseness) {
             ranked.emplace_back(-mean, curve);
@@ -125,8 +125,8 @@ BranchMatching::Candidates BranchMatching::candidatesOf(const Candidates& closen
     return candidates;
 }
 
-/// Mean over the neighbors of the probability that a curve meeting this one shows them; an unseen neighbor contributes
-/// the support of no curve.
+/// Returns the mean probability, over the neighboring edges, that the neighbor is matched to a curve that meets this
+/// one; the probability that a neighbor is unmatched contributes supportOfNone.
 double BranchMatching::supportOf(int curve, const std::vector<int>& neighbors,
                                  const std::vector<Candidates>& candidates) const
 {
@@ -192,7 +192,7 @@ std::vector<int> BranchMatching::match(const CentroidPose& pose, double reachPx)
     return matched;
 }
 
-/// Returns nullopt beyond the ends of the curve, which does not show anything farther along.
+/// Returns the matched point on the curve; nullopt beyond the ends of the curve, where it does not show the vessel.
 std::optional<Eigen::Vector2d> BranchMatching::partnerOf(const Seen& seen, const Stretch& curve, double reachPx) const
 {
     const TargetSamples& target = problem_.target;

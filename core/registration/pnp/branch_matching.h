@@ -17,8 +17,8 @@ struct BranchPair {
     Eigen::Vector2d pixel;
 };
 
-/// Assigns traced curves to stretches of the tree by graph matching: relaxes the closeness of a stretch to a curve
-/// together with the consistency of junctions in tree and image (Rosenfeld, Hummel, Zucker 1976; ALGORITHMS §3.9).
+/// Assigns traced curves to tree segments by graph matching: relaxes the closeness of segment and curve together with
+/// the consistency of the junctions in tree and image (Rosenfeld, Hummel, Zucker 1976; ALGORITHMS §3.9).
 class BranchMatching {
 public:
     static constexpr int noCurve = -1;
@@ -31,7 +31,7 @@ public:
     /// Curve matched to each edge of the tree's graph, or noCurve; `reachPx` is the 1-σ misalignment of the image.
     std::vector<int> match(const CentroidPose& pose, double reachPx) const;
 
-    /// Nearest points on the matched curves, within three times the search radius and with a similar direction.
+    /// Returns the nearest points on the matched curves, within three times `reachPx` and with a similar direction.
     std::vector<BranchPair> pairs(const CentroidPose& pose, double reachPx) const;
 
 private:
@@ -42,7 +42,7 @@ private:
         Eigen::Vector2d direction;   ///< unit vector
     };
     struct Stretch {
-        std::size_t from, to;   ///< target points of one curve
+        std::size_t from, to;   ///< range of the target points of one curve
     };
     std::optional<Seen> look(std::size_t point, const CentroidPose& pose) const;
     Candidates closenessOf(const BranchEdge& edge, const CentroidPose& pose, double reachPx, const BinGrid& near) const;
@@ -54,7 +54,7 @@ private:
 
     const RegistrationProblem& problem_;
     BranchGraph tree_;
-    std::vector<std::vector<int>> neighbors_;   ///< for each edge, the edges that share a node with it
+    std::vector<std::vector<int>> neighbors_;   ///< for each edge, the edges with a common node
     std::set<std::pair<int, int>> meetings_;   ///< pairs of curves that meet
     std::map<int, Stretch> curves_;
 };

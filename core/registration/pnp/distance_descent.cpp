@@ -14,16 +14,16 @@ namespace angiopose::core {
 namespace {
 
 constexpr int descentTriesPerStep = 8;
-constexpr double settledDescentShare = 1e-6;   // relative to the cost, §3.6
-constexpr double wholeSquares = 1e9;   // px; keeps Huber's loss quadratic everywhere
+constexpr double settledDescentShare = 1e-6;   // relative decrease of the cost that ends the descent (§3.6)
+constexpr double wholeSquares = 1e9;   // Huber threshold in px that makes the loss quadratic everywhere
 
-/// Evaluation of the points at one pose.
+/// Distances and loss of the points at one pose.
 struct HuberEvaluation {
     KernelDistances distances;
     double loss = 0.0;
 };
 
-/// Huber's loss of the nearest distances, with matches updated at every evaluation.
+/// Huber loss of the nearest-point distances, with matches updated at every evaluation.
 class HuberSquares : public SourceSteps {
 public:
     using Evaluation = HuberEvaluation;
@@ -123,7 +123,7 @@ KernelPnpResult DistanceDescent::descend(const KernelProblem& problem, Freedom f
     return result;
 }
 
-/// L-BFGS on Σ d², whose gradient equals that of the fixed matches wherever it exists.
+/// Runs L-BFGS on Σ d², whose gradient, where it exists, equals that for fixed matches.
 KernelPnpResult DistanceDescent::descendSmoothly(const KernelProblem& problem, const RigidTransform& start,
                                                  const KernelObserver& observe) const
 {
@@ -162,8 +162,8 @@ KernelPnpResult DistanceDescent::descendSmoothly(const KernelProblem& problem, c
     return result;
 }
 
-/// Fits the affine map to the target as far as possible; then refines the rigid pose closest to it in the image and
-/// keeps it if it fits better than the current one.
+/// Fits the affine map to the target, then refines the rigid pose whose projection is closest to it and keeps this pose
+/// if it fits better than the current one.
 void DistanceDescent::tryAffine(const KernelProblem& problem, const KernelObserver& observe,
                                 KernelPnpResult& result) const
 {

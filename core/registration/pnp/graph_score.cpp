@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t graphScorePoints = 200;
 
-/// RMS distance from the mean, at least 1.
+/// Returns the RMS distance of the target points from their mean, at least 1 px.
 double spreadPxOf(const TargetSamples& target)
 {
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();

@@ -9,16 +9,16 @@
 
 namespace angiopose::core {
 
-/// Score by which graph matching ranks its hypotheses (ALGORITHMS §3.17): closeness of the tree to the traced vessels,
+/// Score for ranking the hypotheses of graph matching (ALGORITHMS §3.17): closeness of the tree to the traced vessels,
 /// minus a penalty that keeps the tree from collapsing onto few of them.
 class GraphScore {
 public:
-    static constexpr double scalePx = 5.0;   ///< distance at which a point counts 0.37
+    static constexpr double scalePx = 5.0;   ///< distance at which a point still scores 0.37
 
-    /// `spreadWeight` is λ of the penalty against collapse.
+    /// `spreadWeight` is the weight λ of the penalty against collapse.
     GraphScore(const RegistrationProblem& problem, double spreadWeight);
 
-    /// At most 1; minus infinity if nothing projects.
+    /// Returns the score of a pose, at most 1; minus infinity if no point projects.
     double of(const CentroidPose& pose) const;
 
 private:
@@ -26,7 +26,7 @@ private:
     double spreadWeight_;
     FeatureMap target_;
     double targetSpreadPx_;
-    std::vector<Eigen::Vector3d> probes_;   ///< tree points, mm relative to the centroid
+    std::vector<Eigen::Vector3d> probes_;   ///< sampled tree points, mm relative to the centroid
 };
 
 }   // namespace angiopose::core

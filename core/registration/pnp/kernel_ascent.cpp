@@ -18,7 +18,6 @@ public:
     {
     }
 
-    /// Starts at this pose.
     void begin(const RigidTransform& pose)
     {
         pose_ = pose;
@@ -46,7 +45,7 @@ private:
     double scalePx_;
     RigidTransform pose_;
     double cost_ = 0.0;
-    double motionPx_ = 0.0;   ///< initial step length as the largest motion of a point
+    double motionPx_ = 0.0;   ///< initial step length, measured as the largest motion of a point
     KernelDistances current_;
     KernelDistances trial_;
 };
@@ -60,7 +59,7 @@ bool OneScale::step(const Vector6d& metric, Freedom freedom)
     if (!(unitPx > 0.0)) {
         return false;
     }
-    const double slope = 2.0 * equations.gradient.dot(direction) / unitPx;   // per px of motion
+    const double slope = 2.0 * equations.gradient.dot(direction) / unitPx;   // slope of the cost per px of motion
     for (double motionPx = motionPx_; motionPx >= settledAscentPx; motionPx *= 0.5) {
         const RigidTransform candidate = problem_.freedom.moved(pose_, motionPx / unitPx * direction);
         measure(problem_, candidate, trial_, scalePx_);
@@ -89,7 +88,7 @@ double OneScale::largestMotionPx(const Vector6d& step) const
     return largest;
 }
 
-/// Step length per direction for the same slope.
+/// Returns the step length per parameter for equal slopes; zero for shifts while only the rotation is solved.
 Vector6d weightsOf(StepMetric metric, SearchStage stage, double depthMm)
 {
     Vector6d weights = Vector6d::Ones();
@@ -102,8 +101,8 @@ Vector6d weightsOf(StepMetric metric, SearchStage stage, double depthMm)
     return weights;
 }
 
-/// Weights reduced where a prior has a higher curvature than the data, or where the ascent oscillates across its
-/// valley.
+/// Returns weights reduced where the prior is more curved than the data, because the ascent would oscillate across the
+/// narrow valley of the prior.
 Vector6d shortenedBy(const PosePrior& prior, const KernelProblem& problem, double depthMm, Vector6d weights)
 {
     const double pixelsPerMm = problem.camera.fx / depthMm;

@@ -9,10 +9,10 @@ struct AscentOptions {
     double finalScalePx = 3.0;
     int iterationsPerScale = 300;
     StepMetric metric = StepMetric::Balanced;
-    PosePrior prior;   ///< prior of the full problem
+    PosePrior prior;   ///< prior used in the full problem only
 };
 
-/// First-order ascent of Σ exp(−d²/2σ²) at three widths σ from coarse to fine, with Armijo backtracking and partners
+/// First-order ascent of Σ exp(−d²/2σ²) at three widths σ from coarse to fine, with Armijo backtracking and matches
 /// updated at every evaluation (ALGORITHMS §3.3).
 class KernelAscent final : public PointSolver {
 public:

@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-/// One image row of J = Jπ [−[X]×, I] from a row of Jπ: [X × a, a].
+/// Returns one row of the image Jacobian J = Jπ [−[X]×, I] from a row a of Jπ: [X × a, a].
 Vector6d poseRow(const Eigen::Vector3d& pointInCamera, const Eigen::Vector3d& imageRow)
 {
     Vector6d row;
@@ -25,7 +25,7 @@ void addRow(const Vector6d& row, double weight, double residual, NormalEquations
     equations.gradient += residual * weighted;
 }
 
-/// Adds both rows of a pair.
+/// Adds both image rows of a pair to the normal equations.
 void addPair(const ProjectionCamera& camera, const Eigen::Vector3d& pointInCamera, const Eigen::Vector2d& residualPx,
              double weight, NormalEquations& equations)
 {
@@ -38,7 +38,7 @@ constexpr std::size_t fewNeighbors = 5;
 constexpr std::size_t maxNeighbors = 64;
 constexpr double radiusInScales = 3.0;
 
-/// Finds partners in addition to the nearest, by the problem's rule.
+/// Finds target points other than the nearest that also attract a tree point, by the problem's rule.
 class FurtherSearch {
 public:
     FurtherSearch(const KernelProblem& problem, double scalePx)
@@ -58,7 +58,7 @@ public:
             return;
         }
         search_->find(pixel, count_, radiusPx_, foundPx_);
-        for (std::size_t i = 1; i < foundPx_.size(); ++i) {   // the nearest is already included
+        for (std::size_t i = 1; i < foundPx_.size(); ++i) {   // skips the nearest, which is already included
             const Eigen::Vector2d residualPx = pixel - foundPx_[i];
             further.push_back({point, residualPx, residualPx.squaredNorm()});
         }
@@ -118,7 +118,7 @@ NormalEquations kernelEquations(const KernelProblem& problem, const KernelDistan
     for (std::size_t i = 0; i < distances.squaredPx.size(); ++i) {
         const double weight = std::exp(factor * distances.squaredPx[i]);
         if (weight < 1e-12) {
-            continue;   // too far to attract, or behind the source
+            continue;   // too far away to contribute, or behind the source
         }
         addPair(problem.camera, distances.inCamera[i], distances.residualPx[i], weight, equations);
     }

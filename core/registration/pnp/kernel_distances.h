@@ -11,11 +11,11 @@
 
 namespace angiopose::core {
 
-/// Tree points, their camera, and the data they are matched to.
+/// Tree points, the camera, and the target they are matched to.
 struct KernelProblem {
-    std::span<const Eigen::Vector3d> points;   ///< mm, in the frame from which the pose maps
+    std::span<const Eigen::Vector3d> points;   ///< mm, in the frame that the pose maps to the camera
     ProjectionCamera camera;
-    const PointIndex* target = nullptr;   ///< every evaluation matches again to the nearest target point
+    const PointIndex* target = nullptr;   ///< index for matching to the nearest target point at every evaluation
     std::span<const Eigen::Vector2d>
         fixedPartnersPx;   ///< if not empty: one fixed partner per point, independent of the pose
     const NeighborSearch* search = nullptr;   ///< for further partners by the rule below; unused with fixed partners
@@ -23,27 +23,27 @@ struct KernelProblem {
     SourceFreedom freedom{};   ///< allowed motions of the pose
 };
 
-/// Partner in addition to the nearest.
+/// Further target point that attracts a tree point, besides the nearest.
 struct FurtherPartner {
     std::size_t point = 0;
-    Eigen::Vector2d residualPx;   ///< projection minus partner
+    Eigen::Vector2d residualPx;   ///< projection minus target point
     double squaredPx = 0.0;
 };
 
-/// Distances of the points at one pose. Buffers are reused: measuring does not allocate after the first call.
+/// Distances of the points at one pose; the buffers are reused, and measuring does not allocate after the first call.
 struct KernelDistances {
     std::vector<Eigen::Vector3d> inCamera;
-    std::vector<Eigen::Vector2d> residualPx;   ///< projection minus partner
+    std::vector<Eigen::Vector2d> residualPx;   ///< projection minus matched target point
     std::vector<double> squaredPx;   ///< infinite for points that do not project
-    std::vector<FurtherPartner> further;   ///< empty if only the nearest partners count
+    std::vector<FurtherPartner> further;   ///< empty if only the nearest target points count
 };
 
 /// Projects, matches (point to point) and measures all points. The partners within a radius depend on the kernel width.
 void measure(const KernelProblem& problem, const RigidTransform& pose, KernelDistances& distances,
              double scalePx = 0.0);
 
-/// N − E_data, Σ (1 − exp(−d²/2ℓ²)) with nearest partners only (ALGORITHMS §1); stays accurate when all distances are
-/// tiny. A point that leaves the image costs the maximum, 1.
+/// Returns N − E_data (ALGORITHMS §1), which is Σ (1 − exp(−d²/2ℓ²)) if only the nearest matches count; accurate even
+/// if all distances are tiny. A point that does not project costs the maximum, 1.
 double kernelLoss(const KernelDistances& distances, double scalePx);
 
 /// Gauss–Newton system of Σ exp(−d²/2ℓ²)‖r‖² for pose ← exp(ξ) pose, weights frozen (§3.1, step 2).
@@ -52,14 +52,14 @@ NormalEquations kernelEquations(const KernelProblem& problem, const KernelDistan
 /// Gauss–Newton system of Huber's loss of the nearest distances, weights frozen.
 NormalEquations huberEquations(const KernelProblem& problem, const KernelDistances& distances, double huberPx);
 
-/// Σ d² up to `huberPx`, growing linearly from there. Points that do not project cost as much as a distance of half the
-/// image.
+/// Returns the Huber loss: Σ d² up to `huberPx`, linear beyond. A point that does not project costs as much as a
+/// distance of half the image.
 double huberLoss(const KernelProblem& problem, const KernelDistances& distances, double huberPx);
 
-/// Largest distance of a point that projects, px.
+/// Returns the largest distance of the points that project, px.
 double largestDistancePx(const KernelDistances& distances);
 
-/// Number of pairs within `radiusPx` of each other.
+/// Returns the number of pairs that are at most `radiusPx` apart.
 int countWithin(const KernelDistances& distances, double radiusPx);
 
 /// Median distance, px; infinite when most points do not project.

@@ -7,10 +7,10 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minKernel = 6e-4;   // from the source: pairs below it are ignored
-constexpr double flowReachInScales = 3.8517;   // √(−2 ln 6e-4)
+constexpr double minKernel = 6e-4;   // as in the published method; pairs with a smaller kernel value are ignored
+constexpr double flowReachInScales = 3.8517;   // resulting cutoff distance, √(−2 ln 6e-4)
 constexpr double flowSamplesPerScale = 4.0;
-constexpr double endOnInFlow = 1e-3;   // relative to the length of the vessel across the ray
+constexpr double endOnInFlow = 1e-3;   // minimum projected length relative to a vessel perpendicular to the ray
 
 }   // namespace
 
@@ -100,7 +100,7 @@ PowerSeries KernelFlow::along(const Vector6d& step) const
     PowerSeries v;
     std::int32_t projected = -1;
     for (const Pair& pair : pairs_) {
-        if (pair.seen != projected) {   // pairs are grouped by sample
+        if (pair.seen != projected) {   // pairs are grouped by tree sample
             projected = pair.seen;
             const Seen& seen = seen_[static_cast<std::size_t>(projected)];
             std::array<PowerSeries, 3> place;

@@ -9,11 +9,11 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int kernelTriesPerStep = 7;   // the first, and six with increased damping
+constexpr int kernelTriesPerStep = 7;   // one attempt plus six with increased damping
 constexpr double settledKernelMm = 1e-5;
 constexpr double kernelReachInScales = 3.0;
 
-/// Evaluation of the points at one pose.
+/// Distances and cost of the points at one pose.
 struct KernelEvaluation {
     KernelDistances distances;
     double loss = 0.0;   ///< N − E_data at the current ℓ
@@ -52,7 +52,7 @@ public:
         if (!there.isInDepth || !(there.loss <= here.loss)) {
             return {};
         }
-        // 2ℓ²(1 − exp(−d²/2ℓ²)) is the loss that the weighted squares majorize.
+        // The weighted squares are a majorizer of the loss 2ℓ²(1 − exp(−d²/2ℓ²)).
         return 2.0 * scalePx_ * scalePx_ * (here.loss - there.loss) + here.pull - there.pull;
     }
 
@@ -62,10 +62,10 @@ public:
 private:
     const PosePrior& prior_;
     const KernelSchedule& schedule_;
-    double scalePx_ = 0.0;   ///< ℓ; 0: search only for the nearest partners
+    double scalePx_ = 0.0;   ///< current ℓ; 0 to search only for the nearest matches
 };
 
-/// Initial ℓ: the largest distance, see StartScale.
+/// Returns the initial ℓ from the largest distance, see StartScale.
 double startScalePx(const KernelProblem& problem, const KernelSchedule& schedule, const KernelDistances& distances)
 {
     const double largestPx = largestDistancePx(distances);
@@ -87,7 +87,7 @@ KernelPnpResult KernelPnp::solve(const RigidTransform& start, const KernelObserv
         atScale.setScale(scalePx);
         if (problem_.neighbors == Neighbors::Radius) {
             descent.reevaluate();
-        } else {   // same partners with different weights
+        } else {   // unchanged matches with different weights
             descent.evaluation().loss = kernelLoss(descent.evaluation().distances, scalePx);
             descent.relinearize();
         }

@@ -12,22 +12,22 @@ namespace angiopose::core {
 
 /// Schedule of kernel PnP (ALGORITHMS §3.1).
 struct KernelSchedule {
-    int maxIterations = 60;   ///< accepted steps
+    int maxIterations = 60;   ///< maximum number of accepted steps
     double finalScalePx = 1.0;   ///< final ℓ
     StartScale startScale = StartScale::Largest;
     Decay decay = Decay::Halving;
     Freedom freedom = Freedom::Full;
-    double nearestMm = 0.0;   ///< smallest distance of the points' centroid from the source
+    double nearestMm = 0.0;   ///< minimum distance of the points' centroid from the source
     double farthestMm =
-        std::numeric_limits<double>::infinity();   ///< largest distance of the points' centroid from the source
+        std::numeric_limits<double>::infinity();   ///< maximum distance of the points' centroid from the source
 };
 
-/// Accepted step.
+/// Report of one accepted step.
 struct KernelIteration {
-    int iteration = 0;   ///< starts at 1
+    int iteration = 0;   ///< number of the step, starting at 1
     double scalePx = 0.0;
     RigidTransform pose;
-    const KernelDistances* distances = nullptr;   ///< at `pose`
+    const KernelDistances* distances = nullptr;   ///< distances at `pose`
 };
 
 using KernelObserver = std::function<Verdict(const KernelIteration&)>;
@@ -39,8 +39,8 @@ struct KernelPnpResult {
     double scalePx = 0.0;   ///< ℓ of the last step
 };
 
-/// DynaWeightPnP*: maximizes E_data = Σ exp(−d²/2ℓ²) together with `prior` by reweighted least squares, annealing ℓ
-/// from the largest distance. Never accepts a step that lowers E_data at its ℓ. ALGORITHMS §3.1.
+/// DynaWeightPnP* (ALGORITHMS §3.1): maximizes E_data = Σ exp(−d²/2ℓ²) together with `prior` by reweighted least
+/// squares while annealing ℓ from the largest distance. Never accepts a step that lowers E_data at the current ℓ.
 class KernelPnp {
 public:
     KernelPnp(const KernelProblem& problem, const PosePrior& prior, const KernelSchedule& schedule)

@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double mixtureReachInScales = 4.2426;   // 3σ of a product of two Gaussians: 3√2 σ
+constexpr double mixtureReachInScales = 4.2426;   // kernel cutoff: 3σ of a product of two Gaussians, 3√2 σ
 constexpr double samplesPerScale = 4.0;
 constexpr double shortestDirection = 1e-3;   // in units of Z² px: seen end-on
 
@@ -62,7 +62,7 @@ OrientedMixture::Pair OrientedMixture::compare(const Eigen::Vector2d& place, con
     }
     const double perPlace = 1.0 / (4.0 * options_.scalePx * options_.scalePx);
     const double perDirection = 1.0 / (4.0 * options_.orientation * options_.orientation);
-    // Subtracts the value at the cutoff, which makes the kernel end continuously.
+    // Subtracts the value at the cutoff, so that the kernel is continuous there.
     const double near = std::exp(-gap.squaredNorm() * perPlace);
     const double above = near - std::exp(-reachPx_ * reachPx_ * perPlace);
     const Eigen::Vector2d alike = direction - otherDirection;
@@ -97,7 +97,7 @@ double OrientedMixture::distance(const CentroidPose& pose, Vector6d& gradient)
             add(compare(places_[i], directions_[i], places_[j], directions_[j]), self);
         });
         sum += selfFactor * self.value + crossFactor * cross.value;
-        // Both members of a self pair move: twice the derivative of the first.
+        // Both members of a self pair move, which doubles the derivative of the first.
         carryBack(i, 2.0 * selfFactor * self.byPlace + crossFactor * cross.byPlace,
                   2.0 * selfFactor * self.byDirection + crossFactor * cross.byDirection, pose, gradient);
     }

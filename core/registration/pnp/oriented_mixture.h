@@ -12,11 +12,11 @@ struct MixtureOptions {
     double selfWeight = 1.0;
 };
 
-/// L2 distance of two mixtures of Gaussians over position and direction: the projected tree P and the traced vessels Q,
-/// up to the constant ⟨Q,Q⟩ (ALGORITHMS §3.12). Opposite directions count as equal.
+/// L2 distance between two Gaussian mixtures over position and direction, of the projected tree P and the traced
+/// vessels Q, up to the constant ⟨Q,Q⟩ (ALGORITHMS §3.12). Opposite directions count as equal.
 class OrientedMixture {
 public:
-    /// Thins the samples to the resolution of the scale.
+    /// Subsamples tree and target to the resolution of the scale.
     OrientedMixture(const RegistrationProblem& problem, const MixtureOptions& options);
 
     /// w⟨P,P⟩ − 2⟨P,Q⟩ and its gradient for steps (rad, mm) about the pose, including the directions.
@@ -24,17 +24,16 @@ public:
 
 private:
     struct Sample {
-        Eigen::Vector3d fromCentroid;   ///< mm, patient axes
+        Eigen::Vector3d fromCentroid;   ///< offset from the centroid, mm, patient axes
         Eigen::Vector3d tangent;   ///< unit vector
     };
-    /// Projected sample, through which the derivative of a cost with respect to position and direction is propagated
-    /// back.
+    /// Projected sample; derivatives of a cost with respect to position and direction are propagated back through it.
     struct Projected {
         Eigen::Vector3d inCamera;
         Eigen::Vector3d tangent;   ///< camera axes
-        double directionLength = 0.0;   ///< length of the direction before normalization
+        double directionLength = 0.0;   ///< length of the image direction before normalization
     };
-    /// Kernel between two oriented points: its value, and half its derivatives with respect to the first point.
+    /// Kernel between two oriented points: value, and half the derivatives with respect to the first point.
     struct Pair {
         double value = 0.0;
         Eigen::Vector2d byPlace = Eigen::Vector2d::Zero();
@@ -50,9 +49,9 @@ private:
     ProjectionCamera camera_;
     double reachPx_;   ///< kernel cutoff
     std::vector<Sample> samples_;
-    std::vector<Projected> projected_;   ///< samples in front of the source
+    std::vector<Projected> projected_;   ///< projected samples in front of the source
     std::vector<Eigen::Vector2d> places_;   ///< positions of the projected samples
-    std::vector<Eigen::Vector2d> directions_;   ///< unit vectors
+    std::vector<Eigen::Vector2d> directions_;   ///< unit directions of the projected samples
     std::vector<Eigen::Vector2d> targetPlaces_;
     std::vector<Eigen::Vector2d> targetDirections_;
     BinGrid targetGrid_;

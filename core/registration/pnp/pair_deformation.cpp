@@ -9,13 +9,13 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double lengthWeight = 1.0;   // α, px²/mm²
-constexpr double smoothWeight = 0.1;   // β, px²/mm²
+constexpr double lengthWeight = 1.0;   // weight α of length changes, px²/mm²
+constexpr double smoothWeight = 0.1;   // weight β of differences between neighbors, px²/mm²
 constexpr double settledDeformationMm = 1e-4;
 constexpr double settledDeformationShare = 1e-7;
 constexpr double shortestLinkMm = 1e-6;
 
-/// Two linked tree points.
+/// Link between two neighboring tree points.
 struct Link {
     std::size_t a, b;
     double lengthMm;
@@ -46,7 +46,7 @@ std::vector<Link> linksOf(const TreeSamples& tree, const BranchGraph& graph)
     return links;
 }
 
-/// Energy of all motions together, three values per tree point.
+/// Deformation energy as a function of all motions, three values per tree point.
 class DeformationEnergy {
     /// The three values of one point.
     template <class Vector>

@@ -5,11 +5,11 @@
 namespace angiopose::core {
 
 /// Problems of the alternating search (ALGORITHMS §3.2): rotation about the source, auxiliary points with fixed
-/// partners, all points with updated partners.
+/// matches, all points with updated matches.
 enum class SearchStage { Turn, Auxiliary, Full };
 
-/// Interface of methods that fit points to matched points, for the alternating search. Poses are motions of the points'
-/// own frame.
+/// Interface of point-matching methods for the alternating search. A pose is a motion of the points within their own
+/// frame.
 class PointSolver {
 public:
     virtual ~PointSolver() = default;
@@ -21,7 +21,7 @@ public:
     /// Maximum number of steps of `solve`.
     virtual int maxIterations(SearchStage stage) const = 0;
 
-    /// Whether the solver can change the rotation alone.
+    /// Whether the solver can solve for the rotation alone.
     virtual bool canTurn() const { return true; }
 };
 

@@ -6,10 +6,10 @@
 
 namespace angiopose::core {
 
-/// Function of s given by its Taylor coefficients about 0, up to s⁴.
+/// Function of s as a Taylor series about 0, up to s⁴.
 struct PowerSeries {
     static constexpr std::size_t terms = 5;
-    std::array<double, terms> at{};   ///< at[k]: coefficient of sᵏ
+    std::array<double, terms> at{};   ///< at[k] is the coefficient of sᵏ
 
     PowerSeries& operator+=(const PowerSeries& other)
     {
@@ -42,7 +42,7 @@ inline PowerSeries operator*(const PowerSeries& a, const PowerSeries& b)
     return product;
 }
 
-/// `b` must not vanish at 0.
+/// Divides two series; `b` must not vanish at 0.
 inline PowerSeries operator/(const PowerSeries& a, const PowerSeries& b)
 {
     PowerSeries quotient;
@@ -56,7 +56,7 @@ inline PowerSeries operator/(const PowerSeries& a, const PowerSeries& b)
     return quotient;
 }
 
-/// Uses e' = a' e.
+/// Returns the series of e = exp(a), from e' = a' e.
 inline PowerSeries exp(const PowerSeries& a)
 {
     PowerSeries e;

@@ -6,10 +6,10 @@
 
 namespace angiopose::core {
 
-/// Stride of tree points whose projections at the initial pose are about `wantedPx` apart; at least 1.
+/// Returns the stride at which the tree points, projected at the initial pose, are about `wantedPx` apart; at least 1.
 std::size_t treeStride(const RegistrationProblem& problem, double wantedPx);
 
-/// Same for the traced vessels.
+/// Returns the stride at which the target points are about `wantedPx` apart; at least 1.
 std::size_t targetStride(const TargetSamples& target, double wantedPx);
 
 }   // namespace angiopose::core

@@ -4,7 +4,7 @@
 
 namespace angiopose::core {
 
-/// Kernel width ℓ, annealed from coarse to fine; never below its minimum.
+/// Kernel width ℓ, annealed from coarse to fine down to a minimum.
 class ScaleAnnealing {
 public:
     ScaleAnnealing(Decay decay, double startPx, double finalPx);
@@ -15,7 +15,7 @@ public:
     /// Counts an accepted step after which `pointsInReach` points are within reach of the kernel; shrinks ℓ when due.
     void noteStep(int pointsInReach);
 
-    /// Shrinks ℓ immediately when no further gain is possible at this width; returns false if it is already final.
+    /// Shrinks ℓ immediately if the current width allows no further gain; returns false if ℓ is already final.
     bool sharpen();
 
 private:

@@ -10,22 +10,22 @@
 
 namespace angiopose::core {
 
-/// Input of point-matching methods. The points are in the frame of the initial camera and the pose is the motion
-/// cameraFromStart, initially the identity: only in this frame does the rad² + mm² of the prior have its meaning from
+/// Input of point-matching methods. The points are in the frame of the initial camera, and the pose is the motion
+/// cameraFromStart, initially the identity: only in this frame does rad² + mm² in the prior have the same meaning as in
 /// DynaWeightPnP (ALGORITHMS §1, "perturbation models").
 struct SeedProblem {
     std::vector<Eigen::Vector3d> points;
-    std::vector<Eigen::Vector3d> auxiliary;   ///< {p'}, according to option `auxiliary`
-    PosePrior prior;   ///< prior of the full problem, by preset
+    std::vector<Eigen::Vector3d> auxiliary;   ///< points {p'} selected by option `auxiliary`
+    PosePrior prior;   ///< prior of the full problem, from the preset
     KernelSchedule schedule;   ///< schedule of the full problem
-    double nearestMm = 0.0;   ///< depth limit for all solves without a prior
+    double nearestMm = 0.0;   ///< minimum depth in all solves without a prior
     double farthestMm = 0.0;
-    std::unique_ptr<PointIndex> target;   ///< according to option `index`
-    std::unique_ptr<NeighborSearch> search;   ///< null if only the nearest points count
+    std::unique_ptr<PointIndex> target;   ///< index type selected by option `index`
+    std::unique_ptr<NeighborSearch> search;   ///< null if only the nearest target points count
     Neighbors neighbors = Neighbors::Closest;
     SourceFreedom freedom;
 
-    /// Problem of all points, matched again at every evaluation.
+    /// Returns the problem of all points with matches updated at every evaluation.
     KernelProblem full(const ProjectionCamera& camera) const
     {
         return {points, camera, target.get(), {}, search.get(), neighbors, freedom};
@@ -34,7 +34,7 @@ struct SeedProblem {
 
 SeedProblem makeSeedProblem(const RegistrationProblem& problem, const RegistrationOptions& options);
 
-/// Whether {p'} can determine a pose: at least four points, spread over 30 % of the tree's own spread (ALGORITHMS
+/// Whether {p'} can determine a pose: at least four points whose spread is at least 30 % of the tree's (ALGORITHMS
 /// §3.2).
 bool isSolvableAlone(const std::vector<Eigen::Vector3d>& auxiliary, const std::vector<Eigen::Vector3d>& points);
 

@@ -4,11 +4,11 @@
 
 namespace angiopose::core {
 
-/// Allowed motions about the X-ray source: poses are cameraFromStart, steps are twists ξ (rad, mm) with pose ← exp(ξ)
+/// Allowed motions about the X-ray source. Poses are cameraFromStart; steps are twists ξ (rad, mm) with pose ← exp(ξ)
 /// pose.
 class SourceFreedom {
 public:
-    /// Leaves all six parameters free.
+    /// Allows motion in all six parameters.
     SourceFreedom() = default;
 
     /// `freedom` refers to cameraFromPatient; `start` and the tree's centroid (patient mm) define the initial position.
@@ -23,11 +23,11 @@ public:
     Vector6d dampedStep(const NormalEquations& equations, double damping, const RigidTransform& pose,
                         Freedom freedom = Freedom::Full) const;
 
-    /// Allowed direction of descent, with components weighted by `weights` (one for rotations, one for shifts).
+    /// Returns the allowed descent direction, with the components of the gradient scaled by `weights`.
     Vector6d descent(const Vector6d& gradient, const Vector6d& weights, const RigidTransform& pose,
                      Freedom freedom) const;
 
-    /// Pose after a twist; locked parameters keep their exact values.
+    /// Applies a twist to a pose; locked parameters keep their exact values.
     RigidTransform moved(const RigidTransform& pose, const Vector6d& twist) const;
 
 private:

@@ -4,7 +4,7 @@
 
 namespace angiopose::core {
 
-/// States and steps of descents (see DampedDescent) that rotate the points about the X-ray source.
+/// Base for least-squares problems of DampedDescent that rotate the points about the X-ray source: states and steps.
 class SourceSteps {
 public:
     using State = RigidTransform;
@@ -17,7 +17,7 @@ public:
     Vector6d step(const RigidTransform& pose, const NormalEquations& equations, double damping) const;
     RigidTransform moved(const RigidTransform& pose, const Vector6d& step) const;
 
-    /// Length of a step, with rotation counted as the shift it causes at the depth of the points.
+    /// Returns the length of a step, counting a rotation as the shift it causes at the depth of the points.
     double lengthMm(const RigidTransform& pose, const Vector6d& step) const;
 
     /// Depth of the points' centroid.
@@ -32,7 +32,7 @@ private:
     Eigen::Vector3d centroid_;
 };
 
-/// Mean of the points; requires at least one.
+/// Returns the mean of one or more points.
 Eigen::Vector3d meanOf(std::span<const Eigen::Vector3d> points);
 
 }   // namespace angiopose::core

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double damping = 1e-3;
 
-/// Converts steps about the source to steps about the tree's centroid.
+/// Converts normal equations for steps about the source to steps about the tree's centroid.
 NormalEquations aboutCentroid(const NormalEquations& equations, const Eigen::Vector3d& centroidInCamera)
 {
     Matrix6d sourceFromCentroid = Matrix6d::Identity();

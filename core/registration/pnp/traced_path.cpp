@@ -9,9 +9,9 @@ namespace {
 constexpr double muchShorter = 0.75;
 constexpr double muchLonger = 1.33;
 constexpr double headingPx = 20.0;   // length over which a direction is measured
-constexpr double minStraightCosine = 0.7071;   // 45°
+constexpr double minStraightCosine = 0.7071;   // cosine of 45°
 
-/// Unit vector; nullopt for a single place.
+/// Returns the unit direction at the start of a polyline; nullopt if all points coincide.
 std::optional<Eigen::Vector2d> headingOf(const std::vector<Eigen::Vector2d>& points)
 {
     const Eigen::Vector2d chord = placeAlong(points, headingPx) - points.front();
@@ -29,7 +29,7 @@ std::vector<Eigen::Vector2d> pointsAlong(const BranchGraph& graph, const TargetS
     return points;
 }
 
-/// Edge leaving the node with the smallest change of direction from the path, up to 45°.
+/// Returns the edge that continues the path at its final node with the smallest change of direction, at most 45°.
 std::optional<EdgeEnd> straightOn(const BranchGraph& graph, const TargetSamples& target, const TracedPath& path)
 {
     const std::vector<Eigen::Vector2d> backwards(path.points.rbegin(), path.points.rend());

@@ -5,7 +5,7 @@
 
 namespace angiopose::core {
 
-/// Pose defined relative to the tree's centroid (OBJ parameters, ALGORITHMS §1): rotation does not shift the image.
+/// Pose relative to the tree's centroid (OBJ parameters, ALGORITHMS §1), for which a rotation does not shift the image.
 /// pointInCamera = rotation (pointInPatient − centroidInPatient) + centroidInCamera.
 struct CentroidPose {
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
@@ -18,10 +18,10 @@ RigidTransform cameraFromPatient(const CentroidPose& pose, const Eigen::Vector3d
 /// Pose after a step (rotation vector rad, shift mm) in camera axes.
 CentroidPose moved(const CentroidPose& pose, const Vector6d& step);
 
-/// Step from one pose to the other; inverse of moved.
+/// Returns the step from one pose to the other; inverse of `moved`.
 Vector6d stepBetween(const CentroidPose& from, const CentroidPose& to);
 
-/// Maximum motion of points that are `spreadMm` from the centroid.
+/// Returns the largest motion that a step causes for points at the distance `spreadMm` from the centroid.
 double stepLengthMm(const Vector6d& step, double spreadMm);
 
 }   // namespace angiopose::core

@@ -9,13 +9,13 @@
 
 namespace angiopose::core {
 
-/// Requirements on a least-squares problem for the descent below: a state (one or several poses), a step from one state
-/// to the next, and an evaluation, which holds all quantities computed at a state.
+/// Requirements on a least-squares problem for DampedDescent: a state (one or several poses), a step between states,
+/// and an evaluation with all quantities computed at a state.
 template <class P>
 concept LeastSquaresProblem = requires(P& problem, const typename P::State& state, typename P::Evaluation& evaluation,
                                        const typename P::Equations& equations, const typename P::Step& step)
 {
-    /// Evaluates a state; returns false if it is not feasible.
+    /// Evaluates a state; returns false if the state is not feasible.
     {
         problem.evaluate(state, evaluation)
         } -> std::same_as<bool>;
@@ -30,7 +30,7 @@ concept LeastSquaresProblem = requires(P& problem, const typename P::State& stat
     {
         problem.moved(state, step)
         } -> std::convertible_to<typename P::State>;
-    /// Decrease of the cost at the second evaluation; nullopt if the step must not be taken.
+    /// Returns the decrease of the cost from the first to the second evaluation; nullopt to reject the step.
     {
         problem.decrease(evaluation, evaluation)
         } -> std::same_as<std::optional<double>>;
@@ -41,15 +41,15 @@ concept LeastSquaresProblem = requires(P& problem, const typename P::State& stat
 };
 
 struct StepOptions {
-    int triesPerStep = 1;   ///< each with more damping than the previous one
-    double settledMm = 0.0;   ///< a step that moves less ends the descent
-    double settledGain = 0.0;   ///< a step with a smaller predicted decrease also ends it
+    int triesPerStep = 1;   ///< attempts per step, with increasing damping
+    double settledMm = 0.0;   ///< a step with less motion ends the descent
+    double settledGain = 0.0;   ///< a step with a smaller predicted decrease ends the descent
 };
 
-/// Result of one step. A last, tiny step may be both taken and final.
+/// Result of one step. A tiny last step may be both accepted and final.
 struct StepOutcome {
     bool isTaken = false;
-    bool isSettled = false;   ///< no further step is worthwhile
+    bool isSettled = false;   ///< whether the descent has converged
     bool isStopped = false;   ///< the observer returned Stop
 };
 
@@ -60,7 +60,7 @@ struct EvaluationPair {
     Evaluation there;
 };
 
-/// Levenberg–Marquardt (ALGORITHMS §1): linearize, compute the damped step, and accept it if the problem does.
+/// Levenberg–Marquardt (ALGORITHMS §1): linearizes, computes the damped step and takes it if the problem accepts it.
 template <LeastSquaresProblem Problem>
 class DampedDescent {
 public:
@@ -76,13 +76,12 @@ public:
 
     const State& state() const { return state_; }
     Evaluation& evaluation() { return evaluations_.here; }
-    bool isFeasible() const { return isFeasible_; }   ///< false: the problem cannot be evaluated at the initial state
+    bool isFeasible() const { return isFeasible_; }   ///< false if the problem cannot be evaluated at the initial state
 
-    /// Call after the problem changed but the evaluation did not; an evaluation modified by the caller counts as
-    /// current.
+    /// Call after a change of the problem that leaves the evaluation valid, or after modifying the evaluation.
     void relinearize() { isLinearized_ = false; }
 
-    /// Call after the problem changed: evaluates the state again.
+    /// Call after a change of the problem to evaluate the current state again.
     void reevaluate()
     {
         isFeasible_ = problem_.evaluate(state_, evaluations_.here);
@@ -93,8 +92,8 @@ public:
 
     StepOutcome step();
 
-    /// Steps until convergence, at most `most` times; `after` receives the outcome of each step and may return Stop.
-    /// Returns the last outcome.
+    /// Takes up to `most` steps until convergence and returns the last outcome; `after` receives the outcome of each
+    /// step and may return Stop.
     template <class After>
     StepOutcome descend(int most, const After& after)
     {

@@ -10,8 +10,8 @@ namespace {
 constexpr double minFactor = 1e-10;
 constexpr double maxFactor = 1e10;
 
-/// Solves in parameters scaled to unit diagonal: raw radians and millimeters differ by 1e9 in condition. `hessian` is
-/// symmetric with both triangles filled.
+/// Solves in parameters scaled to a unit diagonal, because raw radians and millimeters worsen the condition number by
+/// 1e9. `hessian` is symmetric with both triangles filled.
 template <class Matrix, class Vector>
 Vector solveScaled(Matrix hessian, const Vector& gradient, double damping)
 {

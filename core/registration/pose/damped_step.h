@@ -15,7 +15,7 @@ struct EquationsOf {
 /// Normal equations about a pose: x = (ω rad, υ mm), or any other six parameters.
 using NormalEquations = EquationsOf<6>;
 
-/// Normal equations of a pose, followed by the error of its camera (see CameraError).
+/// Normal equations of a pose and of the error of its camera, in this order (see CameraError).
 using CameraEquations = EquationsOf<9>;
 
 /// Normal equations with any number of parameters; both triangles of the Hessian are filled.
@@ -27,20 +27,20 @@ struct StackedEquations {
 /// Free parameters: all six, or the first three (rotation).
 enum class Freedom { Rotation, Full };
 
-/// Minimizer of the model damped by μ·diag(H) (scale invariant: units of x do not matter, ALGORITHMS §1). Parameters
-/// without influence on the data remain zero.
+/// Returns the minimizer of the model damped by μ·diag(H), which is invariant to the units of x (ALGORITHMS §1).
+/// Parameters without influence on the data remain zero.
 Vector6d dampedStep(const NormalEquations& equations, double damping, Freedom freedom = Freedom::Full);
 
-/// Allowed steps, one column each.
+/// Basis of the allowed steps, one per column.
 using StepBasis = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
 
-/// Same, restricted to combinations of the columns of `basis`, which must be independent.
+/// Overload restricted to linear combinations of the columns of `basis`, which must be independent.
 Vector6d dampedStep(const NormalEquations& equations, double damping, const StepBasis& basis);
 
-/// Same for any number of parameters.
+/// Overload for any number of parameters.
 Eigen::VectorXd dampedStep(const StackedEquations& equations, double damping);
 
-/// Decrease predicted by the undamped model for a step; positive if it lowers the cost.
+/// Returns the decrease that the undamped model predicts for a step; positive if the step lowers the cost.
 double predictedDecrease(const NormalEquations& equations, const Vector6d& step);
 double predictedDecrease(const StackedEquations& equations, const Eigen::VectorXd& step);
 
@@ -48,7 +48,7 @@ double predictedDecrease(const StackedEquations& equations, const Eigen::VectorX
 class Damping {
 public:
     double factor() const { return factor_; }
-    void accept(double gain);   ///< gain: actual / predicted decrease
+    void accept(double gain);   ///< `gain` is the ratio of actual to predicted decrease
     void reject();
     void reset() { *this = Damping(); }
 

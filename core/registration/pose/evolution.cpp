@@ -20,7 +20,7 @@ Eigen::VectorXd normalVector(Eigen::Index dimensions, CounterRandom& random)
     return x;
 }
 
-/// State of the covariance matrix adaptation; variables are named as in the tutorial.
+/// State of the covariance matrix adaptation; member names follow the tutorial cited in the header.
 class CovarianceSearch {
 public:
     CovarianceSearch(Eigen::Index dimensions, int population);
@@ -35,7 +35,7 @@ public:
     }
     Eigen::VectorXd placeOf(const Eigen::VectorXd& step) const { return mean_ + sigma_ * step; }
 
-    /// Adapts the distribution to a generation.
+    /// Adapts the search distribution to a generation.
     void adapt(std::vector<Child>& children);
 
     double width() const { return sigma_ * lengths_.maxCoeff(); }
@@ -45,13 +45,13 @@ private:
     double sigma_ = 1.0;
     Eigen::MatrixXd covariance_;
     Eigen::MatrixXd axes_;   ///< eigenvectors of the covariance
-    Eigen::VectorXd lengths_;   ///< square roots of its eigenvalues
+    Eigen::VectorXd lengths_;   ///< square roots of the eigenvalues of the covariance
     Eigen::VectorXd sigmaPath_;
     Eigen::VectorXd covariancePath_;
-    Eigen::VectorXd weights_;   ///< weights of the better half, best first
-    double effective_ = 1.0;   ///< μ_eff
+    Eigen::VectorXd weights_;   ///< recombination weights of the better half, best first
+    double effective_ = 1.0;   ///< effective number of parents, μ_eff
     double cSigma_ = 0.0, dSigma_ = 0.0, cPath_ = 0.0, cOne_ = 0.0, cMu_ = 0.0;
-    double expectedNorm_ = 0.0;   ///< expected length of a normal vector
+    double expectedNorm_ = 0.0;   ///< expected length of a standard normal vector
     int generation_ = 0;
 };
 

@@ -9,7 +9,7 @@ namespace angiopose::core {
 struct EvolveOptions {
     int population = 16;
     int maxEvaluations = 3000;
-    double settledStep = 1e-3;   ///< ends when the search distribution is narrower than this, in units of x
+    double settledStep = 1e-3;   ///< width of the search distribution at which the search ends, in units of x
     std::uint64_t seed = 1;
 };
 
@@ -24,8 +24,8 @@ using StopCheck = std::function<bool()>;
 bool evolveByCovariance(const EvolutionCost& cost, Eigen::Index dimensions, const EvolveOptions& options,
                         const StopCheck& isStopped);
 
-/// One parent, one child: success widens the search by 1.05, failure narrows it by its fourth root, both along the step
-/// taken (Styner et al. 2000).
+/// Minimizes with one parent and one child per generation: a success widens the search by 1.05, a failure narrows it by
+/// the fourth root of 1.05, both along the step taken (Styner et al. 2000).
 bool evolveOneByOne(const EvolutionCost& cost, Eigen::Index dimensions, const EvolveOptions& options,
                     const StopCheck& isStopped);
 

@@ -20,8 +20,7 @@ constexpr double minSpreadMm = 1.0;   // RMS distance from a line; below, the ro
 constexpr double minSpreadPx = 3.0;
 constexpr int maxLandmarkSteps = 60;
 constexpr double settledLandmarksMm = 1e-7;
-constexpr double asGood =
-    1.5;   // costs that differ by less than this factor, or by less than a click, are considered equal
+constexpr double asGood = 1.5;   // factor up to which costs count as equal; differences below one click error always do
 
 // Prior for the parameters that few pairs leave undetermined: out-of-plane rotation costs more than roll, roll more
 // than a shift, depth more than a lateral shift.
@@ -30,14 +29,14 @@ constexpr double priorRollDeg = 60.0;
 constexpr double priorShiftMm = 1000.0;
 constexpr double priorDepthMm = 30.0;
 
-/// Evaluation of a pose: squared pixel errors in units of the click error and, where few pairs require it, the prior at
-/// the previous pose.
+/// Cost of a pose: squared pixel errors in units of the click error, plus the prior at the previous pose if there are
+/// few pairs.
 struct LandmarkEvaluation {
     double cost = std::numeric_limits<double>::infinity();
     NormalEquations equations;
 };
 
-/// Least-squares problem of poses about the landmarks' centroid.
+/// Least-squares problem for the landmark pose, with steps about the landmarks' centroid.
 class LandmarkSquares {
 public:
     using State = CentroidPose;
@@ -58,7 +57,7 @@ public:
     }
     const Eigen::Vector3d& centroid() const { return centroid_; }
 
-    /// Returns false if a landmark is not in front of the source.
+    /// Evaluates a pose; returns false if a landmark is not in front of the source.
     bool evaluate(const CentroidPose& pose, LandmarkEvaluation& evaluation) const
     {
         evaluation = {0.0, {}};
@@ -180,7 +179,7 @@ StartPrior priorAt(const CentroidPose& before)
     return independentPrior(before, std);
 }
 
-/// The better of two fits; `near` if it is about as good.
+/// Returns the better of two fits, or `near` if both are about equally good.
 const Fit& chosen(const Fit& near, const Fit& other)
 {
     const double showsNothing = asGood * other.cost + 1.0;

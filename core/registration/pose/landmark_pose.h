@@ -12,16 +12,16 @@
 
 namespace angiopose::core {
 
-/// Number of pairs that determine a pose without a previous one.
+/// Minimum number of pairs that determine a pose without a previous pose.
 inline constexpr std::size_t enoughLandmarks = 4;
 
-/// Pose that aligns landmarks with their pixels, and its accuracy.
+/// Pose that aligns landmarks with their image points, and its accuracy.
 struct LandmarkPose {
     RigidTransform cameraFromPatient;
     std::vector<double> errorPx;   ///< residual of each pair, in input order
     double rmsPx = 0.0;
-    double depthStdMm = 0.0;   ///< 1-σ along the ray if each click has an error of clickStdPx
-    double rotationStdDeg = 0.0;   ///< same about the worst axis
+    double depthStdMm = 0.0;   ///< 1-σ along the ray for click errors of clickStdPx
+    double rotationStdDeg = 0.0;   ///< 1-σ about the least certain camera axis, for the same click errors
     bool leansOnPrior = false;   ///< too few pairs: undetermined parameters keep their previous values
 };
 

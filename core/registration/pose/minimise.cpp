@@ -24,7 +24,7 @@ nlopt_algorithm algorithmOf(Minimizer minimizer)
     return NLOPT_LN_NELDERMEAD;
 }
 
-/// Callback data for NLopt. Keeps the best x, because some algorithms return the last one.
+/// Callback data for NLopt. Keeps the best x, because some algorithms return the last x instead.
 struct Evaluation {
     const CostFunction& cost;
     const std::function<bool()>& isStopped;
@@ -37,7 +37,7 @@ double evaluate(unsigned count, const double* x, double* gradient, void* data)
 {
     auto& evaluation = *static_cast<Evaluation*>(data);
     if (nlopt_get_force_stop(evaluation.optimiser) != 0) {
-        return evaluation.best.cost;   // Brent's version finishes its line search first
+        return evaluation.best.cost;   // skips the evaluation, because PRAXIS finishes its line search after a stop
     }
     const Eigen::VectorXd point = Eigen::Map<const Eigen::VectorXd>(x, count);
     evaluation.gradient.resize(gradient == nullptr ? 0 : count);

@@ -11,19 +11,19 @@ enum class Minimizer { NelderMead, Powell, Lbfgs };
 
 struct MinimizeOptions {
     Minimizer minimizer = Minimizer::NelderMead;
-    double firstStep = 1.0;   ///< size of the first simplex or line search, in units of x
-    double tolerance = 1e-3;   ///< ends when x changes by less, in units of x
-    double relativeTolerance = 0.0;   ///< ends when the cost changes by a smaller fraction of itself; 0: disabled
+    double firstStep = 1.0;   ///< size of the initial simplex or line search, in units of x
+    double tolerance = 1e-3;   ///< change of x below which the search ends, in units of x
+    double relativeTolerance = 0.0;   ///< relative change of the cost below which the search ends; 0 disables this test
     int maxEvaluations = 1000;
 };
 
-/// Cost of x; fills the gradient on request (only L-BFGS needs it, the others pass an empty vector).
+/// Returns the cost of x and fills the gradient unless the vector is empty; only L-BFGS requests the gradient.
 using CostFunction = std::function<double(const Eigen::VectorXd& x, Eigen::VectorXd& gradient)>;
 
 struct Minimum {
     Eigen::VectorXd x;
     double cost = 0.0;
-    bool isConverged = false;   ///< false: out of evaluations, stopped, or stuck
+    bool isConverged = false;   ///< false if out of evaluations, stopped or stuck
 };
 
 /// Minimizes from `start`. Ends immediately if `isStopped` returns true after an evaluation. The result is bitwise

@@ -26,7 +26,7 @@ Eigen::Vector3d anglesOf(const Eigen::Matrix3d& turn)
             std::atan2(-turn(0, 1), turn(1, 1))};
 }
 
-/// Rotation per rad of each angle, camera axes.
+/// Returns the rotation vector per rad of each angle, one per column, camera axes.
 Eigen::Matrix3d turnsPerAngle(const Eigen::Vector3d& angles)
 {
     const Eigen::Matrix3d roll = Eigen::AngleAxisd(angles.z(), Eigen::Vector3d::UnitZ()).toRotationMatrix();
@@ -100,7 +100,7 @@ Matrix6d PoseFreedom::stepsPerCoordinate(const CentroidPose& pose) const
 StepBasis PoseFreedom::freeSteps(const CentroidPose& pose) const
 {
     if (isFull()) {
-        return StepBasis::Identity(6, 6);   // angles far from their reference may be dependent
+        return StepBasis::Identity(6, 6);   // far from the reference, the angles may become dependent
     }
     const Matrix6d all = stepsPerCoordinate(pose);
     StepBasis free(6, std::count(locks_.begin(), locks_.end(), false));

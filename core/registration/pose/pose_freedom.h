@@ -7,18 +7,18 @@
 
 namespace angiopose::core {
 
-/// Degrees of freedom that a registration may change; the locked ones keep their initial values as defined by
-/// PoseOffset. The six coordinates, in the order of Vector6d, are the angles θ of rotation = Rz(θz) Rx(θx) Ry(θy) ·
-/// reference in rad, and the position of a pivot in the camera in mm.
+/// Degrees of freedom that a registration may change; locked ones keep their initial values as defined by PoseOffset.
+/// The six coordinates, in the order of Vector6d, are the angles θ in rad of rotation = Rz(θz) Rx(θx) Ry(θy) ·
+/// reference, and the position of a pivot in camera axes in mm.
 class PoseFreedom {
 public:
-    /// Reference of the coordinates; matters only with locks.
+    /// Reference of the coordinates; relevant only with locks.
     struct Frame {
         Eigen::Matrix3d reference = Eigen::Matrix3d::Identity();   ///< rotation at θ = 0
         Eigen::Vector3d pivotFromCentroid = Eigen::Vector3d::Zero();   ///< mm, axes of the posed frame
     };
 
-    /// Leaves all six degrees of freedom free.
+    /// Allows all six degrees of freedom.
     PoseFreedom() = default;
 
     PoseFreedom(const PoseLocks& locks, const Frame& frame, const CentroidPose& start);
@@ -27,7 +27,7 @@ public:
     bool isLocked(PoseAxis axis) const { return core::isLocked(locks_, axis); }
     bool isLocked(Eigen::Index coordinate) const;
 
-    /// Copy with these axes locked in addition, at the values of `pose`.
+    /// Returns a copy in which these axes are also locked, at their values in `pose`.
     PoseFreedom alsoLocking(std::initializer_list<PoseAxis> axes, const CentroidPose& pose) const;
 
     /// Equivalent for motions cameraFromStart of a tree in the frame of the initial camera.
@@ -36,10 +36,10 @@ public:
     Vector6d coordinates(const CentroidPose& pose) const;
     CentroidPose poseAt(const Vector6d& coordinates) const;
 
-    /// d step / d coordinate, one column each; steps as in `moved`.
+    /// Returns d step / d coordinate, one coordinate per column, with steps as in `moved`.
     Matrix6d stepsPerCoordinate(const CentroidPose& pose) const;
 
-    /// Columns of the free coordinates.
+    /// Returns the columns of stepsPerCoordinate for the free coordinates.
     StepBasis freeSteps(const CentroidPose& pose) const;
 
     /// Pose with the locked coordinates restored.

@@ -5,7 +5,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Without locks the angles are measured from the origin, which keeps them independent.
+/// Without locks, measures the angles from the origin, where they are independent.
 PoseFreedom countedFrom(const CentroidPose& origin, const PoseFreedom& freedom)
 {
     return freedom.isFull() ? PoseFreedom({}, {origin.rotation, {0.0, 0.0, 0.0}}, origin) : freedom;

@@ -6,11 +6,11 @@
 
 namespace angiopose::core {
 
-/// Free coordinates of a pose (see PoseFreedom), relative to an origin and scaled by units that give each about the
-/// same effect in the image.
+/// Free coordinates of a pose (see PoseFreedom) relative to an origin, scaled to units with about equal effects in the
+/// image.
 class PoseParameters {
 public:
-    /// `unit` holds the units of the six coordinates, rad and mm; locked ones are left out.
+    /// `unit` holds the units of all six coordinates (rad, mm); locked coordinates are not part of x.
     PoseParameters(const CentroidPose& origin, const Vector6d& unit, const PoseFreedom& freedom);
 
     Eigen::Index count() const { return static_cast<Eigen::Index>(free_.size()); }
@@ -18,7 +18,7 @@ public:
 
     CentroidPose pose(const Eigen::VectorXd& x) const;
 
-    /// Gradient with respect to x, from the gradient with respect to steps (rad, mm) about pose(x).
+    /// Converts a gradient for steps (rad, mm) about pose(x) to a gradient with respect to x.
     Eigen::VectorXd gradient(const Eigen::VectorXd& x, const Vector6d& stepGradient) const;
 
 private:
@@ -28,10 +28,10 @@ private:
     std::vector<Eigen::Index> free_;   ///< indices of the free coordinates
 };
 
-/// Units for which x is in mm of motion: `spreadMm` per radian and 1 mm per mm.
+/// Returns units for which x measures motion in mm: one radian counts as `spreadMm`, one mm as 1 mm.
 Vector6d metricUnits(double spreadMm);
 
-/// Units given by degrees about x and y, degrees about z, mm across the ray and mm along it.
+/// Returns units from a tilt about x and y, a roll about z, and shifts across and along the ray.
 Vector6d clinicalUnits(double tiltDeg, double rollDeg, double lateralMm, double depthMm);
 
 }   // namespace angiopose::core

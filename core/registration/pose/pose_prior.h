@@ -11,16 +11,16 @@ namespace angiopose::core {
 struct PosePrior {
     RigidTransform reference;
     Vector6d weights = Vector6d::Ones();   ///< diagonal of W
-    double strength = 0.0;   ///< λ; 0 disables the prior
+    double strength = 0.0;   ///< weight λ; 0 disables the prior
 };
 
-/// e, six values (rad, mm).
+/// Returns the residual e (rad, mm).
 Vector6d priorResidual(const PosePrior& prior, const RigidTransform& pose);
 
 /// ∂e/∂ξ for pose ← exp(ξ) pose, exact: J_r⁻¹(e) Ad(pose⁻¹).
 Matrix6d priorJacobian(const PosePrior& prior, const RigidTransform& pose);
 
-/// λ eᵀW²e.
+/// Returns λ eᵀW²e.
 double priorCost(const PosePrior& prior, const RigidTransform& pose);
 
 /// Adds the linearized prior for pose ← exp(ξ) pose.

@@ -13,7 +13,7 @@ std::optional<RigidTransform> solveSqpnp(std::span<const Eigen::Vector3d> points
     std::vector<cv::Point2d> imagePoints;
     for (std::size_t i = 0; i < points.size(); ++i) {
         objectPoints.emplace_back(points[i].x(), points[i].y(), points[i].z());
-        // In normalized coordinates an image is never mirrored (fx < 0).
+        // Normalized coordinates undo the mirroring of an image (fx < 0).
         imagePoints.emplace_back((pixels[i].x() - camera.cx) / camera.fx, (pixels[i].y() - camera.cy) / camera.fy);
     }
     if (points.size() < 3) {

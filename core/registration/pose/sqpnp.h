@@ -8,8 +8,8 @@
 
 namespace angiopose::core {
 
-/// Least-squares pose of points with known pixels, without an initial pose: OpenCV's SQPNP. Returns nullopt if the
-/// pairs do not determine a pose.
+/// Returns the least-squares pose of points with known pixels by OpenCV's SQPNP, which needs no initial pose; nullopt
+/// if the pairs do not determine a pose.
 std::optional<RigidTransform> solveSqpnp(std::span<const Eigen::Vector3d> points,
                                          std::span<const Eigen::Vector2d> pixels, const ProjectionCamera& camera);
 

@@ -5,29 +5,29 @@
 
 namespace angiopose::core {
 
-/// Prior of the initial pose (ALGORITHMS §6.6 a): Gaussian errors of the step from it, about the centroid.
+/// Gaussian prior on the step from the initial pose, about the centroid (ALGORITHMS §6.6 a).
 struct StartPrior {
     CentroidPose start;
     Matrix6d information = Matrix6d::Identity();   ///< inverse covariance of the step (rad, mm)
-    PoseFreedom freedom{};   ///< locked parameters are exact
+    PoseFreedom freedom{};   ///< locked parameters have no error
 
     /// 1-σ of each component of the step.
     Vector6d std() const;
 
-    /// sᵀ Λ s of the step s from the initial pose to this pose.
+    /// Returns sᵀ Λ s for the step s from the initial pose to `pose`, with Λ the prior's information.
     double cost(const CentroidPose& pose) const;
 
-    /// Adds `variance` · cost for steps about `pose`.
+    /// Adds the prior cost, scaled by `variance`, to equations for steps about `pose`.
     void add(const CentroidPose& pose, double variance, NormalEquations& equations) const;
 
-    /// Information about steps about `pose`.
+    /// Returns the prior's information for steps about `pose`.
     Matrix6d informationAt(const CentroidPose& pose) const;
 };
 
-/// Independent errors with these standard deviations (rad, mm).
+/// Returns a prior with independent errors of these standard deviations (rad, mm).
 StartPrior independentPrior(const CentroidPose& start, const Vector6d& std, const PoseFreedom& freedom = {});
 
-/// Prior with the standard deviations from the options.
+/// Returns the prior with the standard deviations given in the options.
 StartPrior startPrior(const CentroidPose& start, const RegistrationOptions& options, const PoseFreedom& freedom = {});
 
 }   // namespace angiopose::core

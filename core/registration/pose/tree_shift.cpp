@@ -18,7 +18,7 @@ TreeShift::TreeShift(const std::vector<Eigen::Vector3d>& pointsInPatient)
 
 double TreeShift::rmsMm(const RigidTransform& a, const RigidTransform& b) const
 {
-    // mean |T_b x − T_a x|² = |T_b c − T_a c|² + tr(D S Dᵀ), D = R_b − R_a, S the scatter about c
+    // Uses mean |T_b x − T_a x|² = |T_b c − T_a c|² + tr(D S Dᵀ), with D = R_b − R_a and S the scatter about c.
     const Eigen::Matrix3d turn = b.rotation - a.rotation;
     const double squared = (b * centroid_ - a * centroid_).squaredNorm() + (turn * scatter_ * turn.transpose()).trace();
     return std::sqrt(std::max(0.0, squared));

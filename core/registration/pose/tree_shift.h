@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// Motion of the whole tree caused by a change of pose, computed from the mean and scatter of its points.
+/// Computes the motion of the whole tree between two poses from the mean and scatter of its points.
 class TreeShift {
 public:
     explicit TreeShift(const std::vector<Eigen::Vector3d>& pointsInPatient);

@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// Adds the view number to an error; Stop remains Stop.
+/// Adds the view number to an error message; leaves Stop unchanged.
 Error inView(std::size_t number, const Error& error);
 
 }   // namespace angiopose::core

@@ -9,20 +9,20 @@ namespace angiopose::core {
 class TargetLines;
 struct WireFinding;
 
-/// Result of a method; registerVessels judges the pose.
+/// Result of a method, to be assessed by registerVessels.
 struct MethodSolution {
-    RigidTransform cameraFromPatient;   ///< best pose found, also after a stop
+    RigidTransform cameraFromPatient;   ///< best pose found, even if stopped
     StopReason stopReason = StopReason::IterationLimit;
     int iterations = 0;
-    std::vector<Hypothesis> alternatives;   ///< best first, without the solution; empty if the method has none
+    std::vector<Hypothesis> alternatives;   ///< best first, without the solution; empty if the method provides none
     Messages warnings;   ///< messages that only the method can provide
-    StageTimes time;   ///< totalMs stays 0
+    StageTimes time;   ///< wall times; totalMs is set by registerVessels
     std::shared_ptr<const TargetLines> targetLines;   ///< if built by the method, for reuse in the assessment
     std::optional<double>
-        agreement;   ///< of the pose, see AgreementScore; if computed by the method, for reuse in the assessment
+        agreement;   ///< AgreementScore of the pose, if the method computed it, for reuse in the assessment
     std::vector<std::uint8_t>
-        isOpacified;   ///< 1 for each tree point visible in the image; empty: all, as far as known
-    int filledForks = 0;   ///< number of places where three or more opacified pieces meet
+        isOpacified;   ///< 1 for each opacified tree point; empty if the whole tree is assumed to be opacified
+    int filledForks = 0;   ///< number of bifurcations where three or more opacified segments meet
     std::shared_ptr<const WireFinding> wire;   ///< result of the wire method
     bool isSettled =
         false;   ///< already refined by the residuals that judge it: it cannot slide to a better pose nearby

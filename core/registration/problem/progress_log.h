@@ -5,21 +5,21 @@
 
 namespace angiopose::core {
 
-/// Forwards the reports of a method to the observer and stores them for the convergence plot.
+/// Forwards the reports of a method to the observer and records them for the convergence plot.
 class ProgressLog {
 public:
-    /// Steps are measured from the problem's initial pose.
+    /// The first step is measured from the problem's initial pose.
     ProgressLog(const RegistrationProblem& problem, const IterationObserver& observe)
         : observe_(observe), shift_(problem.tree.points), last_(problem.start)
     {
     }
 
-    /// Numbers the step, measures it, keeps the progress from decreasing and forwards the report. Once the observer has
-    /// returned Stop, the result remains Stop.
+    /// Forwards a report with its step number and step length, without letting the progress decrease. After the
+    /// observer has returned Stop, always returns Stop.
     Verdict report(IterationReport report);
 
-    /// Checks for a stop request while the pose is unchanged: sends the last report again, with another stage if given,
-    /// without storing it.
+    /// Checks for a stop request while the pose is unchanged: forwards the last report again, with another stage if
+    /// given, but does not record it.
     Verdict askAgain(std::string_view stage = {});
 
     bool isStopped() const { return isStopped_; }

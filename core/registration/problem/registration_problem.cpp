@@ -11,7 +11,7 @@
 namespace angiopose::core {
 namespace {
 
-// Skeletons step from pixel to pixel: directions become stable only over several points.
+// Skeleton curves step from pixel to pixel, which makes tangents stable only over several points.
 constexpr int targetTangentReach = 3;
 
 void reserve(TreeSamples& samples, std::size_t count)
@@ -141,8 +141,8 @@ std::optional<Message> findProblem(const RegistrationInput& input, const VesselT
     return {};
 }
 
-/// Locked shifts refer to the pivot shown to the user: the picked point, or the centroid of the whole tree regardless
-/// of exclusions.
+/// Returns the free degrees of freedom. Locked shifts refer to the pivot shown to the user: the picked point or, by
+/// default, the centroid of the whole tree including excluded branches.
 PoseFreedom freedomOf(const RegistrationInput& input, const PoseLocks& locks, const RegistrationProblem& problem)
 {
     const PoseFreedom::Frame frame{

@@ -24,24 +24,24 @@ namespace angiopose::core {
 struct Volume;
 struct DeformableResult;
 
-/// Complete input of one registration, by value: a snapshot that no one else modifies. Large members are shared.
+/// Complete input of one registration, as a copy that no other code modifies. Large members are shared.
 struct RegistrationInput {
     VesselTree tree;
     Centerline2d target;
     ProjectionCamera camera;
     RigidTransform initialCameraFromPatient;
-    std::optional<RigidTransform> lockReference{};   ///< reference of locked angles; nullopt: the initial pose
-    std::optional<Eigen::Vector3d> lockPivotInPatient{};   ///< pivot of locked shifts; nullopt: the centroid
-    std::vector<int> auxiliaryBranchIds{};   ///< {p'}; empty means the nodes
-    std::vector<int> excludedBranchIds{};   ///< ignored completely
+    std::optional<RigidTransform> lockReference{};   ///< reference of locked angles; nullopt for the initial pose
+    std::optional<Eigen::Vector3d> lockPivotInPatient{};   ///< pivot of locked shifts; nullopt for the centroid
+    std::vector<int> auxiliaryBranchIds{};   ///< branches of {p'}; empty for the nodes
+    std::vector<int> excludedBranchIds{};   ///< branches that the registration ignores
     std::shared_ptr<const ImageF>
-        image{};   ///< frame that shows the target; null: intensity-based methods render the target
+        image{};   ///< frame in which the target was traced; if null, intensity-based methods render the target
     Polarity polarity = Polarity::VesselsDark;   ///< polarity of `image`
-    std::shared_ptr<const Mask2d> shutter{};   ///< shutter of `image`, see Angiogram::shutter; null: none
+    std::shared_ptr<const Mask2d> shutter{};   ///< shutter of `image`, see Angiogram::shutter; null if there is none
     std::shared_ptr<const Volume> volume{};   ///< CTA that shows the tree; null: radiographs are simulated from tubes
-    CameraSpread cameraSpread{};   ///< standard deviations of the camera errors; zero: exact
+    CameraSpread cameraSpread{};   ///< standard deviations of the camera errors; zero for an exact camera
     std::optional<TableReading>
-        tableReading{};   ///< alternative interpretation of the angles for a different patient position
+        tableReading{};   ///< alternative initial angles, for a gantry that reports its angles relative to the table
 };
 
 enum class StopReason { Converged, IterationLimit, NoImprovement, StoppedByUser };
@@ -52,10 +52,10 @@ struct IterationReport {
     std::string_view stage;   ///< "search", "refine", "rotation", "auxiliary", …
     double progress = 0.0;   ///< 0…1, never decreasing
     double scalePx = 0.0;   ///< current kernel width
-    double medianDistancePx = 0.0;   ///< from the tree points to their nearest target point
-    double stepMm = 0.0;   ///< RMS shift of the tree's points since the previous report or the start
+    double medianDistancePx = 0.0;   ///< median distance from the tree points to their nearest target points
+    double stepMm = 0.0;   ///< RMS shift of the tree points since the previous report or the initial pose
     RigidTransform cameraFromPatient;   ///< best pose so far
-    std::size_t view = 0;   ///< index of the pose's view among the views registered jointly
+    std::size_t view = 0;   ///< index of the view to which the pose belongs, if several views are registered jointly
 };
 
 using IterationObserver = std::function<Verdict(const IterationReport&)>;
@@ -66,43 +66,42 @@ struct BranchResidual {
     int pointCount = 0;
     double medianPx = 0.0;
     double p95Px = 0.0;
-    double agreement = 0.0;   ///< share of its points within 3 px of the traced vessels, 0…1
+    double agreement = 0.0;   ///< fraction of the branch points within 3 px of the traced vessels, 0…1
 };
 
 /// Branch that appears unopacified in the image: a candidate for exclusion.
 struct UnopacifiedBranch {
     int branchId = 0;
-    double share = 0.0;   ///< unopacified share of its length inside the image, 0…1
+    double share = 0.0;   ///< unopacified fraction of the branch length inside the image, 0…1
 };
 
-/// Closest-point distances over all used tree points (without unopacified ones), and the reverse direction (ALGORITHMS
-/// §4.5).
+/// Closest-point distances from all used tree points, except unopacified ones, to the target, and in the reverse
+/// direction (ALGORITHMS §4.5).
 struct DistanceMetrics {
     double meanPx = 0.0, medianPx = 0.0, p75Px = 0.0, p95Px = 0.0;
     double meanMm = 0.0, medianMm = 0.0, p75Mm = 0.0, p95Mm = 0.0;   ///< at the depth of the tree's centroid
-    double coverage = 0.0;   ///< share of target points within 3 px of the projected tree
+    double coverage = 0.0;   ///< fraction of the target points within 3 px of the projected tree
     double reverseMeanPx = 0.0, reverseMeanMm = 0.0;
 };
 
-/// Pose covariance about the tree's centroid (centroidInPatient of the whole tree, whatever is excluded) in camera axes
-/// (ALGORITHMS §6.10).
-/// Order: rotation x, y, z (rad), translation x, y, z (mm); x right, y down on the detector up to sign, z along the
-/// ray.
+/// Pose covariance in camera axes about the centroid of the whole tree, including excluded branches (centroidInPatient;
+/// ALGORITHMS §6.10). Order: rotation x, y, z (rad), translation x, y, z (mm); x right and y down on the detector (up
+/// to sign), z along the ray.
 struct PoseUncertainty {
-    Matrix6d covariance = Matrix6d::Zero();   ///< including the contribution of camera errors
-    Matrix6d imageCovariance = Matrix6d::Zero();   ///< without camera errors
+    Matrix6d covariance = Matrix6d::Zero();   ///< includes the contribution of camera errors
+    Matrix6d imageCovariance = Matrix6d::Zero();   ///< excludes camera errors
     Eigen::Vector3d rotationDeg = Eigen::Vector3d::Zero();   ///< 1-σ about camera x, y, z
-    double inPlaneMm = 0.0;   ///< 1-σ, larger of the two in-plane directions
+    double inPlaneMm = 0.0;   ///< 1-σ in the less certain in-plane direction
     double depthMm = 0.0;   ///< 1-σ along the ray
-    std::array<bool, 6> observed{};   ///< false: the image does not determine this degree of freedom
+    std::array<bool, 6> observed{};   ///< per degree of freedom, whether the image determines it
     Vector6d weakestDirection = Vector6d::Zero();   ///< unit vector, same order, in (ρ·rad, mm)
 };
 
-/// Evidence of the images for the error of a camera (ALGORITHMS §6.18).
+/// Evidence of the images for errors of a camera (ALGORITHMS §6.18).
 struct CameraEvidence {
     CameraError error = CameraError::Zero();   ///< most likely error, given the prior of the camera
-    CameraError std = CameraError::Zero();   ///< remaining 1-σ
-    double gain = 0.0;   ///< improvement by all errors together: decrease of −2 log of the posterior
+    CameraError std = CameraError::Zero();   ///< 1-σ of the estimated error
+    double gain = 0.0;   ///< decrease of −2 log posterior by the errors of all cameras together
 
     bool operator==(const CameraEvidence&) const = default;
 };
@@ -114,43 +113,42 @@ struct StageTimes {
     double targetMs = 0.0;
     double searchMs = 0.0;
     double solveMs = 0.0;
-    double totalMs = 0.0;   ///< from curves to the judged pose, excluding the preceding reading and tracing
-    double readMs = notMeasured;   ///< reading the files
-    double traceMs = notMeasured;   ///< tracing the view's vessels in the image
+    double totalMs = 0.0;   ///< from the traced curves to the assessed pose, without reading and tracing
+    double readMs = notMeasured;   ///< time for reading the files
+    double traceMs = notMeasured;   ///< time for tracing the vessels in this view
 };
 
 /// Alternative pose that explains the image nearly as well.
 struct Hypothesis {
     RigidTransform cameraFromPatient;
-    double score = 0.0;   ///< 0…1, higher is better, comparable within one result
+    double score = 0.0;   ///< 0…1, higher is better; comparable only within one result
 };
 
-/// Signs for estimating the error of a fit without the ground truth (ALGORITHMS §6.21).
+/// Indicators from which the error of a fit is estimated without ground truth (ALGORITHMS §6.21).
 struct FitSigns {
     double agreement = 0.0;   ///< in both directions, 0…1 (§6.8); only of the opacified parts where only these count
-    double treeShare = 0.0;   ///< share of the tree's points along traced vessels
-    double inViewShare = 0.0;   ///< share of the tree's points inside the image
-    double followedShare = 0.0;   ///< share of the tree's length inside the image that runs along vessels
-    double followedMm = 0.0;   ///< length of that share
+    double treeShare = 0.0;   ///< fraction of the tree points along traced vessels
+    double inViewShare = 0.0;   ///< fraction of the tree points inside the image
+    double followedShare = 0.0;   ///< fraction of the tree length inside the image that follows traced vessels
+    double followedMm = 0.0;   ///< tree length that follows traced vessels
     int followedBranches = 0;
-    double settlingMm = 0.0;   ///< shift of the pose when refined in place
-    double expectedErrorMm = 0.0;   ///< from the covariance of a rigid tree, 1-σ
-    double rivalMm = 0.0;   ///< displacement of the tree in the farthest alternative
+    double settlingMm = 0.0;   ///< shift of the pose when refined in place, see settlingShiftMm
+    double expectedErrorMm = 0.0;   ///< 1-σ displacement from the covariance of a rigid tree
+    double rivalMm = 0.0;   ///< displacement of the tree between the result and the farthest alternative
     bool isPartlyOpacified = false;
     int filledForks = 0;   ///< for a partly opacified tree: places where three or more opacified pieces meet
-    bool isSinglePath = false;   ///< no three pieces on vessels meet anywhere
+    bool isSinglePath = false;   ///< whether no three segments that lie on vessels meet anywhere
     bool isLumen = false;   ///< widths indicate opacified vessels, not a wire or catheter; also false if unknown
 };
 
-/// Operator, time, program version and inputs of a result.
+/// Operator, time, program version, options, frame and initial pose behind a result.
 struct Provenance {
-    std::string author;   ///< empty: unknown
-    std::string time;   ///< ISO 8601, UTC; empty: unknown
-    std::string programVersion;   ///< empty: unknown
+    std::string author;   ///< empty if unknown
+    std::string time;   ///< ISO 8601, UTC; empty if unknown
+    std::string programVersion;   ///< empty if unknown
     RegistrationOptions options;
-    std::optional<int>
-        frame{};   ///< frame of the angiogram, counts from 0; the assessment of the fit applies only to it
-    std::optional<RigidTransform> start{};   ///< initial camera-from-patient transform; nullopt: unknown
+    std::optional<int> frame{};   ///< frame of the angiogram, counting from 0, to which alone the assessment applies
+    std::optional<RigidTransform> start{};   ///< initial camera-from-patient transform; nullopt if unknown
 };
 
 struct RegistrationResult {
@@ -160,23 +158,23 @@ struct RegistrationResult {
     int iterations = 0;
     DistanceMetrics metrics;
     PoseUncertainty uncertainty;
-    std::optional<CameraEvidence> camera;   ///< nullopt: the camera counts as exact
+    std::optional<CameraEvidence> camera;   ///< nullopt if the camera is treated as exact
     std::vector<BranchResidual> branches;   ///< used branches, in the tree's order
-    std::vector<UnopacifiedBranch> unopacified;   ///< in the tree's order; the pose is based on the other branches
+    std::vector<UnopacifiedBranch> unopacified;   ///< in the tree's order; the pose was fitted to the other branches
     std::vector<Hypothesis> alternatives;   ///< best first, without the result itself
-    std::vector<WirePath> wirePaths;   ///< from the wire method: the solution's path first, then the alternatives
-    /// Deformation of the vessels from this pose; null: not computed. With several jointly registered views, each
-    /// result has it with its own view as the first (MultiViewResult: one for all).
+    std::vector<WirePath> wirePaths;   ///< only from the wire method: path of the solution, then the alternatives
+    /// Deformation of the vessels relative to this pose; null if not computed. After joint registration of several
+    /// views, each result stores it with its own view first; MultiViewResult stores it once for all views.
     std::shared_ptr<const DeformableResult> deformed;
     std::vector<IterationReport> history;   ///< for the convergence plot
     FitSigns signs;
-    /// Probability that the overlay lies within 2 mm of the vessels on average over the tree (ALGORITHMS §6.21).
-    /// nullopt for methods other than the default, for several views and for manually set poses, where it is unknown.
+    /// Probability that the overlay lies within 2 mm of the vessels, averaged over the tree (ALGORITHMS §6.21). Unknown
+    /// (nullopt) for methods other than the default, for several views and for manually set poses.
     std::optional<double> probabilityWithin2Mm;
     bool trustworthy = false;
     Messages warnings;   ///< reasons for low confidence, or quantities that one view cannot determine
     StageTimes time;
-    Provenance provenance;   ///< for results stored in a case: see registerCase
+    Provenance provenance;   ///< set for results stored in a case, see registerCase
 };
 
 }   // namespace angiopose::core

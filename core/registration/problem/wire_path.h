@@ -7,16 +7,16 @@
 
 namespace angiopose::core {
 
-/// Possible path of a wire or catheter through the tree, with the corresponding pose (ALGORITHMS §6.22). Paths with
-/// nearly the same visible part count as one.
+/// Possible path of a guidewire or catheter through the tree, with the corresponding pose (ALGORITHMS §6.22). Paths
+/// whose visible parts nearly coincide count as one.
 struct WirePath {
-    std::vector<int> branchIds;   ///< in the order along the wire; the tip lies in the last
-    Eigen::Vector3d tipInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm, on the branch's axis
-    double probability = 0.0;   ///< 0…1, relative to all paths considered and to none of them
-    double offAxisMm = 0.0;   ///< RMS distance of the wire from the vessel axes, in the image, at their depth
-    double followedShare = 0.0;   ///< share of the wire's length in the image
+    std::vector<int> branchIds;   ///< in order along the wire; the last one contains the tip
+    Eigen::Vector3d tipInPatient = Eigen::Vector3d::Zero();   ///< tip position on the branch axis, LPS, mm
+    double probability = 0.0;   ///< 0…1, among all considered paths and the possibility of none of them
+    double offAxisMm = 0.0;   ///< RMS in-plane distance between wire and vessel axes, at the depth of the axes
+    double followedShare = 0.0;   ///< fraction of the wire's length in the image that follows the path
     RigidTransform cameraFromPatient;
-    /// Axes along the wire, about 2 mm apart, up to the tip. Not stored in files.
+    /// Points on the vessel axes along the wire, about 2 mm apart, up to the tip. Not saved.
     std::vector<Eigen::Vector3d> courseInPatient;
 };
 

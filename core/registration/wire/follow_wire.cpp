@@ -10,14 +10,14 @@ namespace {
 constexpr double wireSpacingMm = 2.0;
 constexpr std::size_t maxWirePoints = 120;
 constexpr std::size_t maxKnots = 4000;
-constexpr std::size_t maxWays = 40;   // tested in each of two rounds
-constexpr double firstReachMm = 2.5;   // search range for paths around each shifted initial pose
+constexpr std::size_t maxWays = 40;   // number of paths tested in each of two rounds
+constexpr double firstReachMm = 2.5;   // 1-σ pose error assumed when searching paths around each shifted initial pose
 constexpr double secondReachMm = 1.5;
-constexpr double shiftStepMm = 4.0;   // spacing of the shifts
-constexpr double shiftSigmas = 2.0;   // range of the shifts
+constexpr double shiftStepMm = 4.0;   // minimum spacing of the shifted initial poses
+constexpr double shiftSigmas = 2.0;   // range of the shifted initial poses, in standard deviations
 constexpr int maxShiftsPerSide = 4;
 
-/// Converts the samples back to branches.
+/// Converts tree samples back to branches.
 VesselTree treeOf(const TreeSamples& samples)
 {
     VesselTree tree;
@@ -46,7 +46,7 @@ struct PosedWay {
     double cost = 0.0;   ///< combined cost of path and pose
 };
 
-/// Current search: finds paths, fits them and evaluates the fits.
+/// One search in progress: finds paths, fits poses to them and evaluates the fits.
 class WireSearch {
 public:
     WireSearch(const RegistrationProblem& problem, const RegistrationOptions& options, const WireObserver& observe)
@@ -113,7 +113,7 @@ private:
         return starts;
     }
 
-    /// Most likely paths as seen from any of the poses, each with the pose for which it was found.
+    /// Returns the most likely paths over all of these poses, each with the pose at which it was found.
     std::vector<PosedWay> waysAbout(const std::vector<CentroidPose>& poses, double reachMm)
     {
         WireModel reaching = model_;
@@ -163,7 +163,7 @@ private:
     WireCurve turned_;
     WireProblem wire_;
     WireModel model_;
-    std::size_t wanted_;   ///< rank of the path to use, 1 the most likely
+    std::size_t wanted_;   ///< rank of the path to use, counting from the most likely
     std::vector<std::size_t> all_;   ///< indices of all knots
     std::vector<WireFit> fits_;   ///< most likely first
     double shareDone_ = 0.0;

@@ -7,23 +7,23 @@
 
 namespace angiopose::core {
 
-/// Result of following a wire.
+/// Result of followWire.
 struct WireFinding {
     std::vector<WirePath>
-        paths;   ///< the selected path first, then the others, most likely first; empty if none can be followed
+        paths;   ///< the selected path, then the others in order of probability; empty if the wire follows no path
     Matrix6d covariance = Matrix6d::Zero();   ///< covariance of the first path's pose (see PoseUncertainty), including
                                               ///< the uncertainty of the path
     Vector6d stdBefore = Vector6d::Zero();   ///< 1-σ of the initial pose (rad, mm)
-    std::vector<std::uint8_t> isFollowed;   ///< 1 for each tree point of the problem on the first path
-    bool isAskedFor = true;   ///< false: fewer paths exist than the requested rank
-    double gapShare = 0.0;   ///< share of the line bridged between curves
+    std::vector<std::uint8_t> isFollowed;   ///< one per tree point of the problem; 1 if it lies on the first path
+    bool isAskedFor = true;   ///< false if there are fewer paths than the requested rank
+    double gapShare = 0.0;   ///< fraction of the wire's length that bridges gaps between curves
 };
 
-/// Called for every path tested, with the completed share of the work and the best pose so far.
+/// Receives the completed fraction and the best pose so far, for every path tested.
 using WireObserver = std::function<Verdict(double progress, const RigidTransform& best)>;
 
-/// Finds the path of a single wire or catheter through the tree and the corresponding pose of the tree (ALGORITHMS
-/// §6.22). The initial pose is the last full one, with the errors given in the options.
+/// Finds the path of a single guidewire or catheter through the tree, and the corresponding pose (ALGORITHMS §6.22).
+/// The initial pose is the previous registered pose, with the errors given in the options.
 WireFinding followWire(const RegistrationProblem& problem, const RegistrationOptions& options,
                        const WireObserver& observe);
 

@@ -25,7 +25,7 @@ KnotNeighbors neighborsOf(const TreeKnots& knots)
     return neighbors;
 }
 
-/// Ends of the tree, the widest first.
+/// Returns the widest ends of the tree, widest first.
 std::vector<std::size_t> entriesOf(const TreeKnots& knots, const KnotNeighbors& neighbors)
 {
     std::vector<std::size_t> ends;
@@ -39,10 +39,10 @@ std::vector<std::size_t> entriesOf(const TreeKnots& knots, const KnotNeighbors& 
     return ends;
 }
 
-/// Knots reachable from an entry, each after its predecessor; loops are traversed along the shorter side.
+/// Knots reachable from an entry, each after its predecessor; loops are entered along their shorter side.
 struct Outwards {
     std::vector<std::size_t> knots;
-    std::vector<std::size_t> before;   ///< index in `knots` of the predecessor; nothing for the entry
+    std::vector<std::size_t> before;   ///< index in `knots` of the predecessor; noKnot for the entry
 };
 
 Outwards outwardsFrom(std::size_t entry, const KnotNeighbors& neighbors)
@@ -62,19 +62,19 @@ Outwards outwardsFrom(std::size_t entry, const KnotNeighbors& neighbors)
     return outwards;
 }
 
-/// Partial alignment: its cost, and its start in the tree.
+/// Partial alignment, represented by its cost and its start in the tree.
 struct WayCell {
     float cost = std::numeric_limits<float>::infinity();
     std::uint32_t start = 0;
 };
 
 struct WayTip {
-    std::size_t at = 0;   ///< index in Outwards
+    std::size_t at = 0;   ///< knot of the wire tip, index in Outwards
     std::size_t start = 0;
     double cost = std::numeric_limits<double>::infinity();
 };
 
-/// Aligns a curve with all outward paths at once; paths share their common beginning.
+/// Aligns a curve with all paths from one entry at once, sharing their common beginnings.
 class WayTable {
 public:
     WayTable(const Outwards& outwards, const ObservedKnots& seen, const WireCurve& curve, const WireModel& model)
@@ -85,7 +85,7 @@ public:
         }
     }
 
-    /// Best end of the curve at a knot.
+    /// Returns the best alignment that ends at this knot.
     WayTip tipAt(std::size_t at) const
     {
         WayTip tip{at};
@@ -148,7 +148,7 @@ private:
     std::vector<WayCell> cells_;
 };
 
-/// From the entry to the tip and on to the end of its branch.
+/// Returns the path from the entry to the tip, extended to the end of the tip's branch.
 std::vector<std::size_t> wayThrough(const TreeKnots& knots, const Outwards& outwards, std::size_t tip)
 {
     std::vector<std::size_t> way;
@@ -193,7 +193,7 @@ std::vector<TreeWay> likelyWays(const TreeKnots& knots, const ObservedKnots& see
             for (std::size_t at = 0; at < outwards.knots.size(); ++at) {
                 const WayTip tip = table.tipAt(at);
                 if (tip.cost == std::numeric_limits<double>::infinity()) {
-                    continue;   // far from the wire
+                    continue;   // the knot is far from the wire
                 }
                 WayTip& known = tips[endBranchesOf(knots, outwards, tip)];
                 known = tip.cost < known.cost ? tip : known;

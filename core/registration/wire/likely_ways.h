@@ -11,18 +11,18 @@
 
 namespace angiopose::core {
 
-/// Path through the tree: knots, each adjacent to the previous one.
+/// Path through the tree as a sequence of adjacent knots.
 struct TreeWay {
-    std::vector<std::size_t> knots;   ///< from an end of the tree to the end of the branch that contains the wire tip
-    bool isCurveTurned = false;   ///< whether the curve is used in reverse, last point first
-    double cost = 0.0;   ///< −log likelihood
+    std::vector<std::size_t> knots;   ///< from a tree end to the end of the branch that contains the wire tip
+    bool isCurveTurned = false;   ///< whether the curve is traversed from its last point to its first
+    double cost = 0.0;   ///< negative log likelihood
 
     bool operator==(const TreeWay&) const = default;
 };
 
-/// Finds the possible paths of a wire through the tree as seen at one pose (ALGORITHMS §6.22), best first, at most
-/// `most`: the best one for each pair of first and last branch. Wires enter at the eight widest ends. `seen` contains
-/// all knots. `shouldContinue` is called between entries.
+/// Returns up to `most` possible paths of a wire through the tree at one pose, best first, limited to the best path for
+/// each pair of first and last branch (ALGORITHMS §6.22). Wires enter at the eight widest ends of the tree. `seen`
+/// contains all knots. `shouldContinue` is called before each entry.
 std::vector<TreeWay> likelyWays(const TreeKnots& knots, const ObservedKnots& seen, const WireCurve& curve,
                                 const WireModel& model, std::size_t most, const std::function<bool()>& shouldContinue);
 

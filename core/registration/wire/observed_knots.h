@@ -10,10 +10,10 @@
 
 namespace angiopose::core {
 
-/// Knots as seen at one pose.
+/// Projection of knots at one pose.
 struct ObservedKnots {
-    std::vector<Eigen::Vector2d> pixels;   ///< far outside the image if a knot does not project
-    std::vector<double> radiusMm;   ///< 0 where unknown
+    std::vector<Eigen::Vector2d> pixels;   ///< far outside the image for knots that do not project
+    std::vector<double> radiusMm;   ///< vessel radius; 0 if unknown
     double mmPerPx = 1.0;   ///< at the depth of the tree
 
     std::size_t size() const { return pixels.size(); }

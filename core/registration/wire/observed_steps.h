@@ -5,10 +5,10 @@
 
 namespace angiopose::core {
 
-/// Cost of a move that ends at the given knot and point (WireModel).
+/// Length and shape cost of a move that ends at a given knot and point (see WireModel).
 struct ObservedStep {
-    double lengthMm = 0.0;   ///< the longer of wire and axis
-    double cost = 0.0;   ///< cost of its shape
+    double lengthMm = 0.0;   ///< length of the wire or of the vessel axis, whichever is longer
+    double cost = 0.0;   ///< cost of the shape difference
 };
 
 /// `ofTreePx` is the vector from the first to the last knot of the move. `k` is the point where it ends.

@@ -8,11 +8,11 @@ namespace {
 
 struct WarpCell {
     double cost = std::numeric_limits<double>::infinity();
-    double lengthMm = 0.0;   ///< length of the move that led here
-    WireMove move;   ///< none: the alignment starts here
+    double lengthMm = 0.0;   ///< length of the move that ends here
+    WireMove move;   ///< move that ends here; empty if the alignment starts here
 };
 
-/// All alignments of the first knots with the first points.
+/// Dynamic programming table with all alignments of the first knots and the first curve points.
 class Warping {
 public:
     Warping(const ObservedKnots& seen, const WireCurve& curve, const WireModel& model)

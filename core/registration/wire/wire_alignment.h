@@ -12,14 +12,14 @@ namespace angiopose::core {
 struct WirePair {
     std::size_t knot = 0;   ///< index in the path
     std::size_t point = 0;   ///< index in the curve
-    WireMove move;   ///< move that led here; none for the first pair
-    double lengthMm = 0.0;   ///< length of wire or vessel that it represents
+    WireMove move;   ///< move that ends here; empty for the first pair
+    double lengthMm = 0.0;   ///< length of wire or vessel axis that the pair represents
 };
 
-/// Monotonic alignment of a curve with a path.
+/// Monotonic alignment of a wire curve with a path through the tree.
 struct WireAlignment {
-    std::vector<WirePair> pairs;   ///< in order; empty: no part of the curve matches the path
-    double cost = 0.0;   ///< −log likelihood
+    std::vector<WirePair> pairs;   ///< in order along the path; empty if no part of the curve matches
+    double cost = 0.0;   ///< negative log likelihood
 
     double followedPx(const WireCurve& curve) const;   ///< length of the curve that runs along the path
 };

@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t tangentReach = 2;   // points
+constexpr std::size_t tangentReach = 2;   // number of points on either side used for a tangent
 using Line = Polyline<2>;
 
 std::vector<Line> linesOf(const TargetSamples& target)
@@ -24,11 +24,11 @@ std::vector<Line> linesOf(const TargetSamples& target)
     return lines;
 }
 
-/// Connection from the end of a chain to another line.
+/// Possible connection between an end of the chain and another line.
 struct Joint {
     std::size_t line = 0;
-    bool atFront = false;   ///< whether it is at the front of the chain
-    bool isTurned = false;   ///< whether the line is reversed
+    bool atFront = false;   ///< whether the line attaches to the front of the chain
+    bool isTurned = false;   ///< whether the line must be reversed
     double gapPx = std::numeric_limits<double>::infinity();
 };
 

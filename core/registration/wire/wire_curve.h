@@ -8,22 +8,22 @@
 
 namespace angiopose::core {
 
-/// Wire or catheter in the image as one line from end to end.
+/// Guidewire or catheter in the image as one line from end to end.
 struct WireCurve {
     std::vector<Eigen::Vector2d> pointsPx;   ///< evenly spaced
     std::vector<Eigen::Vector2d> tangents;   ///< unit vectors
     std::vector<double> alongPx;   ///< arc length up to each point
-    double gapShare = 0.0;   ///< share of the length bridged between curves
+    double gapShare = 0.0;   ///< fraction of the length that bridges gaps between curves
 
     std::size_t size() const { return pointsPx.size(); }
     double lengthPx() const { return alongPx.empty() ? 0.0 : alongPx.back(); }
 };
 
-/// Joins the traced curves into one line, each end to the nearest free one, starting with the longest curve; points are
-/// `spacingPx` apart, or farther to stay within `maxPoints`.
+/// Joins the traced curves into one line: starts with the longest curve and repeatedly connects the nearest free curve
+/// end to an end of the line. Points are `spacingPx` apart, or farther to stay within `maxPoints`.
 WireCurve wireCurve(const TargetSamples& target, double spacingPx, std::size_t maxPoints);
 
-/// Same curve in the opposite direction.
+/// Returns the same curve in the opposite direction.
 WireCurve reversed(const WireCurve& curve);
 
 }   // namespace angiopose::core

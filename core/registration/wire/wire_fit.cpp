@@ -15,19 +15,19 @@ constexpr int roundsPerReach = 2;
 constexpr int finalRounds = 5;
 constexpr int stepsPerRound = 4;
 constexpr double settledWireMm = 0.01;
-constexpr double alongShare = 0.05;   // a shift along the wire is barely visible
+constexpr double alongShare = 0.05;   // weight of a shift along the wire, which is barely visible
 
-/// One pair as a measurement across the wire, weakly along it, and of the shape of the preceding step.
+/// Measurement from one matched pair: position across the wire, weakly along it, and shape of the preceding step.
 struct WireSight {
-    Eigen::Vector3d place;   // relative to the centroid, patient axes, mm
-    Eigen::Vector3d before;   // start of the step
+    Eigen::Vector3d place;   // knot relative to the centroid, patient axes, mm
+    Eigen::Vector3d before;   // knot at the start of the step, in the same frame
     Eigen::Vector2d pixel;
-    Eigen::Matrix2d whitening;   // px to sigmas
-    Eigen::Vector2d stepPx;   // step of the wire
-    Eigen::Matrix2d shape;   // px of the step to sigmas; zero if it carries no information
+    Eigen::Matrix2d whitening;   // converts px to sigmas
+    Eigen::Vector2d stepPx;   // corresponding step of the wire
+    Eigen::Matrix2d shape;   // converts px of the step difference to sigmas; zero if the step carries no information
 };
 
-/// Half of −2 log posterior of a pose, with fixed pairs.
+/// Least-squares problem for the −2 log posterior of a pose with fixed pairs.
 class WireSquares {
 public:
     struct EvaluationAt {
@@ -85,7 +85,7 @@ public:
 private:
     struct Seen {
         Eigen::Vector2d pixel;
-        Eigen::Matrix<double, 2, 6> jacobian;   // with respect to steps
+        Eigen::Matrix<double, 2, 6> jacobian;   // derivative of the pixel with respect to the pose step
     };
 
     std::optional<Seen> seen(const CentroidPose& pose, const Eigen::Vector3d& place) const

@@ -9,7 +9,7 @@
 
 namespace angiopose::core {
 
-/// Move of an alignment: number of knots and points to advance.
+/// Move of an alignment: number of knots and of curve points to advance.
 struct WireMove {
     std::size_t knots = 0;
     std::size_t points = 0;
@@ -17,22 +17,22 @@ struct WireMove {
 
 inline constexpr std::array<WireMove, 6> wireMoves{{{1, 1}, {2, 1}, {1, 2}, {3, 1}, {1, 0}, {0, 1}}};
 
-/// Model of a wire in its vessel (ALGORITHMS §6.22): it may lie anywhere in the lumen and slightly beyond, because it
-/// straightens the vessel. Its distance from the axis changes slowly along its length and it runs nearly parallel to
-/// the axis; its shape therefore carries more information than its position. Chosen on synthetic trees (wire_table
-/// --world made-up).
+/// Model of a guidewire or catheter in its vessel (ALGORITHMS §6.22). The wire may lie anywhere in the lumen and,
+/// because it straightens the vessel, slightly beyond. Its distance from the axis changes slowly along its length, and
+/// it runs nearly parallel to the axis; its shape therefore carries more information than its position. Parameters
+/// chosen on synthetic trees (wire_table --world made-up).
 struct WireModel {
-    double offAxisMm = 1.5;   ///< 1-σ, independent of the vessel's width
-    double offAxisOfRadius = 0.5;   ///< 1-σ, in radii: uniform over a disc
+    double offAxisMm = 1.5;   ///< 1-σ distance from the axis, independent of the vessel's width
+    double offAxisOfRadius = 0.5;   ///< additional 1-σ distance in vessel radii, for a uniform distribution over a disk
     double placeMm = 30.0;   ///< length of wire that counts as one position measurement
-    double farCost = 4.5;   ///< maximum cost of one such measurement: three sigmas
-    double turn = 0.2;   ///< 1-σ of the lateral difference between a step of the wire and that of the axis, relative to
-                         ///< its length
-    double stretch = 0.3;   ///< 1-σ of the difference in length
+    double farCost = 4.5;   ///< maximum cost of one position measurement, at three sigmas
+    double turn =
+        0.2;   ///< 1-σ lateral difference between a step of the wire and that of the axis, relative to the step length
+    double stretch = 0.3;   ///< 1-σ difference in length, relative to the step length
     double shapeMm = 7.5;   ///< length of wire that counts as one shape measurement
-    double turnedCost = 4.5;   ///< maximum cost of one such measurement
-    double skipPerMm = 0.5;   ///< cost where the wire extends beyond the tree, before its beginning or past its ends
-    double maxSigmas = 4.0;   ///< from the axis; anything farther is another vessel
+    double turnedCost = 4.5;   ///< maximum cost of one shape measurement
+    double skipPerMm = 0.5;   ///< cost where the wire extends beyond either end of the path
+    double maxSigmas = 4.0;   ///< maximum distance from the axis; beyond it, the wire lies in another vessel
     double reachMm = 0.0;   ///< 1-σ of the remaining pose error
 
     double varianceMm2(double radiusMm) const
@@ -53,8 +53,8 @@ struct WireModel {
         return std::min(farCost, 0.5 * squaredMm2 / varianceMm2 + widening) / placeMm;
     }
 
-    /// −log likelihood of a step: that of the tree (along and across the wire) compared with that of the wire, mm;
-    /// `lengthMm` is the longer one.
+    /// Returns the negative log likelihood of a step's shape: `ofTree` is the step of the tree along and across the
+    /// wire, `ofWireMm` the step of the wire, and `lengthMm` the longer of the two, all in mm.
     double shapeCost(const Eigen::Vector2d& ofTree, double ofWireMm, double lengthMm) const
     {
         const double aside = ofTree.y() / turn;

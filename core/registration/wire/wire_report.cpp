@@ -7,15 +7,15 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minFollowedMm = 3.0;   // followed length of a branch for it to be listed
-constexpr double minFollowedShare = 0.2;   // share of the wire for a path to count
+constexpr double minFollowedMm = 3.0;   // minimum length of wire in a listed branch
+constexpr double minFollowedShare = 0.2;   // minimum fraction of the wire that follows a reported path
 constexpr double minProbability = 0.01;
 constexpr std::size_t maxPaths = 9;
-constexpr double sameCourse = 0.85;   // overlap of two paths for them to be reported as one
+constexpr double sameCourse = 0.85;   // minimum overlap of two paths reported as one
 constexpr double temperature =
-    0.8;   // exponent of probabilities that calibrates evidence to hit rates (wire_table --world made-up)
+    0.8;   // softmax temperature that calibrates the evidence to hit rates (wire_table --world made-up)
 
-/// Share of the longer course that the other one follows too.
+/// Returns the fraction of the longer course that the other one shares.
 double sharedPart(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b)
 {
     std::vector<std::size_t> shared;
@@ -31,7 +31,7 @@ WireReport::WireReport(const RegistrationProblem& problem, const VesselTree& tre
 {
 }
 
-/// Branches in the order along the wire, without those that it barely enters.
+/// Returns the branches in order along the wire, without those that the wire barely enters.
 std::vector<int> WireReport::branchesOf(const WireFit& fit) const
 {
     std::vector<int> ids;
@@ -55,7 +55,7 @@ WirePath WireReport::pathOf(const WireFit& fit) const
     path.branchIds = branchesOf(fit);
     const std::size_t first = fit.way.knots[fit.alignment.pairs.front().knot];
     const std::size_t last = fit.way.knots[fit.alignment.pairs.back().knot];
-    // Wires run from wide vessels into narrow ones.
+    // Wires advance from wide vessels into narrow ones.
     const bool isBackwards = wire_.knots.radiusMm[last] > wire_.knots.radiusMm[first];
     path.tipInPatient = wire_.knots.places[isBackwards ? first : last];
     for (std::size_t j = fit.alignment.pairs.front().knot; j <= fit.alignment.pairs.back().knot; ++j) {
@@ -79,8 +79,8 @@ WirePath WireReport::pathOf(const WireFit& fit) const
     return path;
 }
 
-/// Merges paths for reporting: the same branches are represented by the most likely of their fits, and paths with
-/// nearly the same visible course, which the image does not distinguish, by the most likely of them.
+/// Merges paths that the image does not distinguish: of the fits with the same branches, keeps the most likely one; of
+/// the paths with nearly the same visible course, reports the most likely one and collects the evidence of all.
 std::vector<WireReport::ReportedPath> WireReport::reportedPaths(const std::vector<WireFit>& fits) const
 {
     std::vector<ReportedPath> reported;
@@ -155,7 +155,7 @@ std::vector<std::uint8_t> WireReport::followedBy(const WireFit& fit) const
     return isFollowed;
 }
 
-/// Assigns probabilities by evidence; that the wire follows none of the paths is one more possibility. Sorts the most
+/// Assigns probabilities by evidence, including the possibility that the wire follows none of the paths; sorts the most
 /// likely first.
 void WireReport::shareOut(std::vector<ReportedPath>& reported) const
 {
@@ -175,7 +175,7 @@ void WireReport::shareOut(std::vector<ReportedPath>& reported) const
                              [](const ReportedPath& way) { return way.path.probability; });
 }
 
-/// Covariance of the first pose about the whole tree's centroid: within every path and between the paths.
+/// Total covariance of the first path's pose about the tree centroid: within-path plus between-path.
 Matrix6d WireReport::spreadOf(const std::vector<ReportedPath>& reported) const
 {
     const CentroidPose& best = reported.front().fit->pose;

@@ -10,13 +10,13 @@
 
 namespace angiopose::core {
 
-inline constexpr double wireKnotSpacingMm = 2.0;   ///< spacing of the tree's knots, larger in large trees
+inline constexpr double wireKnotSpacingMm = 2.0;   ///< minimum knot spacing; large trees get a wider one
 
-/// Joint result of all paths fitted to a wire: merges indistinguishable ones, computes their probabilities and the pose
-/// uncertainty over all of them (ALGORITHMS §6.22). All inputs must outlive it.
+/// Combines all paths fitted to a wire: merges indistinguishable ones and computes their probabilities and the pose
+/// uncertainty over all paths (ALGORITHMS §6.22). All inputs must outlive this object.
 class WireReport {
 public:
-    /// `tree` is the one whose knots `wire` holds; `mmPerPx` is at the tree's depth.
+    /// `tree` must be the tree with the knots of `wire`; `mmPerPx` applies at the depth of the tree.
     WireReport(const RegistrationProblem& problem, const VesselTree& tree, const WireProblem& wire,
                const WireModel& model, double mmPerPx);
 
@@ -24,12 +24,12 @@ public:
     WireFinding of(const std::vector<WireFit>& fits, std::size_t wantedWay) const;
 
 private:
-    /// Representative of the paths that the image does not distinguish.
+    /// Group of paths that the image does not distinguish, represented by the most likely one.
     struct ReportedPath {
         WirePath path;   ///< most likely path
-        const WireFit* fit = nullptr;   ///< fit of that path
+        const WireFit* fit = nullptr;   ///< fit of the most likely path
         std::vector<std::size_t> course;   ///< knots along the wire, sorted
-        std::vector<double> logEvidences;   ///< evidence of each of these paths
+        std::vector<double> logEvidences;   ///< log evidence of each path in the group
     };
 
     std::vector<int> branchesOf(const WireFit& fit) const;

@@ -14,9 +14,9 @@ enum RoomStream : std::uint64_t { RoomTree = 1, RoomGeometry, RoomViews };
 constexpr double isocenterMm = 750.0;
 constexpr double farthestOffMm = 100.0;   ///< maximum distance of the vessels from the isocenter, along the beam
 constexpr double centringMm = 8.0;   ///< 1-σ perpendicular to the beam
-constexpr double objectPlaneMm = 40.0;   ///< 1-σ of the assumed object plane relative to the vessels
+constexpr double objectPlaneMm = 40.0;   ///< standard deviation of the assumed object plane, relative to the vessels
 constexpr double steepBeamDeg = 60.0;   ///< beam angle above which the device assumes the object at the isocenter
-constexpr double strayTableMm = 40.0;   ///< 1-σ of the header's table position if the table moved
+constexpr double strayTableMm = 40.0;   ///< standard deviation of the table position in the header if the table moved
 
 double roundedToStep(double value, double step)
 {
@@ -44,7 +44,7 @@ CArm drawArm(std::size_t view, double extentMm, const DsaOptions& dsa, CounterRa
     return arm;
 }
 
-/// Simulates a view of the study, with its true geometry and the one in the room's header.
+/// Simulates one view with its true geometry and the geometry in its header.
 SimulatedCase simulateRoomView(std::uint64_t seed, std::size_t view, const GrownTree& grown, const RoomOptions& room,
                                double extentMm, const DsaOptions& dsa)
 {

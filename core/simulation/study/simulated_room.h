@@ -6,20 +6,20 @@
 
 namespace angiopose::core {
 
-/// Content of a room's headers about isocenter and table.
+/// What the headers of an angiography room contain about the isocenter and the table position.
 enum class RoomHeader {
     Siemens,   ///< both, in private tags
     Standard,   ///< both, in standard tags
     WithoutTable,   ///< only the isocenter
-    ObjectPlane   ///< neither: (0018,1111), the object plane assumed by the device
+    ObjectPlane   ///< neither; instead the object plane assumed by the imaging system, (0018,1111)
 };
 
-/// Two consecutive views of one patient, acquired and described as angiography rooms do.
+/// Two consecutive views of one patient, with geometry and headers as in an angiography room.
 struct RoomOptions {
     RoomHeader header = RoomHeader::Siemens;
     bool tableMoves = false;   ///< during the second view: its header gives a wrong position and reports the motion
-    bool isMirrored = false;   ///< second view only, stated in its header
-    double angleErrorDeg = 0.4;   ///< 1-σ of each angle in a header
+    bool isMirrored = false;   ///< whether the second view is mirrored, which its header states
+    double angleErrorDeg = 0.4;   ///< standard deviation of each angle in a header
     double breathingMm = 4.0;   ///< 1-σ per axis of the vessels' shift relative to the table in the second view
 };
 

@@ -19,7 +19,7 @@ bool hasAllRadii(const VesselTree& tree)
     });
 }
 
-/// Returns the thickest end of any branch; the first point if the tree has no radii.
+/// Returns the branch end with the largest radius; the first point of the first branch if the tree has no radii.
 Eigen::Vector3d rootOf(const VesselTree& tree)
 {
     Eigen::Vector3d root = tree.branches.front().pointsInPatient.front();
@@ -56,9 +56,9 @@ Takeoff nearestTakeoff(const std::vector<VesselBranch>& branches, std::size_t ch
     return nearest;
 }
 
-/// Converts a given tree to a grown one: rooted (rootedAt) at the thickest end of any branch, with every branch but the
-/// trunk leaving from the nearest point of the branches before it. Unknown radii follow Murray's law from
-/// `rootRadiusMm` (murrayRadii). Disconnected parts are fed by the nearest branch.
+/// Converts a given tree to a GrownTree: roots it (rootedAt) at the branch end with the largest radius and lets every
+/// branch but the trunk leave from the nearest point of the branches before it, which also feeds disconnected
+/// components. Unknown radii follow Murray's law from `rootRadiusMm` (assignMurrayRadii).
 GrownTree withTakeoffs(const VesselTree& tree, double rootRadiusMm)
 {
     GrownTree grown;
@@ -86,7 +86,7 @@ double extentMm(const VesselTree& tree)
     return (high - low).maxCoeff();
 }
 
-/// Random streams of the study's generator.
+/// Independent random streams of a study.
 enum StudyStream : std::uint64_t { StudyTrees = 1, StudyViews, StudyHeaders };
 
 constexpr double percent = 0.01;
@@ -109,7 +109,7 @@ ChosenTree treeAt(const SimulatedStudy& study, std::size_t tree)
         }
         first += static_cast<std::size_t>(row.count);
     }
-    assert(false);   // placeOf cycles through all trees
+    assert(false);   // unreachable: placeOf returns only existing trees
     return {};
 }
 
@@ -118,7 +118,7 @@ void disturb(Sourced<double>& value, double factor)
     *value.value *= factor;
 }
 
-/// Introduces header errors; the initial pose follows from the wrong values, with the assumed isocenter.
+/// Adds errors to the header values and recomputes the initial pose from them, about the isocenter assumed so far.
 void makeHeaderWrong(SimulatedCase& simulated, const HeaderErrors& errors, CounterRandom random)
 {
     CArm& header = simulated.angiogram.cArm;

@@ -9,29 +9,29 @@
 
 namespace angiopose::core {
 
-/// Trees of a study: grown, or one given tree.
+/// Trees of a study: generated trees with common options, or one given tree.
 struct StudyTree {
-    int count = 1;   ///< number of grown trees; 1 for a given tree
+    int count = 1;   ///< number of generated trees; 1 for a given tree
     TreeOptions grown;
-    std::shared_ptr<const VesselTree> given;   ///< null: grown
+    std::shared_ptr<const VesselTree> given;   ///< null for generated trees
 };
 
 /// Standard deviations of the header errors. The image is formed with the true values.
 struct HeaderErrors {
-    double distancePercent = 0.0;   ///< of each of both distances, independently
-    double spacingPercent = 0.0;   ///< of the pixel spacing
-    double angleDeg = 0.0;   ///< of both angles, in addition to the errors of simulateCase
+    double distancePercent = 0.0;   ///< relative error of each of the two source distances, independently
+    double spacingPercent = 0.0;   ///< relative error of the pixel spacing
+    double angleDeg = 0.0;   ///< error of both gantry angles, in addition to the errors of simulateCase
 };
 
-/// Image content of one part of a study.
+/// Image and header options of one part of a study.
 struct StudySetting {
-    std::string name;   ///< name of its folder and condition
+    std::string name;   ///< name of the setting, its folder and its condition
     DsaOptions dsa;
     HeaderErrors header;
 };
 
-/// A whole study: every setting has `casesPerSetting` cases, cycling through the trees. The same study gives identical
-/// bits, case by case.
+/// A whole study: every setting has `casesPerSetting` cases, which cycle through the trees. Every case is bitwise
+/// reproducible.
 struct SimulatedStudy {
     std::string name;
     std::uint64_t seed = 1;
@@ -43,7 +43,7 @@ struct SimulatedStudy {
     std::size_t treeCount() const;
 };
 
-/// Setting and tree of a case, and its number within the setting, from 0.
+/// Setting and tree of a case, and the number of the case within its setting, from 0.
 struct StudyPlace {
     std::size_t setting = 0;
     std::size_t number = 0;
@@ -51,10 +51,10 @@ struct StudyPlace {
 };
 StudyPlace placeOf(const SimulatedStudy& study, std::size_t index);
 
-/// Simulates the case with that index; cases with the same number show the same view and tree in every setting.
+/// Simulates the case with this index. Cases with the same number show the same view and tree in every setting.
 SimulatedCase simulateStudyCase(const SimulatedStudy& study, std::size_t index);
 
-/// Reports the part of a study that cannot be simulated, naming the setting or tree; nothing if all can.
+/// Reports the setting or tree of a study that cannot be simulated; nothing if all can.
 std::optional<Message> findProblem(const SimulatedStudy& study);
 
 }   // namespace angiopose::core

@@ -40,13 +40,13 @@ constexpr double surroundingsInRadii = 3.0;
 // Thinning splits the crossing of two vessels into two junctions about one vessel width apart.
 constexpr double crossingInRadii = 2.0;
 constexpr std::size_t frameSamples = 200000;
-// Faint branches are lost beside a strong vessel, in the halo of the filters around it: bridges cross it if there is
-// nearly enough vessel evidence all the way.
+// Filter halos around a strong vessel hide faint branches close to it; gaps up to this length are bridged if vessel
+// evidence is almost sufficient all along.
 constexpr double gapReachPx = 14.0;
 constexpr double minEvidenceInGap = 0.75;
-constexpr int maxTracingThreads = 2;   // more threads only wait for memory
-constexpr double minShareStill = 0.35;   // share of the traced length, if little else looks like contrast
-constexpr double maxShareStill = 0.5;   // above: a phantom, or a patient whose vessels are stationary too
+constexpr int maxTracingThreads = 2;   // more threads would only wait for memory
+constexpr double minShareStill = 0.35;   // minimum stationary fraction of the traced length, without contrast elsewhere
+constexpr double maxShareStill = 0.5;   // above it, the vessels are stationary too (phantom or patient)
 
 bool isFinite(const ImageF& frame)
 {
@@ -116,7 +116,7 @@ Mask2d tracedField(const ImageF& vesselsDark, const TraceOptions& options, const
     return without(std::move(field), text);
 }
 
-/// Lowest ridge strength of the strongest 0.1 %, which count as 1.
+/// Returns the 99.9 % quantile of the ridge strength, which is scaled to 1.
 float topOf(const ImageF& ridges)
 {
     return std::max(ranked(evenSample(ridges.pixels, frameSamples), 0.999), 1e-12F);
@@ -131,8 +131,8 @@ ImageF normalized(ImageF ridges, float top)
     return ridges;
 }
 
-/// The vessel pixels with short gaps closed and holes filled, if these are smaller than any loop of vessels and not
-/// background between two vessels. Bridges create such holes too.
+/// Closes short gaps between vessel pixels, then fills holes (some created by the bridges) that are smaller than any
+/// vessel loop and not background between two vessels.
 Mask2d wholeVessels(const Mask2d& vessels, const Mask2d& ground, const ImageF& evidence, int smallestLoopPx)
 {
     const Mask2d bridged = withGapsBridged(without(vessels, ground), evidence, gapReachPx, minEvidenceInGap);
@@ -140,7 +140,7 @@ Mask2d wholeVessels(const Mask2d& vessels, const Mask2d& ground, const ImageF& e
 }
 
 std::vector<Curve2d> centeredCurves(std::vector<std::vector<Eigen::Vector2d>> paths, const ImageF& opacity,
-                                   const Mask2d& field, double maxRadiusPx)
+                                    const Mask2d& field, double maxRadiusPx)
 {
     std::erase_if(paths, [&](const auto& path) { return runsStraightAcross(path, field); });
     std::vector<Curve2d> curves(paths.size());
@@ -157,7 +157,7 @@ struct SeenVessels {
     ImageF vesselness;
     double clutter = 0.0;   ///< in units of the vesselness
     ImageF opacity;
-    std::vector<std::vector<Eigen::Vector2d>> paths;   ///< along the middles of the vessel masks
+    std::vector<std::vector<Eigen::Vector2d>> paths;   ///< center paths of the vessel mask
 };
 
 SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options, const Mask2d& shutter)
@@ -244,14 +244,14 @@ void addWordOfFirstFrame(AngiogramTrace& trace, const Angiogram& run, int frame)
         seenBefore(trace.centerline, run.frames[static_cast<std::size_t>(frame)], run.frames.front(), run.polarity);
     addSuspects(trace, seen.curveIds);
     spareTrunk(trace);
-    if (seen.isEverything && contrastOf(trace) < surelyContrast) {   // else it was opacified from the start
+    if (seen.isEverything && contrastOf(trace) < surelyContrast) {   // otherwise opacified from the start
         trace.warnings = {messages::frameWithNothingNew()};
     } else {
         addWordOfContrast(trace);
     }
 }
 
-/// Traces a drawn mask unchanged, as label images are traced.
+/// Traces a drawn mask without segmentation, like a label image.
 Result<AngiogramTrace> traceDrawn(Mask2d drawn, const TraceOptions& options)
 {
     auto curves = traceMask(drawn, options);

@@ -17,23 +17,23 @@ struct AngiogramTrace {
     Centerline2d centerline;
     std::vector<int> suspectCurves;   ///< ids of curves that may be catheters, wires or bone edges
     ImageF vesselness;   ///< 0…1
-    double clutter = 0.0;   ///< the vesselness that noise and background reach; 0 for drawn masks
-    Mask2d vesselMask;   ///< between the walls of the curves, at half height of the edges
+    double clutter = 0.0;   ///< vesselness of noise and background; 0 for drawn masks
+    Mask2d vesselMask;   ///< pixels between the walls of the curves, at half height of the edges
     Mask2d fieldMask;   ///< exposed area inside shutter and border, without burned-in text
-    bool standsStill = false;   ///< mostly lines stationary through the run: no contrast agent moves here
+    bool standsStill = false;   ///< mostly stationary lines: no contrast agent moves in this run
     Messages warnings;   ///< for example that no contrast agent arrives in this run
 };
 
 /// Traces the vessels of one frame: vesselness → threshold above the frame's own clutter → thinning → ordered, smoothed
-/// curves with width (ALGORITHMS §8). A two-level mask (see `drawnMask`) is used unchanged. Fails if the options match
-/// no vessel (radii in the wrong order, …), or if the frame is empty, flat, not finite, or shows nothing vessel-like.
-/// Nothing is traced on or beyond the edge of the `shutter` (see `findField`).
+/// curves with width (ALGORITHMS §8). A two-level mask (see `drawnMask`) is used unchanged. Fails if the options
+/// exclude all vessels (radii in the wrong order, …), or if the frame is empty, uniform, not finite, or shows nothing
+/// vessel-like. Traces nothing on or beyond the edge of the `shutter` (see `findField`).
 Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options = {},
                                       const Mask2d& shutter = {});
 
-/// Traces one frame of a run, with less noise where the run is static (see `steadyFrame`). Curves that the first frame
-/// already shows are suspects too, with a warning if it shows nearly all of them (`seenBefore`); so are curves that are
-/// stationary through the run while vessels move (`stillCurves`).
+/// Traces one frame of a run, with less noise where the run is static (see `steadyFrame`). Also marks as suspect the
+/// curves that the first frame already shows (see `seenBefore`; warns if these are nearly all) and the curves that are
+/// stationary while vessels move (see `stillCurves`).
 Result<AngiogramTrace> traceFrame(const Angiogram& run, int frame, const TraceOptions& options = {});
 
 /// Traces the curves of a drawn mask (e.g. a PNG): thinning and ordering only.

@@ -42,7 +42,7 @@ public:
             if (root >= 0) {
                 const std::vector<std::size_t>& edges = meeting_[static_cast<std::size_t>(root)];
                 starts_.push_back({edges.front(), root, -1, 0});
-                for (const std::size_t e : edges) {   // more than one on a ring
+                for (const std::size_t e : edges) {   // a ring may have several edges at its root
                     starts_.push_back({e, root, static_cast<int>(paths_.size()), 1});
                 }
                 followAll();
@@ -54,14 +54,14 @@ public:
 private:
     double nodeRadius(int node) const { return graph_.nodeRadiusMm[static_cast<std::size_t>(node)]; }
 
-    /// Root node: a free end, or the widest place on a ring without one.
+    /// Returns the root node of a component: a free end, or the widest node if there is no free end.
     int rootOf(const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm) const
     {
         const int end = rootEnd(graph_, meeting_, nodes, rootMm);
         return end >= 0 ? end : *std::ranges::max_element(nodes, {}, [this](int node) { return nodeRadius(node); });
     }
 
-    /// Nodes by connected component, the one with the greatest vessel length first.
+    /// Returns the nodes of each connected component, greatest vessel length first.
     std::vector<std::vector<int>> pieces() const
     {
         std::vector<std::vector<int>> found;
@@ -145,7 +145,7 @@ private:
             shouldContinue = false;
             path.endsOn = ownedBy(node, index);
             if (path.endsOn >= 0) {
-                break;   // other edges at this node branch from the other vessel
+                break;   // the other edges at this node branch from the vessel reached
             }
             const std::size_t next = continuation(way);
             for (const std::size_t e : meeting_[static_cast<std::size_t>(node)]) {
@@ -160,7 +160,7 @@ private:
         paths_.push_back(std::move(path));
     }
 
-    /// Returns the previous owner of a node (-1 if none); an unowned node then belongs to `path`.
+    /// Returns the previous owner of a node (-1 if none) and assigns an unowned node to `path`.
     int ownedBy(int node, int path)
     {
         int& owner = owner_[static_cast<std::size_t>(node)];
@@ -169,7 +169,7 @@ private:
         return before;
     }
 
-    /// The edge that continues the vessel arriving by `way`; the number of edges if it ends.
+    /// Returns the edge that continues the vessel arriving along `way`, or the number of edges if the vessel ends.
     std::size_t continuation(const VesselEdge& way) const
     {
         const Departure arriving = departureOf(reversed(way), nodeRadius(way.endNode));
@@ -191,9 +191,9 @@ private:
     }
 
     const VesselGraph& graph_;
-    std::vector<std::vector<std::size_t>> meeting_;   ///< edges by node
+    std::vector<std::vector<std::size_t>> meeting_;   ///< edge indices by node
     std::vector<bool> used_;
-    std::vector<int> owner_;   ///< first path that passes the node
+    std::vector<int> owner_;   ///< first path through each node
     std::deque<Start> starts_;
     std::vector<BranchPath> paths_;
 };

@@ -7,24 +7,24 @@
 
 namespace angiopose::core {
 
-/// A vessel from its origin on the parent to its end, over all nodes that it passes.
+/// Vessel from its origin on the parent to its end, across all nodes in between.
 struct BranchPath {
-    int parent = -1;   ///< index among the paths; -1: begins at a root
+    int parent = -1;   ///< index of the parent path; -1 for paths from a root
     int generation = 0;   ///< 0 for roots
-    int endsOn = -1;   ///< path it ends on, closing a loop (perhaps itself); -1: free end
-    std::vector<Eigen::Vector3d> pointsMm;   ///< the first point lies at the node in the parent
+    int endsOn = -1;   ///< path it joins to close a loop (possibly itself); -1 for a free end
+    std::vector<Eigen::Vector3d> pointsMm;   ///< the first point is the node on the parent
     std::vector<double> radiusMm;
 };
 
-/// Which connected components of a graph become paths.
+/// Connected components of a graph to convert to paths.
 enum class PathPieces { First, All };
 
-/// Splits the graph into vessels, starting at the root: at each node the vessel continues in the edge that agrees best
-/// in width and direction, and the other edges branch from it. Parents come before their children, the first generation
-/// first, along the parent. The root of each component is its end nearest to `rootMm`, or that of its thickest vessel;
-/// the component with the greatest length comes first. Thinning keeps components together, but the rim of the scan can
-/// cut them apart: only components near one of `seedsMm` count, or without seeds the first or all. A vessel that
-/// returns to an already followed vessel ends on it.
+/// Splits the graph into vessels, starting at the root: at each node, the vessel continues along the edge that best
+/// matches its width and direction, and the other edges become its branches. Parents precede their children, generation
+/// by generation, in order along the parent. The root of each component is the end nearest to `rootMm`, or the end of
+/// the thickest vessel; the longest component comes first. Thinning preserves connectivity, but the scan boundary can
+/// cut a tree into components: only components near one of `seedsMm` are used, or without seeds the first one or all. A
+/// vessel that reaches an already traced vessel ends there.
 std::vector<BranchPath> branchPaths(const VesselGraph& graph, const std::optional<Eigen::Vector3d>& rootMm,
                                     const std::vector<Eigen::Vector3d>& seedsMm = {},
                                     PathPieces withoutSeeds = PathPieces::First);

@@ -9,22 +9,22 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double maxGapVoxels = 2.0;   ///< for vessels of any width
+constexpr double maxGapVoxels = 2.0;   ///< maximum gap for vessels of any width
 
-/// The wider a gap, the straighter the vessel must continue. The cosine is between the line across the gap and both
-/// vessels.
+/// Limits for one gap width: the wider the gap, the straighter the vessel must continue. `minDirection` is the cosine
+/// of the angle between the line across the gap and either vessel.
 struct GapLimit {
     double widths;
     double minDirection;
-    double clearance;   ///< distance to the next free end, relative to that between the two
+    double clearance;   ///< minimum distance to the next free end, relative to the gap
 };
 constexpr GapLimit narrow{2.0, 0.8, 1.0};
 constexpr GapLimit wide{4.0, 0.9, 1.5};
 
-constexpr double minWidthShare = 0.5;   ///< relative to the wider end
+constexpr double minWidthShare = 0.5;   ///< minimum width of the thinner end relative to the wider one
 constexpr double directionInRadii = 4.0;   ///< length of the end segment that defines its direction
 constexpr double directionVoxels = 5.0;
-constexpr double tipInRadii = 2.0;   ///< length at the tip that says nothing about the width
+constexpr double tipInRadii = 2.0;   ///< length at the tip over which the maximum radius is taken
 
 struct FreeEnd {
     int node = 0;
@@ -34,7 +34,7 @@ struct FreeEnd {
     double radiusMm = 0.0;
 };
 
-/// Nearest end of another component, with its distance and that of the second nearest.
+/// Nearest end of another component, its distance, and the distance of the second nearest end.
 struct Partner {
     std::size_t end = 0;
     double awayMm = std::numeric_limits<double>::max();
@@ -107,8 +107,8 @@ bool isWithin(const GapLimit& limit, double gapInWidths, double direction, doubl
     return gapInWidths <= limit.widths && direction >= limit.minDirection && clearance >= limit.clearance;
 }
 
-/// Distance between the walls, if a vessel clearly continues across the gap. `clearance`: distance of other ends
-/// relative to this one.
+/// Returns the wall-to-wall distance if a vessel clearly continues across the gap, else nullopt. `clearance` is the
+/// distance to the next free end relative to the gap.
 std::optional<double> clearGapMm(const FreeEnd& from, const FreeEnd& to, double clearance, double voxelMm)
 {
     const Eigen::Vector3d way = to.placeMm - from.placeMm;
@@ -116,7 +116,7 @@ std::optional<double> clearGapMm(const FreeEnd& from, const FreeEnd& to, double 
     if (thinner < minWidthShare * std::max(from.radiusMm, to.radiusMm) || way.norm() < 1e-9) {
         return std::nullopt;
     }
-    const double wallsMm = std::max(0.0, way.norm() - from.radiusMm - to.radiusMm);   // ends are shortened by thinning
+    const double wallsMm = std::max(0.0, way.norm() - from.radiusMm - to.radiusMm);   // thinning shortens the ends
     const double direction = std::min(from.outwards.dot(way.normalized()), -to.outwards.dot(way.normalized()));
     const double gapInWidths = wallsMm <= maxGapVoxels * voxelMm ? 0.0 : wallsMm / (2.0 * thinner);
     const bool isClear =

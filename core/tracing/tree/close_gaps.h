@@ -7,7 +7,7 @@ namespace angiopose::core {
 
 struct ClosedGaps {
     int count = 0;
-    double longestMm = 0.0;   ///< between the walls
+    double longestMm = 0.0;   ///< longest closed gap, wall to wall
 };
 
 /// Joins components of a graph that clearly are one vessel: two free ends that are each other's nearest, have similar

@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double lookAheadMm = 12.0;   ///< length of an edge used for its width and direction at a node
+constexpr double lookAheadMm = 12.0;   ///< length over which width and direction of an edge are measured
 
 }   // namespace
 

@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// Width and direction of an edge where it leaves its start node, outside the node's own ball.
+/// Width and direction of an edge at its start node, measured outside the sphere inscribed there.
 struct Departure {
     double radiusMm = 0.0;
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();

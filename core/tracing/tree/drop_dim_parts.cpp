@@ -10,13 +10,13 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minOfBlood = 0.65;   ///< relative to blood; blurring leaves 0.8 in the thinnest vessel that counts
-constexpr double minRadius = 1.5;   ///< voxels; blurring darkens the axis of a thinner vessel
-constexpr double minWideShare = 0.5;   ///< share of an edge's points
+constexpr double minOfBlood = 0.65;   ///< relative to the start vessels; blurring leaves 0.8 in the thinnest evaluated
+constexpr double minRadius = 1.5;   ///< in voxels; blurring dims the axis of thinner vessels
+constexpr double minWideShare = 0.5;   ///< minimum fraction of an edge's points wide enough to evaluate
 constexpr std::size_t minWide = 6;   ///< minimum number of evaluable points
-constexpr double besideStartsMm = 25.0;   ///< around starts, exempt: false lumens of dissections are dim
-constexpr double minTrustInSections = 0.5;   ///< confidence in a cross-section
-constexpr std::size_t partTangentReach = 3;   ///< points
+constexpr double besideStartsMm = 25.0;   ///< exempt radius around the starts: false lumens of dissections are dim
+constexpr double minTrustInSections = 0.5;   ///< minimum confidence in a cross-section
+constexpr std::size_t partTangentReach = 3;   ///< points on either side for the tangent
 
 /// Fill at a point of an edge; nothing if the vessel is too thin there. A lumen that is barely bright enough is full of
 /// holes, so its balls are too small and its skeleton is off the axis; the cross-section corrects both.
@@ -38,7 +38,7 @@ std::optional<double> fillWhereWide(const VesselEdge& edge, std::size_t n, const
     return radiusMm >= minRadius * voxelMm ? std::optional(fill(middleMm)) : std::nullopt;
 }
 
-/// Median fill of an edge, if most of it is wide enough to be evaluated.
+/// Returns the median opacification of an edge if most of the edge is wide enough to evaluate, else nullopt.
 std::optional<double> medianFill(const VesselEdge& edge, const BloodFill& fill, double voxelMm)
 {
     std::vector<double> fills;
@@ -61,7 +61,7 @@ bool isBeside(const VesselEdge& edge, const std::vector<Eigen::Vector3d>& starts
                                [&](const Eigen::Vector3d& start) { return (start - middle).norm() < besideStartsMm; });
 }
 
-/// Everything beyond an edge as seen from the starts, including the edge itself.
+/// Subtree distal to an edge (seen from the starts), including the edge.
 struct Part {
     double dimMm = 0.0;
     double filledMm = 0.0;
@@ -116,7 +116,7 @@ private:
         return nearest;
     }
 
-    /// Length-weighted median fill of the vessels that contain starts.
+    /// Returns the length-weighted median opacification of the vessels that contain starts.
     std::optional<double> bloodAtStarts() const
     {
         std::vector<std::pair<double, double>> fillsAndLengths;
@@ -140,13 +140,13 @@ private:
 
     struct Step {
         std::size_t edge = 0;
-        int from = 0;   ///< nodes
+        int from = 0;   ///< proximal node
         int to = 0;
-        std::size_t last = 0;   ///< steps up to but not including this one lie beyond it
+        std::size_t last = 0;   ///< one past the last step distal to this edge (index into `order_`)
         Part part;
     };
 
-    /// Visits the edges depth first, so everything beyond a step follows it.
+    /// Visits the edges depth first, so all edges distal to a step directly follow it in `order_`.
     void walkFrom(int root)
     {
         std::vector<bool> seen(graph_.edges.size(), false);
@@ -169,7 +169,7 @@ private:
         }
     }
 
-    /// Sums up the part beyond a step; the steps beyond it follow directly, the nearest first.
+    /// Accumulates the subtree of a step from the subtrees of its children, which follow it in `order_`.
     void gather(std::size_t n)
     {
         Step& step = order_[n];
@@ -207,10 +207,10 @@ private:
     }
 
     VesselGraph& graph_;
-    std::vector<std::vector<std::size_t>> meeting_;   ///< edges by node
+    std::vector<std::vector<std::size_t>> meeting_;   ///< edge indices by node
     std::vector<bool> holdsStart_;
-    std::vector<bool> isBeside_;   ///< near the starts
-    std::vector<std::optional<double>> fills_;   ///< per edge; nothing for edges too thin to evaluate
+    std::vector<bool> isBeside_;   ///< whether the edge is near a start
+    std::vector<std::optional<double>> fills_;   ///< median opacification per edge; nullopt if too thin to evaluate
     std::vector<Step> order_;
     double minFill_ = 0.0;
 };

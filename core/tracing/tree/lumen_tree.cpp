@@ -22,13 +22,13 @@
 namespace angiopose::core {
 namespace {
 
-/// Mask with a margin: voxel p of the original is p + offset here. Its outermost voxels are clear.
+/// Mask padded on all sides: voxel p of the original is voxel p + `offset` here. The outermost voxels are clear.
 struct WiderMask {
     VoxelMask mask;
     Eigen::Vector3i offset = Eigen::Vector3i::Ones();
 };
 
-constexpr double longestCut = 2.5;   ///< maximum length over width of a cut across a vessel
+constexpr double longestCut = 2.5;   ///< maximum aspect ratio of a cut across a vessel
 constexpr int maxLayers = 60;
 
 /// One side of the grid: the plane at `position` across `axis`; `outwards` is -1 or +1.
@@ -38,7 +38,7 @@ struct Face {
     int outwards = 1;
 };
 
-/// Intersection of the lumen with a face, and the number of layers added beyond it.
+/// Intersection of the lumen with a face, and the number of layers to add beyond the face.
 struct Cut {
     Face face;
     std::vector<Eigen::Vector3i> voxels;
@@ -109,9 +109,9 @@ void findCuts(const VoxelMask& mask, const Face& face, std::vector<Cut>& cuts)
     }
 }
 
-/// Continues vessels cut by the grid's rim beyond it by a little more than their radius. Thinning shortens a vessel's
-/// end by about that much and would otherwise lose the last stretch, or a short wide trunk altogether. Vessels that run
-/// along the rim are not continued.
+/// Extends vessels that the grid boundary cuts by slightly more than their radius. Thinning shortens a vessel end by
+/// about that much and would otherwise lose the last segment, or a short wide trunk entirely. Vessels along the
+/// boundary are not extended.
 WiderMask continuedBeyondRim(const VoxelMask& mask)
 {
     const Eigen::Vector3i& size = mask.geometry.size;
@@ -147,7 +147,7 @@ WiderMask continuedBeyondRim(const VoxelMask& mask)
     return wider;
 }
 
-constexpr double minLoopInBranches = 4.0;   ///< circumference of a kept loop, in minimum branch lengths
+constexpr double minLoopInBranches = 4.0;   ///< minimum circumference of a kept loop, in minimum branch lengths
 
 Eigen::Vector3d onGrid(const Eigen::Vector3d& inPatient, const VolumeGeometry& grid)
 {
@@ -181,7 +181,7 @@ LoopCount openLoopsAsAsked(VesselGraph& graph, const VesselTracingOptions& optio
                : LoopCount{openLoops(graph), 0};
 }
 
-/// Searches for dim parts in a forest; the edges that close its loops are restored if both their ends still exist.
+/// Removes dim parts from the spanning forest, then restores the loop-closing edges whose end nodes both remain.
 int dropDimPartsAsAsked(VesselGraph& graph, const BloodFill& fill, const VolumeGeometry& grid,
                         const VesselTracingOptions& options)
 {
@@ -201,7 +201,7 @@ int dropDimPartsAsAsked(VesselGraph& graph, const BloodFill& fill, const VolumeG
     return dropped;
 }
 
-/// Skeleton of the lumen, computed on a mask continued beyond the rim and restricted to the grid.
+/// Computes the skeleton of the lumen on a mask extended beyond the grid boundary, then restricts it to the grid.
 std::vector<std::size_t> skeletonOf(const VoxelMask& lumen, TracingProgress& progress)
 {
     WiderMask wider = continuedBeyondRim(lumen);
@@ -247,7 +247,7 @@ VesselGraph prunedGraph(const VoxelMask& lumen, const BloodFill& fill, const Ves
     return graph;
 }
 
-/// Indices of the paths that are not stubs at the rim.
+/// Returns the indices of the paths that are not stubs at the grid boundary.
 std::vector<std::size_t> branchesAmong(const std::vector<BranchPath>& paths, const std::vector<VesselCurve>& curves,
                                        const VoxelMask& lumen, double minMm)
 {

@@ -15,18 +15,18 @@ namespace angiopose::core {
 
 struct LumenTree {
     VesselTree tree;   ///< patient LPS; each connected component starts with one branch of generation 0
-    std::vector<std::size_t> skeleton;   ///< voxels of the lumen, ascending
+    std::vector<std::size_t> skeleton;   ///< lumen voxels on the skeleton, ascending
     LoopCount loops;
-    ClosedGaps closedGaps;   ///< if all components are traced
-    int dimParts = 0;   ///< parts removed as veins and organs
+    ClosedGaps closedGaps;   ///< only if all components are traced
+    int dimParts = 0;   ///< number of parts removed as veins or organs
 };
 
-/// Traces the tree of a lumen: thinning → graph → tree → smooth centerlines with radii. `lumen` has patient axis order;
-/// `fill` locates its wall with subvoxel accuracy. No branches if nothing is long enough, or when stopped.
+/// Traces the tree of a lumen: thinning → graph → tree → smooth centerlines with radii. `lumen` is in patient axis
+/// order; `fill` locates the wall with subvoxel accuracy. Returns no branches if none is long enough, or when stopped.
 LumenTree lumenTree(const VoxelMask& lumen, const BloodFill& fill, const VesselTracingOptions& options,
                     TracingProgress& progress);
 
-/// Linear interpolation between the voxels of a mask; the value is one half at its wall.
+/// Returns a linear interpolator of the mask, with value 0.5 at the wall.
 BloodFill fillOf(const VoxelMask& mask);
 
 }   // namespace angiopose::core

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Index of the thinnest point inside the edge; if several are equally thin, the one nearest to its middle.
+/// Returns the index of the thinnest inner point of the edge; among equally thin points, the one nearest to the middle.
 std::size_t thinnestPoint(const VesselEdge& edge)
 {
     const std::size_t middle = edge.radiusMm.size() / 2;
@@ -46,7 +46,7 @@ int addEnd(VesselGraph& graph, const VesselEdge& edge, std::size_t point)
     return static_cast<int>(graph.nodesMm.size()) - 1;
 }
 
-/// Adds both halves of an edge without the point between them; single-point halves are dropped.
+/// Cuts an edge at its thinnest point and adds both halves without that point; drops single-point halves.
 void addHalves(VesselGraph& graph, const VesselEdge& edge)
 {
     const std::size_t cut = thinnestPoint(edge);
@@ -75,7 +75,7 @@ class WaysAlongForest {
 public:
     explicit WaysAlongForest(const VesselGraph& forest) : forest_(forest), meeting_(forest.edgesByNode()) {}
 
-    /// Path length from node to node; `enoughMm` if they are not connected.
+    /// Returns the path length between two nodes, or `enoughMm` if they are not connected.
     double lengthMm(int from, int to, double enoughMm) const
     {
         std::vector<double> ways(forest_.nodesMm.size(), -1.0);

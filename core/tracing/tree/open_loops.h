@@ -7,9 +7,9 @@
 
 namespace angiopose::core {
 
-/// Opens every loop at its weakest place: vessels form trees, and a loop usually consists of two vessels that touch.
-/// The edges that stay whole are a spanning tree of maximum relative width (width at the narrowest point over that of
-/// the nodes it joins); the others are cut where they are thinnest and keep both halves. Returns the number of loops.
+/// Cuts every loop at its weakest point: vessels form trees, and a loop usually consists of two touching vessels. Keeps
+/// a spanning tree of maximum relative width (minimum width of an edge over the width at its nodes); all other edges
+/// are cut at their thinnest point, and both halves are kept. Returns the number of loops.
 int openLoops(VesselGraph& graph);
 
 struct LoopCount {
@@ -17,11 +17,11 @@ struct LoopCount {
     int kept = 0;
 };
 
-/// Same as `openLoops`, but keeps loops whose circumference is longer than `minLengthMm` and than the thickness of
-/// their vessels; shorter ones are flaws of the lumen. Incomplete when stopped.
+/// Like `openLoops`, but keeps loops whose circumference exceeds what `minLengthMm` and the thickness of their vessels
+/// account for; smaller loops are segmentation flaws. Incomplete when stopped.
 LoopCount openSmallLoops(VesselGraph& graph, double minLengthMm, TracingProgress& progress);
 
-/// Removes the edges that close loops and returns them; the rest is a spanning forest, as `openLoops` would leave it.
+/// Removes the edges that close loops and returns them; the remaining graph is the spanning forest of `openLoops`.
 std::vector<VesselEdge> takeClosingEdges(VesselGraph& graph);
 
 }   // namespace angiopose::core

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// The part of a spur outside the parent's wall, up to its tip.
+/// Part of a spur outside the parent's wall, up to the tip of the spur.
 struct Protrusion {
     double lengthMm = 0.0;
     double radiusMm = 0.0;
@@ -34,7 +34,7 @@ Protrusion protrusionOf(const VesselEdge& fromParent, double parentRadiusMm)
     return result;
 }
 
-/// Removes and joins edges; keeps track of the edges at each node and of the worth of each spur.
+/// Removes and joins edges, keeping track of the edges at each node and the score of each spur.
 class Pruner {
 public:
     Pruner(VesselGraph& graph, const SpurLimits& limits)
@@ -88,7 +88,7 @@ private:
         return radius;
     }
 
-    /// Worth of an edge: spurs below 1 are removed, the lowest first; infinite if the edge is not a spur.
+    /// Scores an edge: spurs below 1 are removed, lowest first; infinite if the edge is not a spur.
     double worthOf(std::size_t e) const
     {
         const VesselEdge& edge = graph_.edges[e];
@@ -127,7 +127,7 @@ private:
         setWorth(e, never);
     }
 
-    /// Updates the worth of an edge in the removal queue: the lowest first, ties by index.
+    /// Updates the score of an edge in the removal queue (lowest first, ties by index).
     void setWorth(std::size_t e, double worth)
     {
         spurs_.erase({worths_[e], e});
@@ -137,7 +137,7 @@ private:
         }
     }
 
-    /// Joins the two edges that meet at `node` into the first of them, if exactly two different edges do.
+    /// Joins the edges at `node` into the first one if exactly two different edges meet there.
     void joinThrough(int node)
     {
         const std::vector<std::size_t> pair = meetingAt(node);
@@ -163,7 +163,7 @@ private:
     const SpurLimits& limits_;
     std::vector<std::vector<std::size_t>> meeting_;   ///< edges by node; an edge from a node to itself counts twice
     std::vector<double> worths_;
-    std::set<std::pair<double, std::size_t>> spurs_;   ///< worth below 1, and index of the edge
+    std::set<std::pair<double, std::size_t>> spurs_;   ///< score (below 1) and edge index of each spur
 };
 
 }   // namespace

@@ -6,14 +6,13 @@
 namespace angiopose::core {
 
 struct SpurLimits {
-    double minLengthMm = 6.0;   ///< beyond the wall of the vessel it leaves
-    double minRadiusMm = 0.0;   ///< average along the spur
-    double minLengthInRadii = 1.5;   ///< in its own radii: a shorter spur is a bulge of the wall
+    double minLengthMm = 6.0;   ///< length beyond the wall of the parent vessel
+    double minRadiusMm = 0.0;   ///< mean radius along the spur
+    double minLengthInRadii = 1.5;   ///< in spur radii; shorter spurs are bulges of the wall
 };
 
-/// Removes spurs, the least important first, until none is below the limits; edges that then continue each other are
-/// joined. A vessel without branches is not a spur; it is removed only if its whole length is below `minLengthMm`.
-/// Incomplete when stopped.
+/// Removes spurs below the limits, lowest score first, and joins edges that then continue each other. A vessel without
+/// branches is not a spur; it is removed only if its whole length is below `minLengthMm`. Incomplete when stopped.
 void pruneSpurs(VesselGraph& graph, const SpurLimits& limits, TracingProgress& progress);
 
 }   // namespace angiopose::core

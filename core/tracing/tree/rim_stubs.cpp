@@ -13,7 +13,7 @@ namespace {
 constexpr double rimVoxels = 2.0;
 constexpr double minInRadii = 1.5;
 
-/// Whether an end is close to a face of the grid that the lumen reaches there.
+/// Returns whether an end is close to a face of the grid at a point where the lumen touches that face.
 bool isCutOff(const Eigen::Vector3d& endMm, const VoxelMask& lumen)
 {
     const VolumeGeometry& grid = lumen.geometry;

@@ -10,9 +10,8 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double alike = 1e-9;   ///< mm; smaller differences count as equal
-/// Maximum width of a spur, relative to the vessel at whose end it is: coronary arteries have 0.15 of the aorta's
-/// width.
+constexpr double alike = 1e-9;   ///< mm; smaller differences are treated as equal
+/// Maximum width of a spur relative to the vessel at whose end it lies; a coronary artery has 0.15 of the aortic width.
 constexpr double spurShare = 0.3;
 
 /// Score of an end as a candidate for the root.
@@ -56,9 +55,9 @@ public:
 private:
     double nodeRadius(int node) const { return graph_.nodeRadiusMm[static_cast<std::size_t>(node)]; }
 
-    /// Worth of an end: the median width of the vessel that ends there. The end itself may be a spur: a stump on the
-    /// wall of a wide vessel, which does not count, or a coronary artery at the root of the aorta, which ends where the
-    /// aorta does.
+    /// Scores an end by the median width of the vessel that ends there. The end edge may be a spur: a stump on the wall
+    /// of a wide vessel, which does not count, or a coronary artery at the aortic root, which ends where the aorta
+    /// does.
     RootWorth worthOf(std::size_t endEdge, int endNode) const
     {
         const VesselEdge fromEnd = graph_.leaving(endEdge, endNode);
@@ -77,7 +76,7 @@ private:
         return {width, departureOf(fromEnd, nodeRadius(endNode)).radiusMm};
     }
 
-    /// Median radius, excluding the part inside the vessel that an end leads to.
+    /// Returns the median radius of an edge; for an edge with a free end, excludes the part inside the vessel it joins.
     double widthOf(std::size_t e) const
     {
         const bool endsFree = meeting_[static_cast<std::size_t>(graph_.edges[e].endNode)].size() == 1;
@@ -111,7 +110,7 @@ private:
     }
 
     const VesselGraph& graph_;
-    const std::vector<std::vector<std::size_t>>& meeting_;   ///< edges by node
+    const std::vector<std::vector<std::size_t>>& meeting_;   ///< edge indices by node
 };
 
 }   // namespace

@@ -9,9 +9,9 @@
 
 namespace angiopose::core {
 
-/// The free end among `nodes` that is nearest to `rootMm`, or else that of the thickest vessel: at the root of the
-/// aorta the coronary arteries count as its ends, while stumps on its wall are ignored. -1 if there is no free end.
-/// `meeting` holds the graph's edges by node.
+/// Returns the free end among `nodes` that is nearest to `rootMm`, or without `rootMm` the end of the thickest vessel:
+/// coronary arteries at the aortic root count as ends of the aorta, stumps on its wall are ignored. -1 if there is no
+/// free end. `meeting` holds the edges at each node.
 int rootEnd(const VesselGraph& graph, const std::vector<std::vector<std::size_t>>& meeting,
             const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm);
 

@@ -9,9 +9,9 @@ namespace angiopose::core {
 namespace {
 
 constexpr double followedVoxels = 2.0;
-constexpr double stepOfCurve = 0.5;   ///< relative to the smallest voxel side
+constexpr double stepOfCurve = 0.5;   ///< sampling step, relative to the smallest voxel side
 
-/// Clears the voxels near a position, in voxels.
+/// Clears the voxels near `at` (in voxel coordinates).
 void clearAround(VoxelMask& missed, const Eigen::Vector3d& at)
 {
     const VolumeGeometry& grid = missed.geometry;

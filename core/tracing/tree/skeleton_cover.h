@@ -10,13 +10,13 @@
 
 namespace angiopose::core {
 
-/// Share of a lumen's own skeleton that the curves cover.
+/// Coverage of a lumen's skeleton by the traced curves.
 struct SkeletonCover {
-    double share = 1.0;   ///< share of its voxels within two voxels of the curves; only in components with curves
-    std::optional<Eigen::Vector3d> missedInPatient;   ///< in the longest uncovered stretch, LPS mm
+    double share = 1.0;   ///< covered fraction (within two voxels); only components with curves
+    std::optional<Eigen::Vector3d> missedInPatient;   ///< point in the largest uncovered segment, LPS, mm
 };
 
-/// Measures how much of `skeleton` (voxels of `grid`, ascending) the curves cover.
+/// Measures the fraction of `skeleton` (voxels of `grid`, ascending) that the curves cover.
 SkeletonCover skeletonCover(const VolumeGeometry& grid, const std::vector<std::size_t>& skeleton,
                             const VesselTree& tree);
 

@@ -11,11 +11,11 @@
 
 namespace angiopose::core {
 
-/// Provides the fill along a path; it is evaluated only near that path.
+/// Provides the opacification around a path; evaluated only near that path.
 using FillOfPath = std::function<BloodFill(const BranchPath& path)>;
 
-/// Converts paths to smooth centered curves in the same order; parents must come before their children. Fills, paths
-/// and curves are in mm along the axes of `grid`. Empty when stopped.
+/// Converts paths to smooth centered curves in the same order; parents must precede their children. Opacifications,
+/// paths and curves are in mm along the axes of `grid`. Empty when stopped.
 std::vector<VesselCurve> curvesOfPaths(const std::vector<BranchPath>& paths, const FillOfPath& fillOf,
                                        const VolumeGeometry& grid, double pointSpacingMm, TracingProgress& progress);
 

@@ -11,11 +11,11 @@ namespace angiopose::core {
 namespace {
 
 constexpr int centringRounds = 3;
-constexpr double stationarySteps = 4.0;   ///< λ of the first smoothing, which only removes the voxel steps
+constexpr double stationarySteps = 4.0;   ///< λ of the first smoothing, which only removes voxel stair steps
 constexpr double firmWeight = 50.0;
 constexpr int holdingRounds = 3;
-constexpr double minShareOfWay = 0.5;   ///< relative to the fill at the original path; below, it has left the lumen
-constexpr double radiusStiffness = 3.0;   ///< relative to the curve's: widths change more slowly than the course
+constexpr double minShareOfWay = 0.5;   ///< relative to the original path's opacification; below, outside the lumen
+constexpr double radiusStiffness = 3.0;   ///< relative to the stiffness of the curve; widths vary more slowly
 
 VesselCurve evenly(const VesselCurve& curve, double spacingMm)
 {
@@ -23,8 +23,8 @@ VesselCurve evenly(const VesselCurve& curve, double spacingMm)
     return {interpolate(curve.pointsMm, stations), interpolate(curve.radiusMm, stations)};
 }
 
-/// Stiffness of the spline in steps of the curve: it follows curvature on the scale of a radius but not irregularities
-/// of the wall.
+/// Returns the spline stiffness in units of the point spacing: the spline follows curvature on the scale of a radius,
+/// but not irregularities of the wall.
 double stiffness(const VesselCurve& curve, double stepMm)
 {
     const double reach = std::max(2.0, 0.7 * medianOf(curve.radiusMm) / stepMm);
@@ -39,7 +39,7 @@ std::size_t nearestPoint(const std::vector<Eigen::Vector3d>& points, const Eigen
     return static_cast<std::size_t>(nearest - points.begin());
 }
 
-/// Number of first points that lie within the parent's lumen.
+/// Counts the leading points that lie within the parent's lumen.
 std::size_t pointsWithin(const VesselCurve& parent, const std::vector<Eigen::Vector3d>& points)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -51,8 +51,8 @@ std::size_t pointsWithin(const VesselCurve& parent, const std::vector<Eigen::Vec
     return points.size() - 1;
 }
 
-/// Origin on the parent's axis of a vessel that leaves its wall at `exit` in `direction`: halfway between the axis
-/// point nearest to the exit and the one nearest to the backward extension.
+/// Returns the takeoff on the parent's axis of a vessel that leaves the parent's wall at `exit` in `direction`: halfway
+/// between the axis point nearest to the exit and the one nearest to the backward extension.
 Eigen::Vector3d takeoffOn(const VesselCurve& parent, const Eigen::Vector3d& exit, const Eigen::Vector3d& direction)
 {
     const std::size_t beside = nearestPoint(parent.pointsMm, exit);
@@ -71,8 +71,8 @@ Eigen::Vector3d takeoffOn(const VesselCurve& parent, const Eigen::Vector3d& exit
     return parent.pointsMm[(best + beside) / 2];
 }
 
-/// Replaces the first part, inside the parent, by a straight line from the parent's axis; its radii are those just
-/// outside.
+/// Replaces the section inside the parent by a straight line from the parent's axis, with the radius measured just
+/// outside the wall.
 void leaveParent(VesselCurve& curve, std::size_t inside, const VesselCurve& parent)
 {
     const std::size_t ahead = std::min(curve.pointsMm.size() - 1, inside + 4);
@@ -89,7 +89,7 @@ void leaveParent(VesselCurve& curve, std::size_t inside, const VesselCurve& pare
     }
 }
 
-/// Points for the smoothing spline, and how firmly each one holds it.
+/// Points for the smoothing spline, and their weights.
 struct Anchors {
     std::vector<Eigen::Vector3d> pointsMm;
     std::vector<double> weights;
@@ -104,8 +104,8 @@ struct Surroundings {
     bool shouldContinue() const { return progress == nullptr || progress->advance(0.0); }
 };
 
-/// Fits the spline through the anchors. Where it would leave the lumen, as in curves sharper than it is made for, it is
-/// pulled to the original path.
+/// Fits the spline to the anchors. Where the spline would leave the lumen, as in very sharp curves, pulls it back to
+/// the original path.
 std::vector<Eigen::Vector3d> smoothInLumen(Anchors& anchors, double stiffness, std::size_t inside,
                                            const Surroundings& around)
 {
@@ -129,8 +129,8 @@ std::vector<Eigen::Vector3d> smoothInLumen(Anchors& anchors, double stiffness, s
     return points;
 }
 
-/// One iteration: moves every point to the center of its cross-section, then smooths, weighted by the confidence in the
-/// sections.
+/// Performs one iteration: moves every point to the center of its cross-section, then smooths the curve, weighting each
+/// section by its confidence.
 void center(VesselCurve& curve, std::size_t inside, const Surroundings& around, double stepMm)
 {
     const std::size_t count = curve.pointsMm.size();
@@ -164,7 +164,7 @@ bool isBeyondRim(const Eigen::Vector3d& pointMm, const CurveSettings& settings)
     return ((pointMm - settings.lowMm).array() < 0.0).any() || ((pointMm - settings.highMm).array() > 0.0).any();
 }
 
-/// Extends a vessel's end, which thinning shortens, in the direction that the vessel has there.
+/// Extends a vessel end, shortened by thinning, along the direction of the vessel.
 void extendEnd(VesselCurve& curve, const BloodFill& fill, const CurveSettings& settings)
 {
     const std::size_t count = curve.pointsMm.size();
@@ -180,7 +180,7 @@ void extendEnd(VesselCurve& curve, const BloodFill& fill, const CurveSettings& s
     while (lumenMm < 3.0 * radius + settings.voxelMm && fill(tip + lumenMm * direction) > 0.5) {
         lumenMm += 0.25 * settings.voxelMm;
         if (isBeyondRim(tip + lumenMm * direction, settings)) {
-            lumenMm += radius;   // the vessel continues beyond the rim
+            lumenMm += radius;   // the vessel continues beyond the boundary
             break;
         }
     }
@@ -230,7 +230,7 @@ void endOn(VesselCurve& curve, const VesselCurve& other)
 void endOnItself(VesselCurve& curve, const Eigen::Vector3d& nodeMm)
 {
     std::vector<Eigen::Vector3d> passed = curve.pointsMm;
-    const double backMm = 0.25 * polylineLength<3>(passed);   // excludes the part just before the end
+    const double backMm = 0.25 * polylineLength<3>(passed);   // excludes the section just before the end
     while (passed.size() > 1 && polylineLength<3>(curve.pointsMm) - polylineLength<3>(passed) < backMm) {
         passed.pop_back();
     }

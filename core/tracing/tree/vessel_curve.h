@@ -19,10 +19,10 @@ struct CurveSettings {
     double pointSpacingMm = 1.0;
     Eigen::Vector3d lowMm = Eigen::Vector3d::Zero();   ///< outermost voxel centers
     Eigen::Vector3d highMm = Eigen::Vector3d::Zero();
-    TracingProgress* progress = nullptr;   ///< if it requests a stop, the curve is left unfinished
+    TracingProgress* progress = nullptr;   ///< if it requests a stop, the curve is incomplete
 };
 
-/// The finished curves on which a path begins and ends; null: none.
+/// Finished curves on which a path begins and ends; null if there is none.
 struct CurveNeighbors {
     const VesselCurve* parent = nullptr;
     const VesselCurve* endsOn = nullptr;
@@ -30,8 +30,8 @@ struct CurveNeighbors {
 };
 
 /// Converts a path of voxels to a smooth curve through the centers of its cross-sections. Inside the parent vessel
-/// nothing can be measured, so the curve runs straight to its axis, also where it closes a loop. A free end reaches as
-/// close to the tip as the vessel is wide, and to the rim of the volume if that cuts it off.
+/// nothing can be measured, so the curve runs straight to the parent's axis, also where it closes a loop. A free end
+/// stops one radius before the tip of the lumen, or at the volume boundary if that cuts the vessel.
 VesselCurve vesselCurve(const BranchPath& path, const CurveNeighbors& beside, const BloodFill& fill,
                         const CurveSettings& settings);
 

@@ -8,7 +8,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t shortestRing = 6;
-constexpr std::size_t voxelsUnheard = 0xFFF;   ///< mask: progress is reported every 4096 voxels
+constexpr std::size_t voxelsUnheard = 0xFFF;   ///< bit mask; progress is reported every 4096 voxels
 
 /// Walks the skeleton voxel by voxel. Voxels are identified by their index in the skeleton's list.
 class VoxelWalker {
@@ -18,7 +18,7 @@ public:
     {
     }
 
-    /// Finds the neighbors of all voxels; false when stopped.
+    /// Finds the neighbors of all voxels; returns false when stopped.
     bool meetNeighbors(TracingProgress& progress)
     {
         neighbors_.reserve(skeleton_.size());
@@ -131,7 +131,7 @@ private:
         for (const std::size_t first : neighbors_[nodeVoxel]) {
             const int start = nodeAt_[nodeVoxel];
             const int touching = nodeAt_[first];
-            if (touching > start) {   // two adjacent nodes
+            if (touching > start) {   // adjacent nodes; the edge is added once
                 graph_.edges.push_back({start,
                                         touching,
                                         {nodePoint(start), nodePoint(touching)},

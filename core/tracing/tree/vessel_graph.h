@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
-// Between skeleton and tree, all points are in mm along the axes of the voxel grid, measured from the center of its
-// first voxel.
+// Coordinates from skeleton to tree: all points are in mm along the axes of the voxel grid, measured from the center of
+// its first voxel.
 
 namespace angiopose::core {
 
@@ -16,7 +16,7 @@ struct VesselEdge {
     int startNode = 0;
     int endNode = 0;
     std::vector<Eigen::Vector3d> pointsMm;
-    std::vector<double> radiusMm;   ///< radius of the largest ball in the lumen, one per point
+    std::vector<double> radiusMm;   ///< radius of the inscribed sphere at each point
 
     double lengthMm() const;
 };

@@ -11,10 +11,10 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double worthMentioning = 0.02;   ///< total share of all voxels
+constexpr double worthMentioning = 0.02;   ///< minimum total fraction of all voxels
 constexpr std::size_t maxNamed = 6;   ///< components per sentence
 
-/// Branch length per component; each step counts for the component it ends in.
+/// Sums the branch length per component; each step counts toward the component in which it ends.
 std::vector<double> lengthsIn(const VoxelMask& lumen, const std::vector<VoxelPiece>& pieces, const VesselTree& tree)
 {
     std::vector<double> lengths(pieces.size(), 0.0);

@@ -10,13 +10,13 @@
 
 namespace angiopose::core {
 
-/// Lists every connected component of what could be traced, the largest first: those of the traced lumen with the
-/// length of their branches, and those that were left out before. Incomplete when stopped.
+/// Lists all traceable connected components, largest first: those of the traced lumen with the length of their
+/// branches, and those excluded before. Incomplete when stopped.
 std::vector<TracedPiece> reportedPieces(const VoxelMask& lumen, const VesselTree& tree,
                                         std::vector<TracedPiece> leftOut, TracingProgress& progress);
 
-/// Messages about connected components: which were traced, if there are several and seeds did not select them; which
-/// were not, if these are more than one in fifty voxels.
+/// Returns messages about connected components: which were traced, if there are several and no seed selected them;
+/// which were not, if these are more than one in fifty voxels.
 Messages pieceWarnings(const std::vector<TracedPiece>& pieces, bool isBySeeds);
 
 }   // namespace angiopose::core

@@ -11,15 +11,15 @@
 namespace angiopose::core {
 namespace {
 
-const BloodLevel hounsfieldBone{45.0, 400.0, 222.5, true};   ///< a fill of 1.5 corresponds to 578 HU
+const BloodLevel hounsfieldBone{45.0, 400.0, 222.5, true};   ///< an opacification of 1.5 corresponds to 578 HU
 constexpr double maxBloodOfHeadHu = 650.0;   ///< brighter homogeneous voxels may be skull or petrous bone
-constexpr double maxLumenShare = 0.06;   ///< share of all voxels; brain or muscle has a larger share
+constexpr double maxLumenShare = 0.06;   ///< maximum fraction of all voxels; brain or muscle occupies more
 constexpr double maxFillOfBlood = 1.6;
-constexpr double wideMm = 5.0;   ///< radius of an aorta or iliac artery
+constexpr double wideMm = 5.0;   ///< minimum radius of an aorta or iliac artery
 constexpr double minFillOfClear = 0.75;
-constexpr double entranceMm = 25.0;   ///< from the lower face, where thinner arteries enter
+constexpr double entranceMm = 25.0;   ///< distance from the lower face, where thinner arteries enter
 constexpr double minVeinRadiusMm = 1.2;   ///< thinner vessels may be cortical arteries
-constexpr double maxAlongSkull = 0.1;   ///< share of the traced length
+constexpr double maxAlongSkull = 0.1;   ///< maximum fraction of the traced length
 
 class LumenFinder {
 public:
@@ -125,8 +125,8 @@ private:
         return isCredible() && (isWide || isLikeCt_ || !options_.seedsInPatient.empty());
     }
 
-    /// Whether more voxels are brighter than blood than equally bright: bone, as in CT. In MR the vessels are
-    /// brightest, and the assumed blood is fat or brain.
+    /// Returns whether voxels brighter than the lumen outnumber the lumen itself: bone, as in CT. In MR, the vessels
+    /// are brightest, and the assumed lumen is fat or brain.
     bool hasMoreBone() const
     {
         const VoxelFill fill = bloodShare(seen_.scan(volume_), order_, seen_.level);
@@ -148,7 +148,7 @@ private:
         return options_.seedsInPatient.empty() ? Result<ScanLumen>(Error(question)) : std::move(seen_);
     }
 
-    /// Keeps only definite arteries as starting points if there are no seeds.
+    /// Without seeds, keeps only definite arteries as starting points.
     Result<ScanLumen> judged()
     {
         std::vector<GreatVessel>& great = seen_.found.great;
@@ -187,7 +187,7 @@ private:
     TracingProgress& progress_;
     ScanLumen seen_;
     double lumenShare_ = 0.0;
-    bool isLikeCt_ = true;   ///< bone is brightest
+    bool isLikeCt_ = true;   ///< bone is the brightest structure
 };
 
 }   // namespace

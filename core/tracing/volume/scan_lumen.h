@@ -18,11 +18,11 @@ namespace angiopose::core {
 
 /// Lumen candidates of a scan, and the data they were derived from.
 struct ScanLumen {
-    std::optional<BiasCorrectedScan> corrected;   ///< if a coil inhomogeneity was corrected
+    std::optional<BiasCorrectedScan> corrected;   ///< set if a coil inhomogeneity was corrected
     BloodLevel level;
-    LumenWithGreatVessels found;   ///< only great vessels suitable as a start
-    std::optional<Skull> skull;   ///< for head CT
-    std::vector<Eigen::Vector3d> veins;   ///< axis points of sinuses
+    LumenWithGreatVessels found;   ///< only great vessels suitable as a starting point
+    std::optional<Skull> skull;   ///< set for head CT
+    std::vector<Eigen::Vector3d> veins;   ///< axis points of the dural venous sinuses
 
     /// The scan that was evaluated; `given` is the original scan.
     const Volume& scan(const Volume& given) const { return corrected ? corrected->volume : given; }
@@ -31,13 +31,13 @@ struct ScanLumen {
 /// Fraction of blood in each voxel, from its value relative to soft tissue and blood. The arguments must outlive it.
 VoxelFill bloodShare(const Volume& volume, const AxisOrder& order, const BloodLevel& level);
 
-/// Finds the lumen candidates. Fails if nothing looks like blood, and requests a seed if none is placed and the
-/// arteries cannot be identified: in head CT with opacified sinuses, and without Hounsfield units if no vessel is
-/// definitely an artery. Reports the stages "blood" and "vessels".
+/// Finds the lumen candidates. Fails if nothing has the intensity of an opacified lumen. Fails with a request for a
+/// seed if none is placed and the arteries cannot be identified: in head CT with opacified venous sinuses, and without
+/// Hounsfield units if no vessel is definitely an artery. Reports the stages "blood" and "vessels".
 Result<ScanLumen> findScanLumen(const Volume& volume, const AxisOrder& order, const VesselTracingOptions& options,
                                 TracingProgress& progress);
 
-/// Whether a tree traced without a seed runs along the skull, as sinuses do and arteries do not.
+/// Returns whether a tree traced without a seed runs along the skull, like venous sinuses and unlike arteries.
 bool runsAlongSkull(const VesselTree& tree, const Skull& skull);
 
 }   // namespace angiopose::core

@@ -26,11 +26,11 @@ namespace angiopose::core {
 namespace {
 
 constexpr int holeRounds = 4;
-constexpr double minFilledRadius = 1.5;   ///< voxels; blurring darkens the axis of a thinner vessel
-constexpr double minAxisFill = 0.65;   ///< relative to blood; halfway along all axes
-constexpr double minBesideMm = 80.0;   ///< next to another great vessel; pulmonary arteries have less than half
-constexpr double minFollowed = 0.98;   ///< covered share of a mask's own skeleton; below, a warning is issued
-constexpr double minHoleFill = 0.4;   ///< fraction of blood around a voxel darkened by noise
+constexpr double minFilledRadius = 1.5;   ///< in voxels; blurring dims the axis of thinner vessels
+constexpr double minAxisFill = 0.65;   ///< minimum median opacification of the branch axes
+constexpr double minBesideMm = 80.0;   ///< minimum length next to a great vessel; pulmonary arteries have under half
+constexpr double minFollowed = 0.98;   ///< minimum covered fraction of a mask's skeleton; below, a warning is issued
+constexpr double minHoleFill = 0.4;   ///< minimum mean opacification around a voxel darkened by noise
 
 /// Mask of the set voxels, in patient axis order.
 template <class Grid, class IsSet>
@@ -86,7 +86,7 @@ std::optional<Message> problemWith(const VesselTracingOptions& options)
                                                       : std::optional<Message>(messages::avoidWithoutSeed());
 }
 
-/// Options for a mask: all its voxels are vessel, unless the options select some.
+/// Returns the options for a mask: all its components are vessels, unless the options select some.
 VesselTracingOptions withPiecesOfMask(VesselTracingOptions options)
 {
     options.pieces = !options.seedsInPatient.empty()           ? TracedPieces::Usual
@@ -95,7 +95,7 @@ VesselTracingOptions withPiecesOfMask(VesselTracingOptions options)
     return options;
 }
 
-/// Options for a scan: only components of great vessels are traced.
+/// Returns the options for a scan: only components of great vessels are traced.
 VesselTracingOptions withPiecesOfScan(VesselTracingOptions options, const std::vector<GreatVessel>& great)
 {
     if (great.empty() || !options.seedsInPatient.empty()) {
@@ -148,14 +148,14 @@ Result<TreeOfLumen> treeOf(const ChosenLumen& chosen, const BloodFill& fill, con
 /// Accepts holes caused by noise, which darkens single voxels; the wall between two touching vessels is a dark sheet.
 HoleFilter noiseHoles(const VoxelFill& fill)
 {
-    return [&fill](int i, int j, int k) {   // never called at the rim
+    return [&fill](int i, int j, int k) {   // never called at the boundary
         const double sum = fill(i, j, k) + fill(i - 1, j, k) + fill(i + 1, j, k) + fill(i, j - 1, k) +
                            fill(i, j + 1, k) + fill(i, j, k - 1) + fill(i, j, k + 1);
         return sum > 7.0 * minHoleFill;
     };
 }
 
-/// Closes holes in `lumen` that are caused by noise and calcified plaque, unless stopped.
+/// Closes holes in `lumen` caused by noise or calcified plaque; stops on request.
 void closeHoles(VoxelMask& lumen, const VoxelFill& fill, TracingProgress& progress)
 {
     const HoleFilter isHole = noiseHoles(fill);
@@ -173,7 +173,7 @@ Result<TreeOfLumen> unlessEmpty(Result<TreeOfLumen> traced, const Error& reason)
     return traced && traced.value().vessels.tree.branches.empty() ? Result<TreeOfLumen>(reason) : std::move(traced);
 }
 
-/// Whether the axes of the sufficiently wide branches are opacified; the axes of bone shells, of marrow and between
+/// Returns whether the axes of the sufficiently wide branches are opacified; axes of bone shells, in marrow and between
 /// organs are not.
 bool isOpacified(const VesselTree& tree, const AxisOrder& order, const VoxelFill& fill)
 {
@@ -204,7 +204,7 @@ TracedVessels startedBy(TracedVessels vessels, const ChosenLumen& lumen, const s
     return vessels;
 }
 
-/// Adds the threshold and warnings about the scan's values and its other great vessels.
+/// Adds the threshold, and warnings about the units of the scan and other great vessels.
 void tellOfScan(TracedVessels& vessels, const ChosenLumen& lumen, const std::vector<GreatVessel>& great,
                 const BloodLevel& level)
 {

@@ -12,10 +12,10 @@ namespace angiopose::core {
 
 /// Traces the opacified vessels of a CT angiogram: threshold or seeded growth, removal of bone and table, thinning,
 /// tree of smooth centerlines with radii. Without seeds, traces the vessel most like an aorta (see `Trunk::worth`), or
-/// else the largest connected component; a warning states which. Fails for an empty or flat volume, for seeds outside
-/// the lumen, and if nothing looks like a vessel (the axes of that component contain no blood); for `tubesOnly` see
-/// `traceTubes`. Returns as stopped, without a result, if the observer requests it. Needs at most twice the volume's
-/// own memory in addition.
+/// else the largest connected component; a warning states which. Fails for an empty or uniform volume, for seeds
+/// outside the lumen, and if nothing looks like a vessel (the axes of that component are not opacified); for
+/// `tubesOnly`, see `traceTubes`. Returns as stopped, without a result, if the observer requests it. Needs up to twice
+/// the memory of the volume in addition.
 Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOptions& options = {},
                                    const TracingObserver& observe = {});
 
@@ -24,7 +24,7 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
 Result<TracedVessels> traceMask(const VoxelMask& mask, const VesselTracingOptions& options = {},
                                 const TracingObserver& observe = {});
 
-/// Traces the vessels of a label image that have one of `labels`; if empty, any label.
+/// Traces the vessels of a label image that have one of `labels`, or any label if `labels` is empty.
 Result<TracedVessels> traceLabels(const LabelVolume& image, const std::vector<int>& labels,
                                   const VesselTracingOptions& options = {}, const TracingObserver& observe = {});
 

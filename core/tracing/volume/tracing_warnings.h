@@ -14,11 +14,11 @@ namespace angiopose::core {
 Message loopWarning(int loops);
 Message gapWarning(const ClosedGaps& gaps);
 Message coverWarning(const SkeletonCover& cover);
-Message unitWarning();   ///< the values may not be Hounsfield units
-Message dimWarning(int parts);   ///< parts that were left out
+Message unitWarning();   ///< warns that the values may not be Hounsfield units
+Message dimWarning(int parts);   ///< `parts`: number of excluded parts
 Message besideWarning(const OtherLumen& other);
 /// Position of the other lumen that one of these warnings reports; nothing if none does.
 std::optional<Eigen::Vector3d> otherLumenOf(const Messages& warnings);
-Message startWarning(const std::optional<Eigen::Vector3d>& foundStart);   ///< where it started without a seed
+Message startWarning(const std::optional<Eigen::Vector3d>& foundStart);   ///< where tracing started without a seed
 
 }   // namespace angiopose::core

@@ -9,11 +9,11 @@
 namespace angiopose::core {
 namespace {
 
-constexpr float hidden = 0.98F;   // opacity above which anything behind is invisible
-constexpr float ambient = 0.30F;   // ambient light
+constexpr float hidden = 0.98F;   // opacity above which everything behind is treated as invisible
+constexpr float ambient = 0.30F;   // fraction of ambient light
 constexpr float flatGradient = 1e-3F;
 
-/// Opacity and color of every stored value, for one ray step.
+/// Lookup tables of opacity and color for every stored value and one ray step.
 class Tones {
 public:
     Tones(const PreparedVolume& scan, const ScanLook& look, double stepMm)
@@ -71,7 +71,7 @@ private:
     Rgb bone_{};
 };
 
-/// Samples the voxels around a position.
+/// Interpolates the voxels around a position.
 class Probe {
 public:
     explicit Probe(const PreparedVolume& scan)
@@ -106,7 +106,7 @@ public:
         return kinds_[nearest.x() + nearest.y() * row_ + nearest.z() * slice_];
     }
 
-    /// Gradient per mm, along the axes of the scan.
+    /// Returns the gradient per mm, along the axes of the scan.
     Eigen::Vector3f gradient(const Eigen::Array3f& at) const
     {
         Eigen::Vector3f slope;
@@ -128,7 +128,7 @@ private:
     Eigen::Array3f spacing_;
 };
 
-/// The part of a line inside the scan or one of its blocks; lengths in mm along the line.
+/// The part of a ray inside the scan or one of its blocks, in mm along the ray.
 struct Stretch {
     float from = 0.0F;
     float to = 0.0F;
@@ -188,7 +188,7 @@ private:
         const Stretch inside = within(start, perMm_, Eigen::Array3f::Zero(), rim_);
         Rgb color{};
         float opacity = 0.0F;
-        // All rays sample at whole steps from a common plane, which keeps surfaces smooth between neighbors.
+        // All rays sample at whole steps from a common plane, which keeps surfaces smooth from pixel to pixel.
         for (float t = std::ceil(inside.from / stepMm_) * stepMm_; t <= inside.to && opacity < hidden;) {
             const Eigen::Array3f at = (start + t * perMm_).max(0.0F).min(rim_);
             const float leap = beyondEmptyBlock(at);
@@ -224,7 +224,7 @@ private:
         opacity += here;
     }
 
-    /// Returns the distance to the end of the block if the block is invisible; otherwise 0.
+    /// Returns the distance to the end of the block if nothing in the block is visible; otherwise 0.
     float beyondEmptyBlock(const Eigen::Array3f& at) const
     {
         const Eigen::Array3i block =
@@ -243,8 +243,8 @@ private:
     Tones tones_;
     Probe probe_;
     Eigen::Affine3d toVoxel_;
-    Eigen::Array3f perMm_;   // voxels per mm along the line of sight
-    Eigen::Vector3f light_;   // toward the viewer, along the axes of the scan
+    Eigen::Array3f perMm_;   // voxels per mm along the ray
+    Eigen::Vector3f light_;   // direction toward the viewer, along the axes of the scan
     Eigen::Array3f rim_;
     std::vector<std::uint8_t> isSeen_;
 };

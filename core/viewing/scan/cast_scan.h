@@ -9,9 +9,9 @@
 
 namespace angiopose::core {
 
-/// A parallel projection: all lines of sight are parallel.
+/// A parallel projection of the scan.
 struct ParallelSight {
-    Eigen::Vector3d centerInPatient = Eigen::Vector3d::Zero();   ///< shown in the center of the image
+    Eigen::Vector3d centerInPatient = Eigen::Vector3d::Zero();   ///< point in the center of the image
     Eigen::Vector3d right = Eigen::Vector3d::UnitX();
     Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
     double mmPerPx = 1.0;
@@ -19,7 +19,7 @@ struct ParallelSight {
     int height = 0;
 
     Eigen::Vector3d toViewer() const { return right.cross(up); }
-    /// Whether it defines a position; the view of a window that cannot draw does not.
+    /// Whether the projection is defined; false while a window cannot draw.
     bool isPlaced() const
     {
         return centerInPatient.allFinite() && right.allFinite() && up.allFinite() && toViewer().norm() > 0.0 &&
@@ -30,9 +30,9 @@ struct ParallelSight {
 
 using Rgba = std::array<std::uint8_t, 4>;
 
-/// Renders the scan: bottom row first, colors premultiplied by opacity. A headlight shades the surfaces. `stepShare` is
-/// the sampling step as a fraction of the shortest voxel side. Empty for a sight without a position. Returns nothing if
-/// `shouldContinue` returns false.
+/// Renders the scan with a headlight that shades the surfaces. The image has its bottom row first and colors
+/// premultiplied by opacity; it is empty if `isPlaced` is false. `stepShare` is the sampling step as a fraction of the
+/// shortest voxel side. Returns nothing if `shouldContinue` returns false.
 std::optional<Image2d<Rgba>> castScan(const PreparedVolume& scan, const ScanLook& look, const ParallelSight& sight,
                                       double stepShare, const std::function<bool()>& shouldContinue);
 

@@ -18,7 +18,7 @@ constexpr double wallShare = 1.3;   // factor on the radius: a vessel's blurred 
 constexpr double wallMm = 1.5;
 constexpr double unknownRadiusMm = 1.5;
 
-/// Converts the mask to displayable values.
+/// Converts the mask to values for rendering.
 Volume valuesOf(const VoxelMask& mask)
 {
     Volume values(mask.geometry);
@@ -43,7 +43,7 @@ void smooth(Volume& values)
     }
 }
 
-/// Copies the mask's values to the nearest voxels of the reduced scan, for any two grids.
+/// Copies the values of the mask to the nearest voxels of the reduced scan; the grids may differ.
 void markMask(const VoxelMask& mask, const VolumeGeometry& grid, std::vector<std::uint8_t>& kinds)
 {
     const Eigen::Affine3d gridFromMask = grid.patientFromVoxel().inverse() * mask.geometry.patientFromVoxel();
@@ -78,7 +78,7 @@ void markTree(const VesselTree& tree, const VolumeGeometry& grid, std::vector<st
     kinds = std::move(mask.voxels);
 }
 
-/// Extends the vessels to adjacent voxels, which contain their blurred walls.
+/// Extends the vessels to adjacent voxels, which contain the blurred vessel walls.
 void widen(const VolumeGeometry& grid, std::vector<std::uint8_t>& kinds)
 {
     const std::array<std::size_t, 3> strides{1, grid.index(0, 1, 0), grid.index(0, 0, 1)};
@@ -97,7 +97,7 @@ PreparedVolume::Block blockAt(const PreparedVolume& scan, const Eigen::Vector3i&
 {
     const VolumeGeometry& grid = scan.volume.geometry;
     const Eigen::Vector3i last =
-        (first.array() + seenBlockSide).min(grid.size.array() - 1);   // one more voxel, for interpolation
+        (first.array() + seenBlockSide).min(grid.size.array() - 1);   // includes one more voxel, for interpolation
     PreparedVolume::Block block;
     block.low = block.high = scan.volume.at(first.x(), first.y(), first.z());
     for (int k = first.z(); k <= last.z(); ++k) {
@@ -136,7 +136,7 @@ constexpr double bonePerMm = 0.45;
 constexpr double tissuePerMm = 0.02;
 constexpr double brightShare = 0.985;   // quantile above which voxels count as vessels if nothing else is known
 constexpr double brightestShare = 0.998;
-constexpr double weakest = 0.04;   // factor on the opacities at strength 0
+constexpr double weakest = 0.04;   // factor on all opacities at strength 0
 
 double strengthFactor(double strength)
 {
@@ -225,7 +225,7 @@ ScanLook lookOf(const IntensityLevels& levels, const ScanRequest& request, bool 
     if (request.preset == ScanPreset::VesselsAndBone) {
         look.rest = levels.isHu ? Opacity{levels.wall, levels.blood, bonePerMm * factor}
                                 : Opacity{levels.tissue, levels.wall, tissuePerMm * factor};
-    } else if (!hasKinds) {   // shows everything as bright as blood
+    } else if (!hasKinds) {   // shows everything as bright as the contrast-enhanced lumen
         look.rest = look.vessels;
         look.soft = request.kinds.empty() ? request.soft : request.kinds.front();
     }

@@ -13,19 +13,19 @@
 
 namespace angiopose::core {
 
-/// Input for a scan prepared for volume rendering.
+/// Input from which a scan is prepared for volume rendering.
 struct VolumeToPrepare {
-    std::shared_ptr<const Volume> scan;   ///< null: only the mask is shown
-    std::shared_ptr<const VoxelMask> mask;   ///< the lumen (1), or labels by their index (1, 2, …); or null
-    std::shared_ptr<const VesselTree> tree;   ///< locates the vessels if there is no mask; or null
+    std::shared_ptr<const Volume> scan;   ///< null to show only the mask
+    std::shared_ptr<const VoxelMask> mask;   ///< lumen (1), or labels by their index (1, 2, …); may be null
+    std::shared_ptr<const VesselTree> tree;   ///< locates the vessels if there is no mask; may be null
     std::optional<Eigen::AlignedBox3d> boxInPatient{};   ///< restricts the scan to this box
-    std::size_t maxVoxels = 8'000'000;   ///< the scan is reduced to this number
+    std::size_t maxVoxels = 8'000'000;   ///< maximum size to which the scan is reduced
 };
 
-/// A reduced scan with its vessel voxels marked, ready for `castScan`. Three bytes per voxel.
+/// A reduced scan with its vessel voxels marked, ready for `castScan`. Uses three bytes per voxel.
 struct PreparedVolume {
-    Volume volume;   ///< for a mask alone: `maskValue` inside, 0 outside
-    std::vector<std::uint8_t> kinds;   ///< per voxel: 0 for the rest of the body, otherwise the mask's value
+    Volume volume;   ///< without a scan: `maskValue` inside the mask, 0 outside
+    std::vector<std::uint8_t> kinds;   ///< one per voxel: the value of the mask, or 0 for the rest of the body
     bool hasKinds = false;   ///< whether the location of the vessels is known
 
     /// Minimum and maximum value in a block of voxels, including the voxels used for interpolation; rays skip blocks in
@@ -47,12 +47,12 @@ inline constexpr std::int16_t maskValue = 1000;
 std::optional<PreparedVolume> preparedVolume(const VolumeToPrepare& request,
                                              const std::function<bool()>& shouldContinue);
 
-/// sRGB, 0…1.
+/// sRGB color, components 0…1.
 using Rgb = std::array<float, 3>;
 
-/// Opacity ramp: zero below `from`, `perMm` from `full` on, linear in between.
+/// Opacity ramp: zero up to `from`, `perMm` above `full`, linear in between.
 struct Opacity {
-    double from = 0.0;   ///< in the scan's values (HU)
+    double from = 0.0;   ///< in units of the scan (HU)
     double full = 1.0;
     double perMm = 0.0;
 
@@ -67,17 +67,17 @@ struct ScanLook {
     double brightFrom = 0.0;   ///< value at which other voxels reach `bone`; they start with `soft` at `rest.from`
     Rgb soft{};
     Rgb bone{};
-    std::vector<Rgb> kinds;   ///< colors of vessels, or of labels 1, 2, …; the last color applies to all further labels
+    std::vector<Rgb> kinds;   ///< colors of the vessels, or of labels 1, 2, …; further labels use the last color
 
     bool operator==(const ScanLook&) const = default;
 };
 
 enum class ScanPreset { Vessels, VesselsAndBone };
 
-/// Parameters of a preset besides the scan.
+/// Parameters of the appearance that do not depend on the scan.
 struct ScanRequest {
     ScanPreset preset = ScanPreset::Vessels;
-    double strength = 0.5;   ///< 0…1, scales all opacities
+    double strength = 0.5;   ///< 0…1; scales all opacities
     Rgb soft{};
     Rgb bone{};
     std::vector<Rgb> kinds;
@@ -85,10 +85,10 @@ struct ScanRequest {
     bool operator==(const ScanRequest&) const = default;
 };
 
-/// Estimated levels of tissue and blood in a scan, for display only.
+/// Estimated intensities of tissue and contrast-enhanced lumen in a scan, for display only.
 struct IntensityLevels {
     double tissue = 0.0;
-    double wall = 200.0;   ///< halfway from tissue to blood
+    double wall = 200.0;   ///< halfway between tissue and lumen
     double blood = 400.0;
     bool isHu = false;
 };

@@ -83,7 +83,7 @@ void prepareNetwork(int answerSeconds)
 
 core::Status resolveHost(const ArchiveNode& node, const StopQuestion& isStopRequested)
 {
-    // A lookup without a network may take half a minute, so it runs in a detached thread.
+    // Without a network, name resolution may block for half a minute, so it runs in a detached thread.
     auto promise = std::make_shared<std::promise<bool>>();
     auto isKnown = promise->get_future();
     std::thread([promise, host = node.host] {

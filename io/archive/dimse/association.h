@@ -18,22 +18,22 @@ struct T_ASC_Network;
 
 namespace angiopose::io {
 
-/// Called about once a second while waiting and for every piece sent or received; returns true to abort.
+/// Called about once a second while waiting and for every fragment sent or received; returns true to abort.
 using StopQuestion = std::function<bool()>;
 
-/// Returns whether there was activity elsewhere since the last call; activity extends the timeout.
+/// Returns whether there was activity on another association since the last call; activity extends the timeout.
 using LifeQuestion = std::function<bool()>;
 
 /// Timeout for establishing a connection, s.
 inline constexpr int connectSeconds = 5;
 
-/// Configures DCMTK's process-wide settings: no logging, and timeouts of at least `answerSeconds`.
+/// Configures DCMTK's process-wide settings: disables logging and sets timeouts of at least `answerSeconds`.
 void prepareNetwork(int answerSeconds);
 
-/// Resolves the node's host name; fails if that does not succeed within `connectSeconds`.
+/// Resolves the node's host name; fails if resolution takes longer than `connectSeconds`.
 core::Status resolveHost(const ArchiveNode& node, const StopQuestion& isStopRequested);
 
-/// A presentation context to propose: a service or SOP class, with the transfer syntaxes to offer.
+/// Presentation context to propose: an abstract syntax (service or SOP class) with its transfer syntaxes.
 struct ProposedContext {
     std::string abstractSyntax;
     std::vector<std::string> transferSyntaxes;
@@ -51,7 +51,7 @@ struct DataValue {
     enum class Kind { Command, DataSet };
     Kind kind = Kind::Command;
     std::uint8_t context = 0;
-    std::string_view bytes;   ///< after a read, valid until the next read
+    std::string_view bytes;   ///< after a read, valid only until the next read
     bool isLast = false;
 };
 
@@ -59,11 +59,10 @@ struct DataValue {
 /// the association unless it was released.
 class Association {
 public:
-    /// Requests an association with the node.
     static core::Result<std::unique_ptr<Association>> request(const ArchiveNode& node,
                                                               const std::vector<ProposedContext>& contexts,
                                                               StopQuestion isStopRequested);
-    /// Wraps an association that a peer requested and that is already acknowledged.
+    /// Wraps an incoming association that is already acknowledged.
     Association(T_ASC_Association* accepted, const ArchiveNode& peer, StopQuestion isStopRequested);
 
     Association(const Association&) = delete;
@@ -72,11 +71,11 @@ public:
 
     const ArchiveNode& node() const { return node_; }
     const std::vector<AcceptedContext>& contexts() const { return contexts_; }
-    std::size_t maxPieceBytes() const;   ///< the largest fragment that the peer accepts, bytes
+    std::size_t maxPieceBytes() const;   ///< maximum fragment size that the peer accepts, bytes
     bool isStopRequested() const { return isStopRequested_(); }
 
     core::Status write(const DataValue& value);
-    /// Reads the next fragment. Returns nothing if the peer requested a release instead, which is then confirmed.
+    /// Reads the next fragment. If the peer requests a release instead, confirms the release and returns nothing.
     core::Result<std::optional<DataValue>> read(const LifeQuestion& isAlive = {});
 
     /// Releases the association; nothing can be sent afterwards.

@@ -3,7 +3,7 @@
 #include "io/messages/messages.h"
 
 #include <dcmtk/config/osconfig.h>
-// DCMTK headers come first because of their macros.
+// DCMTK headers must come first because of their macros.
 #include <dcmtk/dcmnet/assoc.h>
 #include <dcmtk/dcmnet/cond.h>
 #include <string>
@@ -17,7 +17,7 @@ core::Quantity seconds(int count)
     return {static_cast<double>(count), 0, "s"};
 }
 
-/// Returns the text after the last colon of DCMTK's message, which is the system's own error text.
+/// Returns the part of DCMTK's message after the last colon: the error text of the operating system.
 std::string lastPart(const OFCondition& condition)
 {
     const std::string_view text = condition.text();

@@ -8,16 +8,16 @@ struct T_ASC_Parameters;
 
 namespace angiopose::io {
 
-/// Explains why no association could be established, and what to do.
+/// Explains why the association could not be established and how to fix the problem.
 core::Error requestFailure(const OFCondition& condition, T_ASC_Parameters* parameters, const ArchiveNode& node);
 
 /// Explains why an established association ended unexpectedly.
 core::Error associationFailure(const OFCondition& condition, const ArchiveNode& node);
 
-/// The error for an association that the user canceled.
+/// Returns the error for an association that the user canceled.
 core::Error stoppedAssociation(const ArchiveNode& node);
 
-/// Whether the connection is already closed, which makes an abort message pointless.
+/// Whether the connection is already closed, so that sending an abort is pointless.
 bool isConnectionGone(const OFCondition& condition);
 
 }   // namespace angiopose::io

@@ -36,7 +36,7 @@ public:
     void setHasData() { setNumber(dataSetType, 0x0001); }
 
     std::optional<std::uint16_t> number(std::uint16_t element) const;
-    std::string text(std::uint16_t element) const;   ///< without padding
+    std::string text(std::uint16_t element) const;   ///< value without padding
     DimseKind kind() const { return static_cast<DimseKind>(number(commandField).value_or(0)); }
     std::uint16_t status() const { return number(statusField).value_or(0xffff); }
     bool hasData() const { return number(dataSetType).value_or(noData) != noData; }
@@ -44,7 +44,7 @@ public:
     /// Encodes the command set as implicit VR little endian with its group length (PS3.7 6.3.1).
     std::string encoded() const;
 
-    /// Decodes a command set; returns nothing if the bytes are not one.
+    /// Decodes a command set; returns nothing if the bytes are not a command set.
     static std::optional<DimseCommand> decode(std::string_view bytes);
 
     // Elements of group 0000.
@@ -69,7 +69,7 @@ private:
     static std::string littleEndian(std::uint16_t value);
     void setBytes(std::uint16_t element, std::string value) { values_[element] = std::move(value); }
 
-    std::map<std::uint16_t, std::string> values_;   ///< padded values by element
+    std::map<std::uint16_t, std::string> values_;   ///< padded values, keyed by element number
 };
 
 /// Response status codes (PS3.7 C, PS3.4 B.2.3, C.4).

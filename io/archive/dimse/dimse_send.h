@@ -11,13 +11,13 @@
 
 namespace angiopose::io {
 
-/// Sends files by C-STORE, each in its own transfer syntax and byte for byte as stored. Counts results in `report`;
-/// sets its `end` if sending stops early.
+/// Sends files by C-STORE, byte for byte as stored, each in its own transfer syntax. Counts the results in `report` and
+/// sets `report.end` if sending stops early.
 void dimseSend(const ArchiveNode& node, const std::vector<SendableFile>& files, const ArchiveObserver& observe,
                TransferReport& report);
 
-/// Creates a source that retrieves objects by C-GET or, if the archive does not offer it, by C-MOVE to our receiving
-/// port.
+/// Creates a source that retrieves objects by C-GET or, if the archive does not support C-GET, by C-MOVE to our
+/// receiving port.
 std::unique_ptr<SeriesSource> makeDimseSource(const ArchiveNode& node, const StopQuestion& isStopRequested);
 
 }   // namespace angiopose::io

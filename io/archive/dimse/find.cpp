@@ -17,7 +17,7 @@ constexpr DicomTag studyUidTag = 0x0020000d;
 constexpr DicomTag seriesUidTag = 0x0020000e;
 struct Answers {
     std::vector<DicomDataset> sets;
-    bool isCut = false;   ///< truncated: more answers exist, and the association can no longer be used
+    bool isCut = false;   ///< truncated: the archive has more matches, and the association can no longer be used
 };
 
 core::Result<Answers> ask(DimseLink& link, const ArchiveNode& node, const Keys& keys, std::size_t most)
@@ -115,7 +115,7 @@ ArchiveMatch seriesMatch(ArchiveMatch match, const DicomDataset& data)
     return match;
 }
 
-/// Replaces the studies by their series; fails on the first study that cannot be queried.
+/// Replaces each study by its series; fails on the first study that cannot be queried.
 core::Status intoSeries(DimseLink& link, const ArchiveNode& node, const ArchiveQuery& query, ArchiveMatches& matches)
 {
     std::vector<ArchiveMatch> series;

@@ -8,10 +8,10 @@
 
 namespace angiopose::io {
 
-/// Verifies by C-ECHO that the archive responds to its AE title.
+/// Verifies by C-ECHO that the archive responds to its configured AE title.
 core::Status dimseEcho(const ArchiveNode& node, const StopQuestion& isStopRequested);
 
-/// Queries by C-FIND with the Study Root model.
+/// Queries studies and series by C-FIND (Study Root model).
 core::Result<ArchiveMatches> dimseFind(const ArchiveNode& node, const ArchiveQuery& query,
                                        const StopQuestion& isStopRequested);
 

@@ -17,7 +17,7 @@ std::string seriesIdentifier(const SeriesRequest& series)
     return encodedIdentifier({{0x00080052, "SERIES"}, {0x0020000d, series.studyUid}, {0x0020000e, series.seriesUid}});
 }
 
-/// Fails unless the final response reports success or partial failure; missing objects are reported separately.
+/// Fails unless the final response reports full or partial success; missing objects are reported separately.
 core::Status settleRetrieval(const ArchiveNode& node, const std::string& service, const DimseCommand& answer)
 {
     const std::uint16_t status = answer.status();
@@ -32,7 +32,7 @@ bool isPending(const DimseCommand& answer)
     return answer.status() == dimse::pending;
 }
 
-/// Receives objects and responses until the final response.
+/// Receives objects and pending responses until the final response arrives.
 core::Status takeAll(DimseLink& link, const ArchiveNode& node, const SeriesRequest& series, Arrivals& arrivals)
 {
     const ExpectedObject expected{series.studyUid, series.seriesUid, {}};
@@ -65,7 +65,7 @@ core::Status takeAll(DimseLink& link, const ArchiveNode& node, const SeriesReque
     }
 }
 
-/// Serves the receiving port in a thread while the retrieval is requested on another association.
+/// Runs the storage SCP on the receiving port in its own thread while C-MOVE is requested on another association.
 class ReceivingThread {
 public:
     ReceivingThread(Receiver& receiver, Arrivals& arrivals)

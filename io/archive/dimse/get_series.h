@@ -11,12 +11,12 @@ struct SeriesRequest {
     const std::vector<ArchiveObject>& objects;
 };
 
-/// Retrieves a series by C-GET, with the objects on the same association. Returns nothing if the archive does not offer
-/// C-GET.
+/// Retrieves a series by C-GET; the objects arrive on the same association. Returns nothing if the archive does not
+/// support C-GET.
 core::Result<std::optional<core::Done>> getSeries(const ArchiveNode& node, const SeriesRequest& request,
                                                   Arrivals& arrivals);
 
-/// Retrieves a series by C-MOVE, with the objects on associations that the archive opens to our receiving port.
+/// Retrieves a series by C-MOVE; the archive opens associations to our receiving port to deliver the objects.
 core::Status moveSeries(const ArchiveNode& node, const SeriesRequest& request, Arrivals& arrivals);
 
 }   // namespace angiopose::io

@@ -18,10 +18,10 @@ class DimseLink {
 public:
     static core::Result<DimseLink> open(const ArchiveNode& node, const std::vector<ProposedContext>& contexts,
                                         StopQuestion isStopRequested);
-    /// Wraps an association that a peer requested and that is already acknowledged.
+    /// Wraps an incoming association that is already acknowledged.
     static DimseLink accepted(T_ASC_Association* association, const ArchiveNode& peer, StopQuestion isStopRequested);
 
-    /// Returns the accepted presentation context of a service or object encoding; nothing if the archive rejected it.
+    /// Returns the accepted presentation context for a service or SOP class; nothing if the archive rejected it.
     std::optional<AcceptedContext> contextFor(const std::string& abstractSyntax,
                                               const std::string& transferSyntax = {}) const;
     std::optional<AcceptedContext> contextOf(std::uint8_t id) const;
@@ -29,7 +29,7 @@ public:
     core::Status send(std::uint8_t context, const DimseCommand& command);
     core::Status sendData(std::uint8_t context, std::string_view data);
 
-    /// A fragment of a data set, and whether it is the last one.
+    /// Fragment of a data set, with a flag for the last fragment.
     struct Piece {
         std::string_view bytes;
         bool isLast = false;
@@ -41,12 +41,12 @@ public:
         DimseCommand command;
         std::uint8_t context = 0;
     };
-    /// Receives the next command. Returns nothing if the peer requested a release instead, which is then confirmed.
+    /// Receives the next command. If the peer requests a release instead, confirms the release and returns nothing.
     core::Result<std::optional<Received>> receive(const LifeQuestion& isAlive = {});
 
     using PieceSink = std::function<core::Status(std::string_view)>;
     core::Status receivePieces(const PieceSink& take);
-    core::Result<std::string> receiveData();   ///< the whole data set of a response, which is small
+    core::Result<std::string> receiveData();   ///< complete data set of a response; only for small data sets
 
     /// Releases the association; nothing can be sent afterwards.
     void release();

@@ -6,7 +6,7 @@
 #include "io/messages/messages.h"
 
 #include <dcmtk/config/osconfig.h>
-// DCMTK headers come first because of their macros.
+// DCMTK headers must come first because of their macros.
 #include <dcmtk/dcmnet/assoc.h>
 #include <dcmtk/dcmnet/dul.h>
 #include <algorithm>
@@ -82,7 +82,7 @@ void answerContexts(T_ASC_Association* association)
     }
 }
 
-/// Whether an error concerns the store itself, not a single peer, and therefore ends the service.
+/// Whether an error concerns the store rather than a single peer and therefore stops the storage SCP.
 bool isOurs(const core::Error& error)
 {
     const core::Message& message = error.message;
@@ -133,7 +133,7 @@ core::Status Receiver::Parts::begin()
     return core::Done{};
 }
 
-/// Returns the next association if its caller is permitted; nothing if none arrives within a second.
+/// Accepts the next association if its caller is permitted; returns nothing if none arrives within a second.
 std::optional<DimseLink> Receiver::Parts::welcome(Arrivals& arrivals, const StopQuestion& isStopRequested)
 {
     if (!ASC_associationWaiting(network, 1)) {

@@ -11,22 +11,22 @@
 
 namespace angiopose::io {
 
-/// Settings of the storage SCP: the port, and which peers may push objects.
+/// Settings of the storage SCP: port, TLS, and the peers that may push objects.
 struct ReceiverOptions {
     int port = 11112;
-    std::string ownTitle = "ANGIOPOSE";   ///< called AE title that we require; empty: any
-    std::vector<std::string> titles;   ///< permitted calling AE titles; empty: any
-    std::vector<std::string> hosts;   ///< permitted addresses; empty: any
+    std::string ownTitle = "ANGIOPOSE";   ///< required called AE title; if empty, any title is accepted
+    std::vector<std::string> titles;   ///< permitted calling AE titles; if empty, any title
+    std::vector<std::string> hosts;   ///< permitted host addresses; if empty, any address
     bool isTls = false;
     TlsFiles tls;
-    ExpectedObject expected;   ///< accepts only objects of this study and series; empty: any
+    ExpectedObject expected;   ///< study and series whose objects are accepted; empty identifiers match any
     int answerSeconds = 30;   ///< idle timeout of an association, s
 };
 
 /// Fails if an AE title is invalid or the TLS files are missing.
 core::Status checkReceiver(const ReceiverOptions& options);
 
-/// Storage SCP that also answers C-ECHO. Serves one association at a time; others wait.
+/// Storage SCP that also answers C-ECHO. Serves one association at a time; other callers wait.
 class Receiver {
 public:
     /// Opens the port; fails if an AE title is invalid, the port is in use, or TLS files are missing or unusable.
@@ -36,8 +36,8 @@ public:
     Receiver& operator=(Receiver&&) = delete;
     ~Receiver();
 
-    /// Receives objects until stopped, or until nothing more can be stored; `failure` then gives the reason. Failures
-    /// of single associations and objects go to the report.
+    /// Receives objects until canceled or until no more objects can be stored; `failure` then gives the reason. The
+    /// report lists failures of single associations and objects.
     void serve(Arrivals& arrivals, const StopQuestion& isStopRequested);
     const std::optional<core::Error>& failure() const;
 

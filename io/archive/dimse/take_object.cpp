@@ -9,7 +9,7 @@
 namespace angiopose::io {
 namespace {
 
-/// The file header in front of an object's data set (PS3.10 7.1).
+/// File header to write before an object's data set (PS3.10 7.1).
 struct FileHeader {
     std::string sopClass;
     std::string sopInstance;
@@ -105,7 +105,7 @@ core::Status takeObject(DimseLink& link, const DimseLink::Received& request, con
     }
     const auto fate = arrivals.take(std::move(incoming), object);
     if (!fate) {
-        // Report the reason to the peer before the association ends.
+        // Report the failure to the peer before the association ends.
         (void)link.send(request.context, request.command.response(dimse::outOfResources));
         return fate.error();
     }

@@ -3,7 +3,7 @@
 #include "io/messages/messages.h"
 
 #include <dcmtk/config/osconfig.h>
-// DCMTK headers come first because of their macros.
+// DCMTK headers must come first because of their macros.
 #include <dcmtk/dcmtls/tlslayer.h>
 #include <openssl/ssl.h>
 #include <openssl/x509v3.h>

@@ -12,9 +12,9 @@ namespace angiopose::io {
 
 enum class TlsRole { Asks, IsAsked };
 
-/// PEM files of one side of a TLS connection.
+/// PEM files for one end of a TLS connection.
 struct TlsFiles {
-    std::string caFile;   ///< empty: the system's certificate authorities
+    std::string caFile;   ///< if empty, the system's certificate authorities
     std::string certificateFile;
     std::string keyFile;
 };
@@ -24,11 +24,11 @@ struct DeleteTransportLayer {
 };
 using TransportLayer = std::unique_ptr<DcmTransportLayer, DeleteTransportLayer>;
 
-/// Creates a TLS layer according to BCP 195 (PS3.15 B.9), which requires valid certificates of both sides. Fails,
-/// naming the file, if one is unusable.
+/// Creates a TLS layer that conforms to BCP 195 (PS3.15 B.9) and requires valid certificates from both peers. If a file
+/// is unusable, fails and names the file.
 core::Result<TransportLayer> makeTlsLayer(const TlsFiles& files, TlsRole role);
 
-/// Whether a certificate (DER) was issued for the host.
+/// Whether a certificate (DER) was issued for `host`.
 bool isCertificateOf(std::string_view certificate, const std::string& host);
 
 }   // namespace angiopose::io

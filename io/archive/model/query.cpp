@@ -15,7 +15,7 @@ bool isDigit(char c)
     return c >= '0' && c <= '9';
 }
 
-/// Normalizes "2024-01-31" or "20240131" to the latter; empty for anything else.
+/// Converts "2024-01-31" to "20240131" and keeps "20240131"; returns an empty string for anything else.
 std::string plainDate(std::string text)
 {
     if (text.size() == 10 && text[4] == '-' && text[7] == '-') {
@@ -28,7 +28,7 @@ std::string plainDate(std::string text)
     return month >= 1 && month <= 12 && day >= 1 && day <= 31 ? text : std::string();
 }
 
-/// Whether one of the backslash-separated values is `wanted`.
+/// Whether one of the backslash-separated values equals `wanted`.
 bool hasValue(const std::string& values, const std::string& wanted)
 {
     return ("\\" + values + "\\").find("\\" + wanted + "\\") != std::string::npos;

@@ -11,16 +11,16 @@
 
 namespace angiopose::io {
 
-/// The size limit of a store, and what happens when it is reached.
+/// Size limit of a store, and the policy when the limit is reached.
 struct StoreLimit {
     enum class WhenFull { DropOldest, Refuse };
 
-    std::uint64_t maxBytes = 0;   ///< 0: limited only by the disk
+    std::uint64_t maxBytes = 0;   ///< 0 if limited only by disk space
     WhenFull whenFull = WhenFull::DropOldest;
 };
 
-/// Puts received objects into a store: counts them, reports progress and enforces the store's limit. One thread may add
-/// objects while another queries the progress.
+/// Puts received objects into a store: counts the objects, reports progress and enforces the size limit. One thread may
+/// add objects while another queries the progress.
 class Arrivals {
 public:
     using Reported = std::function<void(const StoredObject&)>;
@@ -29,10 +29,10 @@ public:
 
     const ObjectStore& store() const { return *store_; }
 
-    /// Sets the callback for every object that is stored or already present.
+    /// Sets the callback for each object that has been stored or was already present.
     void tell(Reported reported) { reported_ = std::move(reported); }
 
-    /// Callback for every message of `warn` and `miss`, called immediately.
+    /// Callback that `warn` and `miss` invoke immediately with each message.
     using Heard = std::function<void(const core::Message&)>;
     void tellProblems(Heard heard) { heard_ = std::move(heard); }
 
@@ -40,18 +40,18 @@ public:
     void addKnown(std::size_t objects);
 
     core::Result<IncomingObject> begin() const { return store_->begin(); }
-    /// Writes a piece of an object and counts its bytes.
+    /// Writes a chunk of an object and counts the bytes.
     core::Status write(IncomingObject& object, std::string_view piece);
 
     enum class Fate { Kept, Differs, Refused };
-    /// Moves a complete object to its place in the store. Records problems of the object itself; fails only if nothing
-    /// more can be stored.
+    /// Moves a complete object to its place in the store. Records problems of the object itself; fails only if no more
+    /// objects can be stored.
     core::Result<Fate> take(IncomingObject object, const ExpectedObject& expected);
 
     /// Records an expected object that did not arrive.
     void miss(const core::Message& why);
 
-    /// Records a warning that does not cost an object.
+    /// Records a warning; unlike `miss`, does not count a missing object.
     void warn(const core::Message& what);
 
     bool isStopRequested() const;
@@ -68,12 +68,12 @@ private:
     const ArchiveObserver* observe_;
     Reported reported_;
     Heard heard_;
-    std::atomic<std::uint64_t> bytes_ = 0;   ///< of complete and partial objects; read by another thread
-    std::uint64_t held_ = 0;   ///< bytes in the store
+    std::atomic<std::uint64_t> bytes_ = 0;   ///< bytes of complete and partial objects; read by another thread
+    std::uint64_t held_ = 0;   ///< total size of the store, bytes
     mutable std::mutex reporting_;   ///< protects the report
 };
 
-/// Access to the objects of an archive, independent of the protocol.
+/// Protocol-independent access to the objects of an archive.
 class SeriesSource {
 public:
     virtual ~SeriesSource() = default;
@@ -82,7 +82,7 @@ public:
     virtual core::Result<std::vector<ArchiveObject>> objectsOf(const std::string& studyUid,
                                                                const std::string& seriesUid) = 0;
 
-    /// Fetches all objects of a series into the store. Problems of single objects are recorded there.
+    /// Fetches all objects of a series into the store. `arrivals` records the problems of single objects.
     virtual core::Status fetch(const std::string& studyUid, const std::string& seriesUid,
                                const std::vector<ArchiveObject>& objects, Arrivals& arrivals) = 0;
 };

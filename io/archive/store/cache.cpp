@@ -27,7 +27,7 @@ std::vector<fs::path> entriesOf(const fs::path& folder)
     return entries;
 }
 
-/// Whether a file was created by the cache: `<uid>.dcm`.
+/// Whether the cache created the file: its name is `<uid>.dcm`.
 bool isObjectFile(const fs::path& path)
 {
     std::error_code failed;
@@ -68,7 +68,7 @@ CachedSeries seriesAt(const fs::path& folder)
     return series;
 }
 
-/// Deletes a series. Marks it as incomplete first, in case the deletion is interrupted.
+/// Deletes a series. Marks the series as incomplete first, in case the deletion is interrupted.
 std::size_t dropSeries(const fs::path& folder)
 {
     markSeriesBegun(folder.string());

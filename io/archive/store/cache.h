@@ -18,27 +18,27 @@ struct CachedSeries {
     std::size_t objects = 0;
     std::uint64_t bytes = 0;
     std::chrono::system_clock::time_point usedAt;
-    bool isWhole = true;   ///< false: the retrieval ended before all objects had arrived
+    bool isWhole = true;   ///< false if the retrieval ended before all objects had arrived
 };
 
-/// Lists the cached series, least recently used first. Ignores files that are not the cache's own.
+/// Lists the cached series, least recently used first. Ignores files that the cache did not create.
 std::vector<CachedSeries> cachedSeries(const std::string& root);
 
-/// Deletes the least recently used series until at most `maxBytes` remain, but never the one in the folder `kept`.
+/// Deletes the least recently used series, except the one in the folder `kept`, until at most `maxBytes` remain.
 /// Returns the remaining size, bytes.
 std::uint64_t shrinkCache(const std::string& root, std::uint64_t maxBytes, const std::string& kept = {});
 
-/// Deletes everything that the cache created and nothing else. Returns the number of deleted objects.
+/// Deletes everything that the cache created and no other files. Returns the number of deleted objects.
 core::Result<std::size_t> emptyCache(const std::string& root);
 
-/// Marks a series as in use, and as incomplete or complete.
+/// Marks a series as in use: the first function as incomplete, the second as complete.
 void markSeriesBegun(const std::string& folder);
 void markSeriesWhole(const std::string& folder);
 
-/// The user's cache folder: $XDG_CACHE_HOME/angiopose/archive, or the same path below ~/.cache.
+/// Path of the user's cache folder: $XDG_CACHE_HOME/angiopose/archive, or the same path below ~/.cache.
 std::string defaultCacheFolder();
 
 inline constexpr std::uint64_t defaultCacheBytes = 20'000'000'000;
-inline constexpr std::uint64_t defaultObjectBytes = 4'000'000'000;   ///< size limit of one object
+inline constexpr std::uint64_t defaultObjectBytes = 4'000'000'000;   ///< size limit of one object, bytes
 
 }   // namespace angiopose::io

@@ -36,7 +36,7 @@ std::string temporaryPathIn(const fs::path& folder)
     return path;
 }
 
-/// Creates a folder that only its owner can read, because it holds patient images.
+/// Creates a folder that only its owner can access, because it contains patient images.
 core::Status makePrivateFolder(const fs::path& path)
 {
     std::error_code failed;
@@ -93,7 +93,7 @@ private:
     fs::path path_;
 };
 
-/// Explains why a received object is not the expected one; nothing if it matches.
+/// Explains why a received object is not the expected one; returns nothing if it matches.
 std::optional<core::Message> mismatchOf(const core::StudyIdentity& came, const ExpectedObject& expected)
 {
     const bool isOther = (!expected.studyUid.empty() && came.studyUid != expected.studyUid) ||

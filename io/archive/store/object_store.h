@@ -11,7 +11,7 @@
 
 namespace angiopose::io {
 
-/// The identifiers expected of a received object; empty ones match anything.
+/// Expected identifiers of a received object; empty identifiers match any.
 struct ExpectedObject {
     std::string studyUid;
     std::string seriesUid;
@@ -22,17 +22,17 @@ struct ExpectedObject {
 struct StoredObject {
     enum class Kind {
         New,
-        Duplicate,   ///< identical content was already there
-        Conflict   ///< a different object of the same UID is there and is not replaced
+        Duplicate,   ///< an object with identical content was already in the store
+        Conflict   ///< a different object with the same UID is in the store and is not replaced
     };
 
     Kind kind = Kind::New;
     std::string path;
-    std::string folder;   ///< folder of its series
+    std::string folder;   ///< folder of the object's series
     std::uint64_t bytes = 0;
 };
 
-/// An object during reception, under a temporary name; deleted unless `finish` succeeds.
+/// Object while it is being received, in a temporary file that is deleted unless `finish` succeeds.
 class IncomingObject {
 public:
     /// Creates a temporary file below `root`, the store's folder.
@@ -45,8 +45,8 @@ public:
     core::Status write(std::string_view bytes);
     bool isTooLarge() const { return isTooLarge_; }
 
-    /// Reads the object's header and moves the file to its place. Fails if it is not a DICOM object or not the expected
-    /// one.
+    /// Reads the object's header and moves the file to its place in the store. Fails if the file is not a DICOM object
+    /// or not the expected one.
     core::Result<StoredObject> finish(const ExpectedObject& expected) &&;
 
 private:
@@ -60,10 +60,10 @@ private:
     bool isTooLarge_ = false;
 };
 
-/// A folder of complete DICOM files by study, series and object UID.
+/// Folder of complete DICOM files, arranged by study, series and instance UID.
 class ObjectStore {
 public:
-    /// Opens the store; creates a private folder if needed and removes leftovers of a killed program.
+    /// Opens the store; creates a private folder if needed and removes the leftovers of killed processes.
     static core::Result<ObjectStore> open(const std::string& root, std::uint64_t maxObjectBytes);
 
     const std::string& root() const { return root_; }
@@ -81,7 +81,7 @@ private:
     std::uint64_t maxObjectBytes_;
 };
 
-/// Folder below the root of a store for objects during reception.
+/// Folder below the root of a store for objects that are being received.
 inline constexpr std::string_view incomingFolder = ".incoming";
 
 }   // namespace angiopose::io

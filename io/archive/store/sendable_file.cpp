@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t metaBegin = 132;
 constexpr std::size_t maxMetaBytes = std::size_t{64} << 10;
 
-/// Returns the offset of the data set after the preamble and the file meta information; 0 if there are none.
+/// Returns the offset of the data set after the preamble and the file meta information; 0 if the file has neither.
 std::size_t datasetBegin(std::string_view start)
 {
     if (start.size() < metaBegin || start.substr(metaBegin - 4, 4) != "DICM") {

@@ -7,7 +7,7 @@
 
 namespace angiopose::io {
 
-/// A DICOM file ready to send unmodified in its own transfer syntax.
+/// DICOM file that can be sent unmodified in its own transfer syntax.
 struct SendableFile {
     std::string path;
     std::string sopClass;
@@ -15,10 +15,10 @@ struct SendableFile {
     std::string studyUid;
     std::string transferSyntax;
     std::uint64_t dataset = 0;   ///< offset of the data set
-    std::uint64_t bytes = 0;   ///< size of the whole file
+    std::uint64_t bytes = 0;   ///< total file size, bytes
 };
 
-/// Reads the header of a DICOM file; fails, naming the file, if it cannot be sent.
+/// Reads the header of a DICOM file; if the file cannot be sent, fails and names the file.
 core::Result<SendableFile> readSendableFile(const std::string& path);
 
 }   // namespace angiopose::io

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Returns the values of an element; an empty array if it has none.
+/// Returns the values of an element; an empty array if the element is absent or empty.
 Json valuesOf(const Json& set, const char* tag)
 {
     const auto element = set.find(tag);
@@ -29,7 +29,7 @@ std::string textOf(const Json& value)
     if (value.is_number_integer()) {
         return std::to_string(value.get<long>());
     }
-    if (value.is_object()) {   // a person name
+    if (value.is_object()) {   // person name (VR PN)
         const auto name = value.find("Alphabetic");
         return name != value.end() && name->is_string() ? name->get<std::string>() : std::string();
     }
@@ -61,7 +61,7 @@ int numberOf(const Json& set, const char* tag)
 
 core::Result<Json> parsedSets(const std::string& json)
 {
-    if (json.empty()) {   // "204 No Content"
+    if (json.empty()) {   // the body is empty if the status is "204 No Content"
         return Json::array();
     }
     if (!checkJson(json, "")) {

@@ -27,7 +27,7 @@ void addHeader(HeaderList& list, const std::string& header)
     list.reset(curl_slist_append(list.release(), header.c_str()));
 }
 
-/// Returns the first line of the authorization file. The value is sent but never stored.
+/// Returns the first line of the authorization file. The value is sent but never saved.
 core::Result<std::string> authorizationOf(const ArchiveNode& node)
 {
     if (node.authorizationFile.empty()) {

@@ -15,18 +15,17 @@ namespace angiopose::io {
 struct HttpReply {
     long status = 0;
     std::string contentType;
-    std::string body;   ///< the body, unless a sink received it
+    std::string body;   ///< response body, unless a sink received it
 };
 
-/// Sends and receives over HTTP(S) on one persistent connection. Verifies certificates, follows no redirects, permits
-/// no other protocol, and every wait has a timeout.
+/// Sends and receives over HTTP(S) on one persistent connection. Verifies certificates, does not follow redirects,
+/// permits no other protocol, and limits every wait by a timeout.
 class HttpConnection {
 public:
     using StopQuestion = std::function<bool()>;
-    /// Receives a piece of the body of a response with status 200; an error ends the transfer.
+    /// Receives a chunk of the body of a response with status 200; an error cancels the transfer.
     using Sink = std::function<core::Status(std::string_view piece, const std::string& contentType)>;
-    /// Fills a buffer with the next bytes to send and returns their number: 0 at the end, nothing if they cannot be
-    /// read.
+    /// Fills a buffer with the next bytes to send and returns their number: 0 at the end, nothing on a read error.
     using Source = std::function<std::optional<std::size_t>(char* buffer, std::size_t size)>;
 
     static core::Result<HttpConnection> open(const ArchiveNode& node, StopQuestion isStopRequested);
@@ -51,14 +50,14 @@ private:
     std::unique_ptr<Parts> parts_;
 };
 
-/// Percent-encodes a text for a query.
+/// Percent-encodes a string for a URL query.
 std::string urlEscaped(std::string_view text);
 
-/// Returns the address of a node without a trailing slash.
+/// Returns the DICOMweb address of a node without a trailing slash.
 std::string webBase(const ArchiveNode& node);
 
-/// Sends a query and returns the JSON of the response; empty if nothing matches. Fails, naming the service, on any
-/// status that is not a success.
+/// Sends a query and returns the JSON of the response; empty if nothing matches. On any other status than success,
+/// fails and names the service.
 core::Result<std::string> askWeb(HttpConnection& http, const ArchiveNode& node, const std::string& service,
                                  const std::string& url);
 

@@ -44,7 +44,7 @@ std::optional<std::string> boundaryOf(const std::string& contentType)
 MultipartReader::MultipartReader(const std::string& boundary, Handler handler)
     : delimiter_("\r\n--" + boundary),
       handler_(std::move(handler)),
-      left_(lineEnd)   // treats the start of the body like the end of a line
+      left_(lineEnd)   // the initial line end lets a delimiter at the very start of the body match
 {
 }
 
@@ -65,7 +65,7 @@ core::Status MultipartReader::feed(std::string_view piece)
     }
 }
 
-/// Processes the buffered bytes by one state; returns true if the rest may hold more to process.
+/// Processes the buffered bytes in the current state; returns true if the remaining bytes may need another step.
 core::Result<bool> MultipartReader::step()
 {
     switch (state_) {
@@ -108,7 +108,7 @@ core::Result<bool> MultipartReader::passBoundary()
     if (left_.find_first_not_of(" \t") != end) {
         return unlawful();
     }
-    left_.erase(0, end);   // keep the line end, at which the headers begin; there may be no headers
+    left_.erase(0, end);   // keep the line end: it starts the headers, which may be empty
     state_ = State::Headers;
     return true;
 }
@@ -133,7 +133,7 @@ core::Result<bool> MultipartReader::passHeaders()
 core::Result<bool> MultipartReader::passContent()
 {
     const std::size_t at = left_.find(delimiter_);
-    // Without a delimiter, the last bytes may still be the beginning of one.
+    // If no delimiter was found, the last bytes may be the beginning of one that is not complete yet.
     const std::size_t content = at != std::string::npos             ? at
                                 : left_.size() >= delimiter_.size() ? left_.size() - delimiter_.size() + 1
                                                                     : 0;

@@ -12,7 +12,7 @@ namespace angiopose::io {
 /// Returns the boundary of a content type "multipart/related; …; boundary=…"; nothing if it is absent or invalid.
 std::optional<std::string> boundaryOf(const std::string& contentType);
 
-/// Parses a multipart body (RFC 2046 5.1) piece by piece and passes on the parts' contents without storing them.
+/// Parses a multipart body (RFC 2046 5.1) chunk by chunk and passes on the contents of the parts without storing them.
 class MultipartReader {
 public:
     struct Handler {
@@ -26,7 +26,7 @@ public:
     /// Parses the next piece. Fails if the body is malformed, headers exceed 16 KiB, or the handler fails.
     core::Status feed(std::string_view piece);
 
-    /// Whether the closing boundary was received; otherwise the body is truncated.
+    /// Whether the closing boundary was received; if not, the body is truncated.
     bool isClosed() const { return state_ == State::Closed; }
 
 private:

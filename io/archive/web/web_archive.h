@@ -14,7 +14,7 @@ namespace angiopose::io {
 /// DICOMweb (PS3.18) counterparts of the DIMSE functions, over HTTP(S).
 core::Status webEcho(const ArchiveNode& node, const std::function<bool()>& isStopRequested);
 
-/// Queries by QIDO-RS.
+/// Queries studies and series by QIDO-RS.
 core::Result<ArchiveMatches> webFind(const ArchiveNode& node, const ArchiveQuery& query,
                                      const std::function<bool()>& isStopRequested);
 

@@ -32,7 +32,7 @@ std::string studiesUrl(const ArchiveNode& node, const ArchiveQuery& query, std::
     return url;
 }
 
-/// Completes a series with its study's values, which not every archive repeats.
+/// Adds the study's values to a series, because not every archive repeats them.
 ArchiveMatch seriesOf(const ArchiveMatch& study, ArchiveMatch series)
 {
     ArchiveMatch match = study;
@@ -81,7 +81,7 @@ std::string randomBoundary()
     return boundary;
 }
 
-/// Provides a multipart body with one file in pieces.
+/// Multipart body with a single file, provided chunk by chunk.
 class SingleFileBody {
 public:
     SingleFileBody(const SendableFile& file, const std::string& boundary)
@@ -127,7 +127,7 @@ private:
     std::uint64_t size_ = 0;
 };
 
-/// Counts the result of one file; fails if sending further files is pointless.
+/// Counts the result of one file; fails if it is pointless to send further files.
 core::Status settleStored(const ArchiveNode& node, const SendableFile& file, const HttpReply& reply,
                           TransferReport& report)
 {

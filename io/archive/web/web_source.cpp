@@ -139,8 +139,8 @@ private:
         return webBase(node_) + "/studies/" + studyUid + "/series/" + seriesUid;
     }
 
-    /// Lists objects page by page, because an archive may be silent for long while it collects all objects of a large
-    /// series.
+    /// Lists one page of objects: for a large series an archive may not respond for a long time while it collects all
+    /// objects.
     core::Result<std::vector<ArchiveObject>> objectsFrom(const std::string& series, std::size_t first)
     {
         auto answer = ask(series + "/instances?limit=" + std::to_string(pageSize) + "&offset=" + std::to_string(first));

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using core::Case;
 
-/// A constant that identifies the file; it is checked before anything else is read.
+/// Field with a constant value that identifies the file and is checked before all other fields.
 StoredField<Case> constantField(std::string key, Json schema, Json value)
 {
     return {std::move(key), std::move(schema), [](const Json&, Case&, Reading&) {},
@@ -36,7 +36,7 @@ StoredField<Case> vesselField()
     return field;
 }
 
-/// The locks, which belong to the options but are stored with the pose.
+/// Locked pose axes, which belong to the options but are stored with the pose.
 StoredField<Case> locksField()
 {
     const Json schema = about(listSchema(choiceSchema({"right", "up", "along-ray", "roll", "lao-rao", "cra-cau"})),
@@ -145,7 +145,7 @@ StoredField<Case> optionsField()
             [](const Case& session, const fs::path&) { return Json::parse(optionsJson(session.options)); }};
 }
 
-/// The schema of a view, wherever it is stored; unknown members are permitted.
+/// Returns the schema of a view, whether stored in the case itself or in `views`; permits unknown members.
 Json viewSchema()
 {
     Json properties = Json::object();
@@ -205,12 +205,12 @@ Json knownCaseKeys(core::VesselInputKind kind)
 {
     Json keys = keysOf(caseFields());
     for (const core::VesselInputKind other :
-         vesselInputKinds) {   // inputs of other kinds are preserved as unknown keys,
-        if (other != kind && other != core::VesselInputKind::Volume) {   // except a scan, which is read
+         vesselInputKinds) {   // inputs of kinds not in use are preserved as unknown keys
+        if (other != kind && other != core::VesselInputKind::Volume) {   // except a volume, which is read as the scan
             keys["vessel"].erase(vesselKey(other));
         }
     }
-    keys["vessel"]["editedTree"] = "";   // handled as a single value
+    keys["vessel"]["editedTree"] = "";   // treated as a single value
     return keys;
 }
 

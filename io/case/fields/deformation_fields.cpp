@@ -19,8 +19,8 @@ using core::DeformableResult;
 using core::DeformationVerdict;
 using core::RigidOffset;
 
-constexpr std::size_t motionNumbers = 3;   // per point
-constexpr std::size_t spreadNumbers = 6;   // per symmetric matrix: xx, xy, xz, yy, yz, zz
+constexpr std::size_t motionNumbers = 3;   // numbers per displacement: x, y, z
+constexpr std::size_t spreadNumbers = 6;   // numbers per symmetric matrix: xx, xy, xz, yy, yz, zz
 
 StoredField<DeformableResult> verdictField()
 {
@@ -34,7 +34,7 @@ StoredField<DeformableResult> verdictField()
             [](const DeformableResult& deformed, const fs::path&) { return Json(core::toText(deformed.verdict)); }};
 }
 
-/// Poses of all views; the first is this view's own.
+/// Poses of all views of the deformable registration; the first is the pose of this view.
 StoredField<DeformableResult> viewPosesField()
 {
     return {"viewPoses", about(listSchema(definedAs("matrix")), "Of all views that determined it, this view first."),
@@ -117,7 +117,7 @@ StoredFields<RigidOffset> rigidOffsetFields()
             storedValue("rigidOffMostAtBranch", Json{{"type", "integer"}}, &RigidOffset::farthestBranchId)};
 }
 
-/// Fields of the whole deformation, without the branches.
+/// Fields of the deformation as a whole, without those of single branches.
 StoredFields<DeformableResult> wholeFields()
 {
     StoredFields<DeformableResult> rows{verdictField(),

@@ -4,11 +4,11 @@
 
 namespace angiopose::io {
 
-/// The deformation stored with a result, including the displacement of every point. The result itself stores how much
-/// the deformation widened the covariance of the rigid pose.
+/// Deformation stored with a result, including the displacement of every point. How much the deformation increased the
+/// covariance of the rigid pose is stored in the result itself.
 StoredField<core::RegistrationResult> deformedField();
 
-/// The same without the points, for deformations whose points are stored in another file.
+/// Fields of a deformation without its points, for points that are stored in another file.
 StoredFields<core::DeformableResult> deformedFieldsWithoutPoints();
 
 /// Summary of a deformation for result.json (FORMATS §3.5): the displacement of each branch without its points.

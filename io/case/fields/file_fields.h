@@ -6,7 +6,7 @@ namespace angiopose::io {
 
 core::InputFile fileFrom(const Json& json);
 
-/// The path relative to `folder`, and the hash if known; null if there is no file.
+/// Returns the path relative to `folder` and, if known, the hash; null if there is no file.
 Json fileJson(const core::InputFile& file, const std::filesystem::path& folder);
 
 }   // namespace angiopose::io

@@ -39,7 +39,7 @@ StoredField<FollowedFrame> problemField()
             }};
 }
 
-/// The deformation of a frame that shows the vessels; frames that copy it are not stored but derived.
+/// Deformation of a frame that shows the vessels. Frames that copy a deformation are not stored; reading restores them.
 StoredField<FollowedFrame> deformationOfFrameField()
 {
     const StoredFields<core::DeformableResult> fields = deformedFieldsWithoutPoints();

@@ -35,7 +35,7 @@ const char* originText(Origin origin)
     }
 }
 
-/// Schema of a bare value or an object that gives its origin.
+/// Returns the schema of a value that is stored bare or as an object with its origin.
 Json sourcedSchema(const Json& value)
 {
     return anyOfSchema(
@@ -76,7 +76,7 @@ StoredField<ViewGeometry> sourcedField(const char* key, const Json& valueSchema,
             [member](const ViewGeometry& geometry, const fs::path&) { return sourcedJson(geometry.cArm.*member); }};
 }
 
-/// Row and column spacing, two values with one origin.
+/// Row and column spacing: two values with a common origin.
 StoredField<ViewGeometry> spacingField()
 {
     return {"imagerPixelSpacingMm", about(sourcedSchema(definedAs("pair")), "Row spacing, column spacing."),

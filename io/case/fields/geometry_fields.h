@@ -4,7 +4,7 @@
 
 namespace angiopose::io {
 
-/// The members of `geometry`: the values of the C-arm, each with its origin, and a camera that overrides them.
+/// Members of `geometry`: the C-arm values, each with its origin, and a camera that overrides them.
 StoredFields<core::ViewGeometry> geometryFields();
 
 }   // namespace angiopose::io

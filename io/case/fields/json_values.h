@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-/// Conversions used throughout JSON reading and writing: points as lists of numbers, missing values as null.
+/// Conversions for reading and writing JSON: points as lists of numbers, missing values as null.
 template <int Size>
 struct nlohmann::adl_serializer<Eigen::Matrix<double, Size, 1>> {
     template <class Json>

@@ -4,10 +4,10 @@
 
 namespace angiopose::io {
 
-/// The row of target points and ostium rings on the vessels.
+/// Field of the target points and ostium rings on the vessels.
 StoredField<core::Vessels> marksField();
 
-/// The rows of the target points marked in a view's image, and of arrows and text annotations on it.
+/// Field of the target points marked in a view's image, and of the arrows and text annotations on that image.
 StoredField<core::View> sightingsField();
 StoredField<core::View> annotationsField();
 

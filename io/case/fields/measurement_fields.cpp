@@ -52,7 +52,7 @@ StoredFields<SliceMeasurement> sliceMeasurementFields()
         storedIfSet("name", textSchema(), &SliceMeasurement::name)};
 }
 
-/// Reports a measurement with too few points for its kind.
+/// Reports a measurement that has too few points for its kind.
 void targetPoints(MeasurementKind kind, std::size_t points, const std::string& subject, Reading& reading)
 {
     if (points < core::minPoints(kind)) {

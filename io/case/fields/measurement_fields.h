@@ -4,10 +4,10 @@
 
 namespace angiopose::io {
 
-/// The row of the measurements in a view's image.
+/// Field of the measurements in a view's image.
 StoredField<core::View> measurementsField();
 
-/// The row of the measurements in slices of the scan.
+/// Field of the measurements in slices of the scan.
 StoredField<core::Vessels> sliceMeasurementsField();
 
 }   // namespace angiopose::io

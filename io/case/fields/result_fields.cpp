@@ -23,7 +23,7 @@ using core::WirePath;
 
 constexpr std::size_t longestStageName = 40;
 
-/// Stores a column vector as a list and a matrix as a list of its rows.
+/// Field of a column vector, stored as a list, or of a matrix, stored as a list of its rows.
 template <class Owner, int Rows, int Columns>
 StoredField<Owner> storedMeasures(std::string key, Eigen::Matrix<double, Rows, Columns> Owner::*member)
 {
@@ -91,7 +91,7 @@ StoredFields<CameraEvidence> cameraEvidenceFields()
             storedMeasure("gain", &CameraEvidence::gain)};
 }
 
-/// The camera evidence, present only if the camera is uncertain.
+/// Evidence about the camera; present only if the camera is uncertain.
 StoredField<RegistrationResult> cameraEvidenceField()
 {
     const StoredFields<CameraEvidence> fields = cameraEvidenceFields();
@@ -165,7 +165,7 @@ StoredFields<IterationReport> iterationFields()
             storedIfSet("view", Json{{"type", "integer"}, {"minimum", 0}}, &IterationReport::view)};
 }
 
-/// The initial pose, stored with the resulting pose.
+/// Initial pose, stored together with the resulting pose.
 StoredField<RegistrationResult> startField()
 {
     return {"initial", about(definedAs("pose"), "Initial pose."),

@@ -7,8 +7,7 @@ namespace angiopose::io {
 /// The fields of a registration result in `result.json` and in a case (FORMATS §2.9, §3.1).
 const StoredFields<core::RegistrationResult>& resultFields();
 
-/// The result of a view, only while the pose in the file is still the result's pose; a pose changed in the file has no
-/// result.
+/// Result of a view. If the pose in the file was changed and is no longer the result's pose, the view has no result.
 StoredField<core::View> resultField();
 
 }   // namespace angiopose::io

@@ -12,10 +12,10 @@
 #include <string>
 #include <utility>
 
-/// Rows shared by results of several kinds.
+/// Rows shared by several kinds of results.
 namespace angiopose::io {
 
-/// Schema of a number that may be unknown: null represents NaN, which JSON lacks.
+/// Returns the schema of a number that may be unknown: null represents NaN, which JSON does not support.
 inline Json measureSchema()
 {
     return {{"type", {"number", "null"}}};

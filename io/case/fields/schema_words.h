@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <string_view>
 
-/// Building blocks of the schema of a stored field (JSON Schema, draft 7).
+/// Building blocks for the schema of a stored field (JSON Schema, draft 7).
 namespace angiopose::io {
 
 using Json = nlohmann::ordered_json;
@@ -21,12 +21,12 @@ Json integerSchema(int min, int max);
 Json choiceSchema(std::initializer_list<const char*> choices);
 Json anyOfSchema(Json one, Json other);
 Json listSchema(Json items);
-Json numbersSchema(int count);   ///< a list of `count` numbers
+Json numbersSchema(int count);   ///< list of `count` numbers
 
-/// Schema of an object with these members; others are permitted.
+/// Returns the schema of an object with these members; permits other members.
 Json objectSchema(Json properties, std::initializer_list<const char*> required = {});
 
-/// References a definition shared by the whole schema: see schemaDefinitions.
+/// References a definition shared by the whole schema (see schemaDefinitions).
 Json definedAs(std::string_view name);
 
 /// The keys that a schema names, level by level, for finding the unknown keys of a file: "" marks a value.

@@ -37,7 +37,7 @@ StoredField<PoseSnapshot> metricsField()
             readFields(value, snapshot.metrics.emplace(), metricsFields(), reading);
         },
         [](const PoseSnapshot& snapshot, const fs::path& folder) {
-            return snapshot.metrics && isFinite(*snapshot.metrics)   // JSON has no NaN
+            return snapshot.metrics && isFinite(*snapshot.metrics)   // JSON does not support NaN
                        ? writeFields(*snapshot.metrics, metricsFields(), folder)
                        : Json();
         }};

@@ -4,7 +4,7 @@
 
 namespace angiopose::io {
 
-/// The members of `snapshots`, numbered from 1.
+/// Members of `snapshots`, which are numbered from 1.
 StoredField<core::View> snapshotsField();
 
 }   // namespace angiopose::io

@@ -12,17 +12,17 @@
 
 namespace angiopose::io {
 
-/// Findings of reading other than the values.
+/// Information collected while reading, in addition to the values.
 struct Reading {
     core::Messages problems;   ///< invalid values, each with key and remedy
-    ViewNotes view;   ///< of the view being read
-    std::vector<ViewNotes> otherViews;   ///< of the case's other views, in order
-    std::size_t shownPlace = 0;   ///< index among all views of the view stored in the case itself
-    bool hasVessels = false;   ///< an input of one of the kinds of vessels was found
+    ViewNotes view;   ///< notes on the view being read
+    std::vector<ViewNotes> otherViews;   ///< notes on the other views of the case, in order
+    std::size_t shownPlace = 0;   ///< index of the shown view, which is stored in the case itself, among all views
+    bool hasVessels = false;   ///< whether a vessel input of any kind was found
 };
 
-/// One value of an Owner stored in a case file. Reading, writing, the schema and the known keys all derive from this
-/// row.
+/// Describes one value of an Owner that is stored in a case file. This row determines reading, writing, the schema and
+/// the known keys.
 template <class Owner>
 struct StoredField {
     std::string key;   ///< rows with the same key share an object
@@ -34,7 +34,7 @@ struct StoredField {
 template <class Owner>
 using StoredFields = std::vector<StoredField<Owner>>;
 
-/// Reads the fields present in `json` and leaves the others unchanged. Expects JSON validated against the schema.
+/// Reads the fields present in `json` and leaves the others unchanged. `json` must conform to the schema.
 template <class Owner>
 void readFields(const Json& json, Owner& owner, const StoredFields<Owner>& fields, Reading& reading)
 {
@@ -59,7 +59,7 @@ Json writeFields(const Owner& owner, const StoredFields<Owner>& fields, const st
     return json;
 }
 
-/// Schema properties of the rows.
+/// Returns the schema properties of the rows.
 template <class Owner>
 Json propertiesOf(const StoredFields<Owner>& fields)
 {
@@ -74,7 +74,7 @@ Json propertiesOf(const StoredFields<Owner>& fields)
     return properties;
 }
 
-/// A value that JSON represents directly.
+/// Returns the row of a value that JSON represents directly.
 template <class Owner, class Value>
 StoredField<Owner> storedValue(std::string key, Json schema, Value Owner::*member)
 {
@@ -94,7 +94,7 @@ StoredField<Owner> storedIfSet(std::string key, Json schema, Value Owner::*membe
     return field;
 }
 
-/// A part with rows of its own, stored as an object.
+/// Returns the row of a part that has rows of its own and is stored as an object.
 template <class Owner, class Part>
 StoredField<Owner> storedPart(std::string key, Json schema, Part Owner::*member, StoredFields<Part> fields)
 {
@@ -109,7 +109,7 @@ StoredField<Owner> storedPart(std::string key, Json schema, Part Owner::*member,
             }};
 }
 
-/// Rows of the same owner, stored in an object of their own.
+/// Returns the row of an object that contains several rows of the same owner.
 template <class Owner>
 StoredField<Owner> storedGroup(std::string key, Json schema, StoredFields<Owner> fields)
 {
@@ -122,7 +122,7 @@ StoredField<Owner> storedGroup(std::string key, Json schema, StoredFields<Owner>
             }};
 }
 
-/// Adapts the row of a part to its owner. `partOf`: returns the part of an owner, const or not.
+/// Adapts the row of a part to its owner. `partOf` returns the part of an owner, const or not.
 template <class Owner, class Part, class PartOf>
 StoredField<Owner> storedThrough(PartOf partOf, StoredField<Part> field)
 {
@@ -135,7 +135,7 @@ StoredField<Owner> storedThrough(PartOf partOf, StoredField<Part> field)
             }};
 }
 
-/// Restricts a row: it is written only if `isWritten` is true for the owner.
+/// Restricts a row: the value is written only if `isWritten` is true for the owner.
 template <class Owner, class Condition>
 StoredField<Owner> writtenWhere(Condition isWritten, StoredField<Owner> field)
 {
@@ -145,14 +145,14 @@ StoredField<Owner> writtenWhere(Condition isWritten, StoredField<Owner> field)
     return field;
 }
 
-/// The known keys of an object with these rows: see knownKeys.
+/// Returns the known keys of an object with these rows (see knownKeys).
 template <class Owner>
 Json keysOf(const StoredFields<Owner>& fields)
 {
     return knownKeys(objectSchema(propertiesOf(fields)));
 }
 
-/// Reads one item of a list, and its unknown keys if Item has `extraKeys`.
+/// Reads one item of a list, including its unknown keys if Item has `extraKeys`.
 template <class Item>
 void readItem(const Json& json, Item& item, const StoredFields<Item>& fields, Reading& reading)
 {
@@ -172,7 +172,7 @@ Json itemJson(const Item& item, const StoredFields<Item>& fields, const std::fil
     return json;
 }
 
-/// A list of objects with rows of their own; omitted if empty.
+/// Returns the row of a list of objects that have rows of their own; an empty list is omitted.
 template <class Owner, class Item>
 StoredField<Owner> storedList(std::string key, Json schema, std::vector<Item> Owner::*member, Json itemSchema,
                               StoredFields<Item> fields)

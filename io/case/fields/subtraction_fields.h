@@ -4,8 +4,8 @@
 
 namespace angiopose::io {
 
-/// The members of `angiogram.subtraction`. An absent member takes the value of the image's header; the notes leave it
-/// open until the image is read.
+/// Members of `angiogram.subtraction`. A member that is absent takes its value from the image header once the image is
+/// read.
 StoredField<core::View> subtractionField();
 
 }   // namespace angiopose::io

@@ -57,7 +57,7 @@ core::VesselBranch branchFrom(const Json& json)
     return branch;
 }
 
-/// A vessel tree as the JSON stored under `vessel.editedTree`, with all bits of every double.
+/// Converts a vessel tree to the JSON stored under `vessel.editedTree`, with full double precision.
 Json treeJson(const core::VesselTree& tree)
 {
     Json json;
@@ -84,7 +84,7 @@ core::Result<core::VesselTree> treeFromJson(const Json& json)
     return tree;
 }
 
-/// The schema of such JSON.
+/// Returns the schema of `vessel.editedTree`.
 Json treeSchema()
 {
     Json point = listSchema(numberSchema());
@@ -135,8 +135,8 @@ Json inputJson(const core::InputFile& file, const std::string& seriesId, const f
     return json;
 }
 
-/// The input file of one kind. The first kind present is the source of the vessels; an additional volume is the scan
-/// that contains them.
+/// Input file of one kind. The first kind present is the source of the vessels; an additional volume is the scan that
+/// shows them.
 StoredField<Vessels> inputField(VesselInputKind kind)
 {
     return {vesselKey(kind), inputSchema(kind),
@@ -193,7 +193,7 @@ StoredField<Vessels> unitField()
                     &VesselInput::unitMm));
 }
 
-/// The tree as edited by the user, which replaces the tree of the input.
+/// Tree edited by the user, which replaces the tree of the input.
 StoredField<Vessels> editedTreeField()
 {
     return {

@@ -6,11 +6,11 @@
 
 namespace angiopose::io {
 
-/// Kinds of vessel input in order of precedence if a case has several.
+/// Kinds of vessel input in order of precedence, for cases that contain several.
 inline constexpr std::array vesselInputKinds = {core::VesselInputKind::Centerline, core::VesselInputKind::Segmentation,
                                                 core::VesselInputKind::Surface, core::VesselInputKind::Volume};
 
-/// The key of an input kind under `vessel` (FORMATS §2).
+/// Returns the key of an input kind under `vessel` (FORMATS §2).
 constexpr const char* vesselKey(core::VesselInputKind kind)
 {
     constexpr std::array keys = {"centerline", "segmentation", "surface", "volume"};

@@ -20,7 +20,7 @@ using core::GivenTarget;
 using core::TraceOptions;
 using core::View;
 
-/// The image file, and which DICOM instance it is.
+/// Image file, with the SOP instance UID of the image.
 StoredField<View> imageField()
 {
     return {"image", definedAs("input"),
@@ -50,7 +50,7 @@ StoredField<View> frameField()
             [](const View& view, const fs::path&) { return Json(view.frame); }};
 }
 
-/// The target; curves edited in the window are marked as such, with their frame.
+/// Registration target; curves edited in the GUI are marked as edited and stored with their frame.
 StoredFields<GivenTarget> targetFields()
 {
     const StoredField<GivenTarget> origin{
@@ -124,7 +124,7 @@ StoredField<View> traceField()
     return field;
 }
 
-/// Reads the pose at `pose.<key>`; nothing if it is invalid.
+/// Reads the pose at `pose.<key>`; returns nothing if the pose is invalid.
 std::optional<core::RigidTransform> poseFrom(const Json& value, const std::string& key, Reading& reading)
 {
     const auto pose = poseFromRows(value.at("cameraFromPatient").get<MatrixRows>());

@@ -12,22 +12,22 @@
 
 namespace angiopose::io {
 
-/// The subtraction settings given in a case; the others follow the image's header.
+/// Subtraction settings specified in a case; settings without a value follow the image header.
 struct SubtractionKeys {
-    std::optional<std::vector<int>> maskFrames;   ///< empty: chosen automatically
+    std::optional<std::vector<int>> maskFrames;   ///< if empty, mask frames are selected automatically
     std::optional<core::MaskInterval> interval;
     std::optional<Eigen::Vector2d> maskShiftPx;
     bool isShiftAutomatic = false;
     std::optional<core::PixelRelation> relation;
 };
 
-/// Information about a view in a case file that is needed once its image is read.
+/// Information from a case file that is needed once the image of the view has been read.
 struct ViewNotes {
     bool hasFrame = false;
     bool hasCurrentPose = false;
-    std::vector<int> deviceCurveIds;   ///< device curves among the edited curves, see core::CurvesApart
+    std::vector<int> deviceCurveIds;   ///< IDs of the edited curves that are devices, see core::CurvesApart
     std::optional<SubtractionKeys> subtraction;
-    std::string sopInstanceUid;   ///< of the image, if stored
+    std::string sopInstanceUid;   ///< SOP instance UID of the image, if stored
     core::Messages
         changedBesideResult;   ///< parts of the file that changed since the view's result was saved; see result_seal.h
     core::Messages changedBesideFollowed;   ///< the same for the tracking result

@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// Measurements in the shown view and in slices of the scan, and the fit of the view's registration, prepared for a
-/// report. Omits entries without a value.
+/// Returns the groups of a report: measurements in the shown view and in slices of the scan, and the fit of the view's
+/// registration. Omits entries without a value.
 std::vector<ReportedGroup> reportedGroups(const core::Case& session);
 
 }   // namespace angiopose::io

@@ -4,7 +4,7 @@
 
 namespace angiopose::io {
 
-/// A term of a coding scheme (PS3.3 8.8).
+/// Term from a coding scheme (PS3.3 8.8).
 struct CodedTerm {
     const char* value;
     const char* scheme;

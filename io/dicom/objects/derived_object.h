@@ -12,9 +12,9 @@ namespace angiopose::io {
 struct ObjectOrigin {
     std::string seed;   ///< source of new UIDs: newUid(), or an earlier text for the same UIDs again
     LocalTime made;
-    std::string author;   ///< may be empty
+    std::string author;   ///< name of the author; may be empty
 
-    /// The UID for a role, for example "series of the picture"; the same role gives the same UID.
+    /// Returns the UID for a role, for example "series of the picture"; equal roles have equal UIDs.
     std::string uidFor(const std::string& role) const;
 };
 
@@ -25,31 +25,31 @@ ObjectOrigin newOrigin(const std::string& author);
 struct ObjectKind {
     const char* sopClassUid;
     const char* modality;
-    const char* role;   ///< a single word, used for UIDs
-    const char* description;   ///< description of its series
+    const char* role;   ///< single word from which UIDs are derived
+    const char* description;   ///< series description
     int seriesNumber;
 };
 
-/// Adds the modules of every object: SOP Common, Patient, General Study, Patient Study, General Series, General
-/// Equipment (PS3.3 C.7, C.12.1). Patient and study are those of the source; without a source the object gets a study
-/// of its own. States that this is research and not a medical device.
+/// Adds the modules that all objects have: SOP Common, Patient, General Study, Patient Study, General Series, General
+/// Equipment (PS3.3 C.7, C.12.1). Copies patient and study from the source; without a source, the object gets a new
+/// study. States that the object is for research and that AngioPose is not a medical device.
 void addCommonModules(DicomItem& root, const ObjectKind& kind, const SourceImage& source, const ObjectOrigin& origin);
 
-/// The study that the object belongs to.
+/// Returns the UID of the study to which the object belongs.
 std::string studyUidOf(const SourceImage& source, const ObjectOrigin& origin);
 
-/// Adds the Content Identification macro (PS3.3 10.9): label in upper case, description for users, creator.
+/// Adds the Content Identification macro (PS3.3 10.9): upper-case label, description for users, creator.
 void addContentIdentification(DicomItem& root, const char* label, const std::string& description,
                               const ObjectOrigin& origin);
 
 /// Adds Content Date and Content Time.
 void addContentTime(DicomItem& root, const ObjectOrigin& origin);
 
-/// Adds Derivation Description and Source Image Sequence (PS3.3 C.7.6.1), including earlier lossy compression of the
+/// Adds Derivation Description and Source Image Sequence (PS3.3 C.7.6.1), and the lossy compression history of the
 /// source.
 void addDerivedFrom(DicomItem& root, const std::string& words, const SourceImage& source);
 
-/// Adds the referenced series and instances of the study (PS3.3 C.12.2): one image.
+/// Adds the source image as the only referenced instance of its series (PS3.3 C.12.2).
 void addReferencedSeries(DicomItem& root, const SourceImage& source);
 
 }   // namespace angiopose::io

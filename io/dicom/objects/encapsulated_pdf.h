@@ -6,7 +6,7 @@
 
 namespace angiopose::io {
 
-/// A PDF report as a DICOM object (PS3.3 A.45.1) with unchanged bytes. Fails if they are not a PDF.
+/// Encapsulates a PDF report, byte for byte, in a DICOM object (PS3.3 A.45.1). Fails if the content is not PDF.
 core::Result<std::string> encapsulatedPdf(std::string_view pdf, const std::string& title, BurnedInIdentity identity,
                                           const SourceImage& source, const ObjectOrigin& origin);
 

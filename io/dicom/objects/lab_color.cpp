@@ -28,7 +28,7 @@ std::uint16_t spread(double value, double low, double high)
 
 std::vector<std::uint16_t> labColor(const RgbColor& color)
 {
-    Eigen::Matrix3d xyzFromRgb;   // sRGB with its white point adapted to D50 (Bradford)
+    Eigen::Matrix3d xyzFromRgb;   // conversion from linear sRGB to XYZ, with the white point adapted to D50 (Bradford)
     xyzFromRgb << 0.4360747, 0.3850649, 0.1430804, 0.2225045, 0.7168786, 0.0606169, 0.0139322, 0.0971045, 0.7141733;
     const Eigen::Vector3d white = xyzFromRgb * Eigen::Vector3d::Ones();
     const Eigen::Vector3d xyz = xyzFromRgb * Eigen::Vector3d(linear(color[0]), linear(color[1]), linear(color[2]));

@@ -9,14 +9,14 @@
 
 namespace angiopose::io {
 
-/// A number with the geometry it was measured on: a line in the image or in the patient, or none.
+/// Measured value with the geometry on which it was measured: points in the image or in the patient, or none.
 struct ReportedNumber {
     CodedTerm meaning;
     double value = 0.0;
     CodedTerm unit;
     int frame = 0;
-    std::vector<Eigen::Vector2d> pixels = {};   ///< px; (0, 0) is the center of the first pixel
-    std::vector<Eigen::Vector3d> pointsInPatient = {};   ///< LPS mm
+    std::vector<Eigen::Vector2d> pixels = {};   ///< image points, px; (0, 0) is the center of the first pixel
+    std::vector<Eigen::Vector3d> pointsInPatient = {};   ///< patient points, LPS mm
 };
 
 struct ReportedText {
@@ -24,7 +24,7 @@ struct ReportedText {
     std::string words;
 };
 
-/// A group of related numbers: one measurement, or all values of a registration.
+/// Group of related values: a single measurement, or all values of a registration.
 struct ReportedGroup {
     std::string name;   ///< display name
     std::vector<ReportedNumber> numbers;
@@ -33,11 +33,11 @@ struct ReportedGroup {
 
 struct MeasurementReport {
     std::vector<ReportedGroup> groups;
-    std::string scanFrameOfReferenceUid;   ///< frame of reference of `pointsInPatient`
+    std::string scanFrameOfReferenceUid;   ///< frame of reference UID of `pointsInPatient`
 };
 
-/// Measurements of an image and its scan as a Comprehensive 3D SR by TID 1500 (PS3.16). Fails if there are no
-/// measurements.
+/// Returns the measurements of an image and its scan as a Comprehensive 3D SR that follows TID 1500 (PS3.16). Fails if
+/// there are no measurements.
 core::Result<std::string> measurementReport(const MeasurementReport& report, const SourceImage& source,
                                             const ObjectOrigin& origin);
 

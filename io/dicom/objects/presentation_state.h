@@ -11,31 +11,31 @@
 
 namespace angiopose::io {
 
-/// A text at a position on the image.
+/// Text annotation at a position in the image.
 struct StateText {
     std::string words;
-    Eigen::Vector2d at;   ///< px
+    Eigen::Vector2d at;   ///< position, px
 };
 
-/// Lines and texts of one color that are shown and hidden together.
+/// Lines and texts of one color that viewers show and hide together.
 struct StateLayer {
-    std::string name;   ///< upper-case letters, digits, spaces and `_`, at most 16
+    std::string name;   ///< at most 16 upper-case letters, digits, spaces and `_`
     std::string description;
     RgbColor color{255, 255, 0};
-    std::vector<std::vector<Eigen::Vector2d>> lines;   ///< px; (0, 0) is the center of the first pixel
+    std::vector<std::vector<Eigen::Vector2d>> lines;   ///< polylines, px; (0, 0) is the center of the first pixel
     std::vector<StateText> texts;
 };
 
-/// The presentation of an image.
+/// Content of a presentation state.
 struct ShownState {
     std::vector<StateLayer> layers;
-    int frame = 0;   ///< frame of the lines
+    int frame = 0;   ///< frame to which the lines belong
     std::optional<core::DisplayRange> range;   ///< of the rescaled values; none: as the image's header specifies
     std::string description;
 };
 
-/// Grayscale Softcopy Presentation State (PS3.3 A.33.1): the lines as vector graphics on the unchanged image. Fails if
-/// the image cannot be referenced or there are no lines.
+/// Returns a Grayscale Softcopy Presentation State (PS3.3 A.33.1): the lines as vector graphics on the unchanged image.
+/// Fails if the image cannot be referenced or there are no lines.
 core::Result<std::string> presentationState(const ShownState& shown, const SourceImage& source,
                                             const ObjectOrigin& origin);
 

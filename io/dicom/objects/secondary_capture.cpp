@@ -8,12 +8,12 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t maxPixelBytes = (std::size_t{1} << 32) - 16;   // limit of a 32-bit length
+constexpr std::size_t maxPixelBytes = (std::size_t{1} << 32) - 16;   // limit imposed by the 32-bit length field
 
 constexpr ObjectKind pictureKind{"1.2.840.10008.5.1.4.1.1.7", "OT", "picture", "AngioPose overlay", 9001};
 constexpr ObjectKind runKind{"1.2.840.10008.5.1.4.1.1.7.4", "OT", "run", "AngioPose overlay, run", 9002};
 
-/// Sets the modality of the source, so that archives group the objects with it.
+/// Returns `kind` with the modality of the source image (XA or RF), so that PACS group the objects with it.
 ObjectKind kindFor(ObjectKind kind, const SourceImage& source)
 {
     kind.modality = source.modality == "XA" ? "XA" : source.modality == "RF" ? "RF" : kind.modality;
@@ -59,7 +59,7 @@ void addImage(DicomItem& root, const CapturedPictures& captured, const SourceIma
     root.text(0x00280301, "CS", captured.identity == BurnedInIdentity::None ? "NO" : "YES");
 }
 
-/// Adds the pixels and releases the images meanwhile, which saves one copy of a long cine run in memory.
+/// Adds the pixels and releases each image once it is copied, so that a long cine run is not held in memory twice.
 void addPixels(DicomItem& root, std::vector<core::ColorImage> pictures)
 {
     std::string pixels;

@@ -12,18 +12,18 @@ namespace angiopose::io {
 enum class BurnedInIdentity { None, MayBeThere };
 
 struct CapturedPictures {
-    std::vector<core::ColorImage> pictures;   ///< of equal size
-    double frameTimeMs = 0.0;   ///< of a cine run; 0: unknown
+    std::vector<core::ColorImage> pictures;   ///< images, all of the same size
+    double frameTimeMs = 0.0;   ///< frame interval of a cine run, ms; 0 if unknown
     BurnedInIdentity identity = BurnedInIdentity::MayBeThere;
-    std::string derivation;   ///< description of the processing of the source
+    std::string derivation;   ///< description of how the source was processed
 };
 
-/// One image as a Secondary Capture Image (PS3.3 A.8.1), RGB as displayed.
+/// Returns a single image as a Secondary Capture Image (PS3.3 A.8.1), in RGB as displayed.
 core::Result<std::string> secondaryCapture(const CapturedPictures& captured, const SourceImage& source,
                                            const ObjectOrigin& origin);
 
-/// The images of a cine run as a Multi-frame True Color Secondary Capture Image (PS3.3 A.8.5); releases them one by
-/// one. Fails if they exceed the size limit of an object.
+/// Returns the images of a cine run as a Multi-frame True Color Secondary Capture Image (PS3.3 A.8.5); releases the
+/// images one by one. Fails if the result exceeds the size limit of an object.
 core::Result<std::string> secondaryCaptureRun(CapturedPictures captured, const SourceImage& source,
                                               const ObjectOrigin& origin);
 

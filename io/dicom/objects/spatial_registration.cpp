@@ -61,7 +61,7 @@ void addCameraItem(DicomItem& root, const CArmRegistration& registration, const 
     addMatrix(item, core::RigidTransform{}, "X-ray camera itself");
 }
 
-/// Adds pose and camera, for which the standard has no elements, with all bits.
+/// Adds pose and camera with full double precision as private elements, because the standard has no elements for them.
 void addCamera(DicomItem& root, const CArmRegistration& registration)
 {
     const core::ProjectionCamera& camera = registration.camera;
@@ -77,7 +77,7 @@ void addCamera(DicomItem& root, const CArmRegistration& registration)
               "(0, 0) the centre of the first pixel; 1003: columns, rows.");
 }
 
-/// Reads the pose from the numbers of an element; nothing if a number is missing.
+/// Reads the pose from the values of an element; returns nothing if a value is missing.
 std::optional<core::Result<core::RigidTransform>> poseIn(const DicomDataset& data, DicomTag tag)
 {
     MatrixRows rows(4, std::vector<double>(4));
@@ -91,7 +91,7 @@ std::optional<core::Result<core::RigidTransform>> poseIn(const DicomDataset& dat
     return poseFromRows(rows);
 }
 
-/// The matrices of the items whose frame of reference differs from the object's.
+/// Returns the matrices of the items whose frame of reference differs from that of the object.
 std::vector<DicomDataset> matricesToOwnFrame(const DicomDataset& data)
 {
     std::vector<DicomDataset> matrices;

@@ -32,7 +32,7 @@ Eigen::Vector3d cornerOf(const core::VolumeGeometry& grid, int plane)
     return grid.originInPatient + plane * grid.spacingMm.z() * grid.direction.col(2);
 }
 
-/// Packs one bit per voxel, the first in the lowest bit, frames without gaps (PS3.5 8.1.1).
+/// Packs one bit per voxel, lowest bit first, without padding between frames (PS3.5 8.1.1).
 std::string packedBits(const std::vector<std::uint8_t>& voxels)
 {
     std::string bits((voxels.size() + 7) / 8, '\0');
@@ -74,7 +74,7 @@ void addSegment(DicomItem& root, const std::string& algorithm)
     addTerm(segment, 0x0062000f, artery);
 }
 
-/// Adds the dimensions by which frames are distinguished: segment and position.
+/// Adds the dimensions that distinguish frames: segment and position.
 void addDimensions(DicomItem& root, const std::string& organizationUid)
 {
     root.addItem(0x00209221).text(0x00209164, "UI", organizationUid);
@@ -122,7 +122,7 @@ void addDerivedFromSlice(DicomItem& frame, const ScanReference& scan, const Scan
     addTerm(derived, 0x00089215, segmentationDerivation);
 }
 
-/// Adds the frames; returns the instances that they reference, each once, in frame order.
+/// Adds the frames; returns the UIDs of the referenced instances in frame order, without duplicates.
 std::vector<std::string> addFrames(DicomItem& root, const core::VolumeGeometry& grid, const ScanReference& scan)
 {
     std::vector<std::string> referred;

@@ -11,20 +11,20 @@ namespace angiopose::io {
 
 /// DICOM references of the scan that contains the vessels; empty if the scan is not DICOM.
 struct ScanReference {
-    /// One image of the series, or one frame of it.
+    /// Single image of the series, or a frame of a multi-frame image.
     struct Slice {
         std::string sopInstanceUid;
         int frame = 0;
-        bool isOneOfMany = false;   ///< true: a frame of a multi-frame instance
+        bool isOneOfMany = false;   ///< whether the slice is a frame of a multi-frame instance
         Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< center of the first pixel, patient LPS mm
     };
-    SourceImage source;   ///< any one of the images
+    SourceImage source;   ///< header of any one of the images
     std::vector<Slice> slices;
 };
 
-/// Vessels of a scan as a binary Segmentation (PS3.3 A.51): one segment, arteries, with one frame per plane of the
-/// mask's grid, which is the scan's. Frames reference the slices at their positions. Fails if no voxel is set.
-/// `algorithm`: description of how the mask was made.
+/// Returns the vessels of a scan as a binary Segmentation (PS3.3 A.51) with one segment (arteries) and one frame per
+/// plane of the mask, which has the voxel grid of the scan. Each frame references the slice at its position. Fails if
+/// no voxel is set. `algorithm` describes how the mask was created.
 core::Result<std::string> vesselSegmentation(const core::VoxelMask& vessels, const std::string& algorithm,
                                              const ScanReference& scan, const ObjectOrigin& origin);
 

@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int lockTries = 200;   // 2 s in total: others hold the lock only while writing a line
+constexpr int lockTries = 200;   // 2 s in total; other programs hold the lock only while writing a line
 
 bool isLocked(int file)
 {
@@ -23,7 +23,7 @@ bool isLocked(int file)
             return true;
         }
         if (errno != EWOULDBLOCK) {
-            return true;   // the drive does not support locks; relies on O_APPEND
+            return true;   // the drive does not support locks: rely on O_APPEND
         }
         std::this_thread::sleep_for(10ms);
     }

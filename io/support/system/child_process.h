@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// A helper program and the read end of its output pipe; its input is empty, and its error messages are discarded.
-/// Ctrl+C reaches only the parent. The destructor kills the helper if it still runs.
+/// Helper program and the read end of its output pipe. Its standard input is empty, and its error output is discarded.
+/// Ctrl+C reaches only the parent. The destructor kills the helper if it is still running.
 class ChildProcess {
 public:
     ChildProcess(const std::string& program, std::vector<std::string> arguments);
@@ -23,11 +23,11 @@ public:
         Heard what = Heard::Nothing;
         std::size_t size = 0;   ///< number of bytes read
     };
-    /// Reads what it writes within this time; a negative time waits until data arrive. A signal to the parent ends the
-    /// wait.
+    /// Reads the helper's output, waiting for at most `milliseconds`; a negative time waits until data arrive. A signal
+    /// to the parent ends the wait.
     Output listen(std::span<char> place, int milliseconds) const;
 
-    enum class Ending { ItsOwn, OutOfTime, Fault };   ///< out of time: includes being killed from outside
+    enum class Ending { ItsOwn, OutOfTime, Fault };   ///< `OutOfTime` includes being killed by another process
     Ending waitForEnd();
 
 private:

@@ -27,20 +27,20 @@
 namespace angiopose::io {
 namespace {
 
-/// The program and libraries as mapped in memory, read from the system within a signal handler: allocates no memory and
+/// Program and libraries as mapped in memory, read from the system inside a signal handler: allocates no memory and
 /// takes no lock.
 class LoadedModules {
 public:
     struct Module {
-        std::uintptr_t begin = 0;   ///< address of the file's first byte
+        std::uintptr_t begin = 0;   ///< address at which the first byte of the file is mapped
         std::uintptr_t end = 0;
         const char* path = nullptr;
     };
 
     void read();
-    const Module* at(std::uintptr_t address) const;   ///< null: in no module
+    const Module* at(std::uintptr_t address) const;   ///< null if the address is in no module
 
-    /// Returns the last part of the path, which does not identify the machine's owner.
+    /// Returns the file name without its folders, which may identify the user.
     static std::string_view nameOf(const Module& module);
 
 private:
@@ -65,7 +65,7 @@ std::uintptr_t hexadecimalAt(const char*& at)
     }
 }
 
-/// A module's file, mapped while its symbols are searched.
+/// File of a module, mapped while its symbols are searched.
 class MappedModule {
 public:
     explicit MappedModule(const char* path)
@@ -90,7 +90,7 @@ public:
     MappedModule(const MappedModule&) = delete;
     MappedModule& operator=(const MappedModule&) = delete;
 
-    /// Returns `count` objects of type T at an offset; null if the file does not hold all of them.
+    /// Returns `count` objects of type T at an offset; null if they are not completely inside the file.
     template <class T>
     const T* at(std::size_t offset, std::size_t count = 1) const
     {
@@ -166,7 +166,7 @@ void LoadedModules::read()
     }
 }
 
-/// Parses "begin-end rights offset device inode path"; the parts of a module are adjacent.
+/// Parses one line of /proc/self/maps (start-end perms offset dev inode path); the mappings of a module are adjacent.
 void LoadedModules::takeLine(char* line)
 {
     const char* path = std::strchr(line, '/');
@@ -204,8 +204,8 @@ std::string_view LoadedModules::nameOf(const Module& module)
     return std::strrchr(module.path, '/') + 1;
 }
 
-/// Returns the function at an offset in a module, from its symbol table (mangled); empty if there is none. Writes the
-/// name into `place`.
+/// Returns the mangled name of the function at an offset in a module, from the symbol table; empty if there is none.
+/// Writes the name into `place`.
 std::string_view functionAt(const char* modulePath, std::uintptr_t offset, std::array<char, 512>& place)
 {
     const MappedModule file(modulePath);
@@ -225,12 +225,12 @@ constexpr std::array faultSignals{FaultSignal{SIGSEGV, "SIGSEGV"}, FaultSignal{S
                                   FaultSignal{SIGFPE, "SIGFPE"}, FaultSignal{SIGILL, "SIGILL"},
                                   FaultSignal{SIGABRT, "SIGABRT"}};
 
-/// Everything the handler needs, prepared while memory can be allocated.
+/// Everything that the handler needs, prepared while allocating memory is safe.
 struct Preparation {
-    std::array<char, 4096> pathBegin{};   ///< part before the time
-    std::array<char, 32> process{};   ///< part after the time
+    std::array<char, 4096> pathBegin{};   ///< path of the dump, part before the time
+    std::array<char, 32> process{};   ///< path of the dump, part after the time
     std::array<char, 128> program{};
-    std::array<char, 65536> ownStack{};   ///< alternate signal stack, since the normal one may have overflowed
+    std::array<char, 65536> ownStack{};   ///< alternate signal stack, because the normal stack may have overflowed
     std::array<void*, 128> frames{};
     LoadedModules modules;
     std::atomic<const char*> endedBy{nullptr};   ///< type of the uncaught exception
@@ -258,7 +258,7 @@ int openDump(const SignalTime& time)
     for (const char* part :
          {known.pathBegin.data(), static_cast<const char*>(time.text.data()), known.process.data()}) {
         for (; *part != '\0' && size + 1 < path.size(); ++part) {
-            if (*part != ':') {   // some file systems do not allow it in names
+            if (*part != ':') {   // some file systems do not permit colons in names
                 path[size++] = *part;
             }
         }
@@ -312,7 +312,7 @@ void writeFrames(SignalText& out, int count)
     out.flush();
 }
 
-/// Writes function names after the stack is on disk, since reading the files may itself fail.
+/// Writes the function names after the stack is on disk, because reading the module files may itself fail.
 void writeFunctions(SignalText& out, int count)
 {
     static std::array<char, 512> place{};
@@ -356,12 +356,12 @@ extern "C" void onFault(int signal, siginfo_t* about, void*)
 {
     if (isBeingWritten.test_and_set()) {
         for (;;) {
-            ::pause();   // another thread is writing its fault and will end the process
+            ::pause();   // another thread is writing its own fault and will terminate the process
         }
     }
     writeDump(signal, *about);
     std::signal(signal, SIG_DFL);
-    std::raise(signal);   // delivered when this handler returns
+    std::raise(signal);   // delivered when the handler returns
 }
 
 [[noreturn]] void onTerminate()
@@ -387,7 +387,7 @@ void prepare(const CrashWriter& writer)
     put(writer.folder + '/' + writer.program + '-', known.pathBegin);
     put('-' + std::to_string(::getpid()) + ".txt", known.process);
     put("program: " + writer.program + ' ' + writer.version, known.program);
-    (void)::backtrace(known.frames.data(), 1);   // loads its libraries now, since that allocates memory
+    (void)::backtrace(known.frames.data(), 1);   // loads the required libraries now, because loading allocates memory
 }
 
 }   // namespace

@@ -76,7 +76,7 @@ std::optional<std::string> faultOfMapping(const char* mapping, std::size_t size)
         if (errno == EINVAL || errno == ENOSYS) {
             return std::nullopt;
         }
-        if (errno != EINTR && errno != EAGAIN) {   // EFAULT: access would raise SIGBUS
+        if (errno != EINTR && errno != EAGAIN) {   // EFAULT means that accessing the bytes would raise SIGBUS
             return std::strerror(errno == EFAULT ? EIO : errno);
         }
     }

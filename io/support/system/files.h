@@ -11,13 +11,13 @@ enum class FileKind { Missing, Unreachable, Folder, Regular, Other };
 struct FileFacts {
     FileKind kind = FileKind::Missing;
     std::size_t size = 0;
-    std::string problem;   ///< the system's error text for an inaccessible path
+    std::string problem;   ///< error text of the system if the path is inaccessible
 };
 
-/// Examines a path without opening it, since opening a pipe would block forever.
+/// Examines a path without opening it, because opening a pipe would block forever.
 FileFacts factsOf(const std::string& path);
 
-/// A file open for reading, closed with the object. Opening a pipe does not wait for its writer.
+/// File open for reading; the destructor closes it. Opening a pipe does not wait for a writer.
 class ReadHandle {
 public:
     explicit ReadHandle(const std::string& path);
@@ -28,9 +28,9 @@ public:
     bool isOpen() const { return value_ >= 0; }
     bool isRegular() const { return isRegular_; }
     std::size_t size() const { return size_; }
-    const std::string& problem() const { return problem_; }   ///< the system's latest error text
+    const std::string& problem() const { return problem_; }   ///< latest error text of the system
 
-    /// Returns how many bytes were read; 0 if no more can be read, with the reason in `problem`.
+    /// Returns the number of bytes read; 0 at the end of the file or on failure, with the reason in `problem`.
     std::size_t read(char* bytes, std::size_t most);
 
     /// Maps the whole file into memory, read on access; null on failure, with the reason in `problem`.
@@ -43,11 +43,11 @@ private:
     std::string problem_;
 };
 
-/// Releases a mapping from `ReadHandle::map`.
+/// Releases a mapping created by `ReadHandle::map`.
 void unmap(const char* mapping, std::size_t size);
 
-/// Makes the system read the first bytes of a mapping, and returns its error text on failure; nullopt also if the
-/// system lacks this call.
+/// Makes the system read the first `size` bytes of a mapping, and returns the system's error text on failure. Also
+/// returns nullopt if the system lacks this call.
 std::optional<std::string> faultOfMapping(const char* mapping, std::size_t size);
 
 }   // namespace angiopose::io

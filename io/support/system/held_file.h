@@ -7,10 +7,10 @@ namespace angiopose::io {
 /// An open file or folder with a non-blocking lock between programs (flock). Released with the object.
 class HeldFile {
 public:
-    enum class Way { Read, Write, Folder };   ///< Write: created if it does not exist
+    enum class Way { Read, Write, Folder };   ///< `Write` creates the file if it does not exist
 
     HeldFile() = default;
-    /// Opens a path; follows links only to folders.
+    /// Opens a path; follows symbolic links only to folders.
     HeldFile(const std::string& path, Way way);
     HeldFile(HeldFile&& other) noexcept;
     HeldFile& operator=(HeldFile&& other) noexcept;
@@ -18,14 +18,14 @@ public:
 
     bool isOpen() const { return value_ >= 0; }
 
-    enum class Held { Mine, ByAnother, Impossible };   ///< Impossible: the drive does not support locks
+    enum class Held { Mine, ByAnother, Impossible };   ///< `Impossible` means that the drive does not support locks
     Held holdAlone() const;
     Held holdWithOthers() const;
 
-    /// Returns whether the path still leads to this file; another program may just have removed it.
+    /// Whether the path still refers to this file; another program may have just removed the file.
     bool isStillAt(const std::string& path) const;
 
-    std::string text() const;   ///< its first 512 bytes
+    std::string text() const;   ///< first 512 bytes of the file
     void setText(const std::string& text) const;   ///< writes nothing if the drive is full
     void close();
 

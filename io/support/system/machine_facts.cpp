@@ -10,7 +10,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Returns the text after the first `=` or `:` of the line that begins with `key`, without quotes.
+/// Returns the text after the first `=` or `:` of the line that starts with `key`, without quotes.
 std::string valueIn(const char* path, const std::string& key)
 {
     std::ifstream file(path);

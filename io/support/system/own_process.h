@@ -12,18 +12,18 @@ std::filesystem::path ownBinary();
 
 bool isExecutable(const std::filesystem::path& file);
 
-/// Returns the total memory of the machine, bytes.
+/// Returns the total memory of the computer, bytes.
 double memoryBytes();
 
 int ownProcessId();
 
-/// Returns whether a process is running, including those of other users.
+/// Whether a process is running, including processes of other users.
 bool isAlive(int process);
 
-/// Returns the host name; "localhost" if it has none.
+/// Returns the host name of the computer; "localhost" if there is none.
 std::string machineName();
 
-/// Returns whether the stream writes to a terminal.
+/// Whether the stream writes to a terminal.
 bool isTerminal(std::FILE* stream);
 
 }   // namespace angiopose::io

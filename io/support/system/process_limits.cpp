@@ -9,7 +9,7 @@ namespace angiopose::io {
 namespace {
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-/// Returns the address space in use, including libraries.
+/// Returns the size of the address space in use, including libraries, bytes.
 rlim_t addressSpaceNow()
 {
     unsigned long pages = 1 << 18;
@@ -38,7 +38,7 @@ void limitOwnProcess(const ProcessLimits& limits)
     limitResource(RLIMIT_CPU, limits.processorSeconds);
     ::alarm(static_cast<unsigned int>(limits.seconds));
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-    ::mallopt(M_ARENA_MAX, 1);   // every further arena takes 64 MB of address space
+    ::mallopt(M_ARENA_MAX, 1);   // every additional arena takes 64 MB of address space
     limitResource(RLIMIT_AS, addressSpaceNow() + limits.furtherMemory);
 #endif
 }

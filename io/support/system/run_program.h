@@ -5,16 +5,16 @@
 
 namespace angiopose::io {
 
-/// How another program ended.
+/// Describes how another program ended.
 struct ProgramEnd {
     bool isStarted = false;
     int exitCode = 0;
-    int signal = 0;   ///< signal that ended it; 0: none
+    int signal = 0;   ///< signal that terminated the program; 0 if none
 };
 
-/// Runs a program, given by its path or a name in the search path, until it ends; its output goes to this process's
-/// streams. Ctrl+C reaches only this process: when `isStopped` returns true, sends the program SIGTERM and waits for
-/// its end.
+/// Runs a program, given by its path or by a name in the search path, until it ends; its output goes to the streams of
+/// this process. Ctrl+C reaches only this process: if `isStopped` returns true, sends SIGTERM to the program and waits
+/// for it to end.
 ProgramEnd runProgram(const std::string& program, std::vector<std::string> arguments, bool (*isStopped)());
 
 }   // namespace angiopose::io

@@ -42,7 +42,7 @@ void SignalText::flush()
     for (std::size_t done = 0; done < size_;) {
         const ssize_t written = ::write(file_, line_.data() + done, size_ - done);
         if (written <= 0) {
-            break;   // the drive is full: the file stays truncated
+            break;   // the drive is full: the file remains truncated
         }
         done += static_cast<std::size_t>(written);
     }

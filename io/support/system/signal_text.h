@@ -7,7 +7,7 @@
 
 namespace angiopose::io {
 
-/// Writes lines of a file within a signal handler: allocates no memory and takes no lock.
+/// Writes text lines to a file inside a signal handler: allocates no memory and takes no lock.
 class SignalText {
 public:
     explicit SignalText(int file) : file_(file) {}

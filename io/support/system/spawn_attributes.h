@@ -5,8 +5,8 @@
 
 namespace angiopose::io {
 
-/// Start attributes of helper programs: no signal is blocked or ignored, and each has its own process group, so that
-/// Ctrl+C reaches only the parent, which then stops them.
+/// Start attributes of helper programs: no signal is blocked or ignored, and each helper has its own process group, so
+/// that Ctrl+C reaches only the parent, which then stops the helpers.
 class SpawnAttributes {
 public:
     SpawnAttributes()

@@ -17,7 +17,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr int channelNumber = 3;   // file descriptor in the worker
+constexpr int channelNumber = 3;   // file descriptor of the channel in the worker
 
 /// Returns the worker's environment: that of this process, with `added` replacing variables of the same name.
 std::vector<std::string> environmentWith(const std::vector<std::string>& added)
@@ -59,7 +59,7 @@ bool sendAll(int channel, std::string_view bytes)
     return true;
 }
 
-/// Removes the first line from `heard`.
+/// Moves the first line of `heard` to `line`; returns false if there is no complete line.
 bool takeLine(std::string& heard, std::string& line)
 {
     const std::size_t end = heard.find('\n');
@@ -83,7 +83,7 @@ WorkerProcess::WorkerProcess(const std::string& program, std::vector<std::string
     channel_ = ends[0];
     posix_spawn_file_actions_t files;
     ::posix_spawn_file_actions_init(&files);
-    // Duplicates to a high number first: dup2 of 3 onto itself would keep its close-on-exec flag.
+    // Duplicate to a high number first, because dup2 of 3 onto itself would keep the close-on-exec flag.
     const int high = ::fcntl(ends[1], F_DUPFD_CLOEXEC, channelNumber + 1);
     ::posix_spawn_file_actions_adddup2(&files, high, channelNumber);
     ::posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -144,7 +144,7 @@ std::string WorkerProcess::end()
     }
     int status = 0;
     pid_t ended = ::waitpid(id_, &status, WNOHANG);
-    // A worker that has closed the channel is about to end on its own; waits to report how it ended.
+    // A worker that has closed the channel is about to end on its own: wait, to report how it ended.
     for (int waited = 0; ended == 0 && waited < 200; ++waited) {
         pollfd channel{channel_, POLLIN, 0};
         if (::poll(&channel, 1, 0) <= 0 || (channel.revents & POLLHUP) == 0) {

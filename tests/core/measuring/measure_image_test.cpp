@@ -148,7 +148,8 @@ TEST(MeasureImage, SaysWhereTheScaleComesFrom)
     seen.view.result->uncertainty.depthMm = 8.0;
     EXPECT_TRUE(isAmong(basis(), messages::measurePoseDoubtful));
     const Messages found = basis();
-    const auto spread = std::ranges::find_if(found, [](const Message& m) { return m.is(messages::measureDepthSpread); });
+    const auto spread =
+        std::ranges::find_if(found, [](const Message& m) { return m.is(messages::measureDepthSpread); });
     ASSERT_NE(spread, found.end());
     EXPECT_EQ(spread->text(), "Depth uncertainty: ±8.0 mm (1-σ), which is ±1.0 % of the length.");
 }
@@ -169,7 +170,8 @@ TEST(MeasureImage, ATypedScaleHoldsWhereNothingElseIsKnown)
 {
     Seen seen;
     const std::vector<Eigen::Vector2d> line{{0, 0}, {30, 40}};
-    EXPECT_TRUE(seen.measure(Length, MeasurementPlane::Typed, line).error().message.is(messages::measureNeedsTypedScale));
+    EXPECT_TRUE(
+        seen.measure(Length, MeasurementPlane::Typed, line).error().message.is(messages::measureNeedsTypedScale));
     seen.view.typedMmPerPx = 0.2;
     EXPECT_NEAR(seen.value(Length, MeasurementPlane::Typed, line), 10.0, 1e-12);
     EXPECT_NEAR(seen.value(Area, MeasurementPlane::Typed, {{0, 0}, {10, 0}, {10, 10}, {0, 10}}), 4.0, 1e-12);

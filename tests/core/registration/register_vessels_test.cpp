@@ -38,7 +38,8 @@ Centerline2d traced(const Centerline2d& exact, CounterRandom& random)
     return result;
 }
 
-constexpr double idealErrorPx = 0.05;   // for noise-free targets; line-based methods use no point partners (ALGORITHMS §7)
+constexpr double idealErrorPx =
+    0.05;   // for noise-free targets; line-based methods use no point partners (ALGORITHMS §7)
 
 TEST(RegisterVessels, RecoversKnownPoseFromNearbyStart)
 {

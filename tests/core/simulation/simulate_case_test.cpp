@@ -256,7 +256,8 @@ TEST(SimulateCase, StartsWhereAHeaderWouldPutIt)
         lateral += error.head<2>().squaredNorm() / 2.0;
         depth += error.z() * error.z();
     }
-    EXPECT_NEAR(std::sqrt(angles / cases) * 180.0 / std::numbers::pi, std::sqrt(3.0), 0.35);   // 1° about each of three axes
+    EXPECT_NEAR(std::sqrt(angles / cases) * 180.0 / std::numbers::pi, std::sqrt(3.0),
+                0.35);   // 1° about each of three axes
     EXPECT_NEAR(std::sqrt(lateral / cases), 15.0, 3.0);
     EXPECT_NEAR(std::sqrt(depth / cases), 30.0, 7.0);
 }

@@ -229,7 +229,8 @@ TEST(TreeGaps, AreClosedByJoiningEndsOrLeadingOnToASide)
         tree = whole.value();
     }
     EXPECT_EQ(core::pieceCount(tree), 1);
-    EXPECT_EQ(tree.branches.size(), smallTree().branches.size() + 1);   // one pair is joined, branch 13 is extended to the trunk
+    EXPECT_EQ(tree.branches.size(),
+              smallTree().branches.size() + 1);   // one pair is joined, branch 13 is extended to the trunk
     EXPECT_NEAR(tree.find(13)->pointsInPatient.front().y(), 0.0, 1e-9);
     EXPECT_EQ(tree.find(13)->radiusMm.size(), tree.find(13)->pointsInPatient.size());
     EXPECT_TRUE(core::findGaps(tree).empty());

@@ -81,7 +81,8 @@ TEST(RegisterCase, CallsTheViewsByTheirPlaceWhicheverIsShown)
             shown == 0 ? "view 2" : "view 1";   // its geometry is reported relative to the shown one
         const Messages& warnings = run.value().joint->warnings;
         EXPECT_TRUE(std::ranges::any_of(warnings, [&](const Message& warning) {
-            return warning.id() == messages::viewFarFromHeader(1).id() && warning.text().find(other) != std::string::npos;
+            return warning.id() == messages::viewFarFromHeader(1).id() &&
+                   warning.text().find(other) != std::string::npos;
         })) << shown;
     }
 }

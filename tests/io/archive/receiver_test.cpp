@@ -96,7 +96,8 @@ TEST(ArchiveReceiver, TakesWhatIsPushed)
         const std::string came = readText(std::filesystem::path(port.root()) / studyUid / "2.25.4711.41" /
                                           std::filesystem::path(file).filename());
         const std::string sent = readText(file);
-        const std::size_t dataset = sent.find("\x08\0\x05\0"s);   // after the file header, which the receiver writes itself
+        const std::size_t dataset =
+            sent.find("\x08\0\x05\0"s);   // after the file header, which the receiver writes itself
         ASSERT_NE(dataset, std::string::npos);
         EXPECT_TRUE(came.ends_with(std::string_view(sent).substr(dataset))) << file;
     }
@@ -250,8 +251,8 @@ TEST(ArchiveReceiver, SpeaksTlsWithKnownCertificatesOnly)
     inTheClear.isTls = false;
     EXPECT_FALSE(io::echoArchive(inTheClear, ArchiveWay::Dimse));
     const core::Messages heard = port.heard();
-    EXPECT_GE(std::ranges::count_if(heard, [](const auto& each) { return each.is(io::messages::archiveCallNotSecured); }),
-              2)
+    EXPECT_GE(
+        std::ranges::count_if(heard, [](const auto& each) { return each.is(io::messages::archiveCallNotSecured); }), 2)
         << "refused ones are reported";
 
     io::ArchiveNode otherHost = node;

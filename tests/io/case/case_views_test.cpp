@@ -71,7 +71,8 @@ TEST(CaseViews, KeepTheirOrderWhicheverIsShown)
     ASSERT_TRUE(io::saveCase(alone, folder.file("one.angiopose")));
     EXPECT_EQ(test::readText(folder.file("one.angiopose")).find("shownPlace"), std::string::npos);
     std::string far = test::readText(folder.file("both.angiopose"));
-    far.replace(far.find("\"shownPlace\": 1"), 15, "\"shownPlace\": 77");   // beyond the last view: the last one is used
+    far.replace(far.find("\"shownPlace\": 1"), 15,
+                "\"shownPlace\": 77");   // beyond the last view: the last one is used
     EXPECT_EQ(loadedFrom(folder.write("far.angiopose", far)).shownView, 1U);
 }
 

@@ -120,7 +120,8 @@ TEST_F(ResultSeal, HoldsWhereTheFileSaysTheSameInOtherWords)
 {
     const core::Case copy = afterEditing([](nlohmann::json& json) {
         nlohmann::json& camera = json["geometry"]["camera"];
-        camera["fx"] = static_cast<int>(camera["fx"].get<double>());   // -2000 instead of -2000.0, as other programs write it
+        camera["fx"] =
+            static_cast<int>(camera["fx"].get<double>());   // -2000 instead of -2000.0, as other programs write it
         json["title"] = "Renamed";
         json["vessel"]["hiddenBranches"] = {2};
         json["angiogram"]["name"] = "left";

@@ -130,7 +130,8 @@ public:
             take(planes, info, pictures);
             stream.clear();
         }
-        while (pictures.size() < movie.samples.size()) {   // the decoder holds frames back for a reordering that we do not write
+        while (pictures.size() <
+               movie.samples.size()) {   // the decoder holds frames back for a reordering that we do not write
             unsigned char* planes[3]{};
             SBufferInfo info{};
             decoder_->FlushFrame(planes, &info);

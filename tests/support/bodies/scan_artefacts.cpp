@@ -34,7 +34,8 @@ void applyFallOff(ScanGrid& grid, const CoilFallOff& coil)
     const double farMm = halfOf(grid.geometry).maxCoeff();
     eachPlace(grid, [&](float& value, const Eigen::Vector3d& place) {
         const double away = (place - coil.strongestAt).norm() / farMm;
-        value /= static_cast<float>(1.0 + (coil.strength - 1.0) * away * away);   // not a Gaussian, which the tracing fits
+        value /=
+            static_cast<float>(1.0 + (coil.strength - 1.0) * away * away);   // not a Gaussian, which the tracing fits
     });
 }
 

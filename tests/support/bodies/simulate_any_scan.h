@@ -21,7 +21,8 @@ enum class ScanKind {
     HeadTofSlab,   ///< as HeadTof, 70 mm around the circle of Willis
     BodyMra,   ///< contrast-enhanced MR, aorta from the arch on, strong fall-off of the coil sensitivity along the body
     LegMra,   ///< as BodyMra, from the end of the aorta to the popliteal arteries
-    HeadRotational,   ///< rotational angiography: one carotid artery opacified, cone-beam artifacts, round truncated field
+    HeadRotational,   ///< rotational angiography: one carotid artery opacified, cone-beam artifacts, round truncated
+                      ///< field
     AbdomenThick,   ///< CT, slices of 3 to 5 mm
     AbdomenGray,   ///< CT whose values are not Hounsfield units
     ThoraxCropped,   ///< CT with faces that cut through the heart and the aorta
@@ -42,9 +43,11 @@ enum class ScanRanges { Choosing, Judging };
 struct AnyScan {
     Volume volume;
     VesselTree arteries;   ///< all enhanced arteries, including parts outside the scan
-    VesselTree upstream;   ///< the left ventricle upstream of the aorta: not an artery, but not a wrong starting point either
+    VesselTree
+        upstream;   ///< the left ventricle upstream of the aorta: not an artery, but not a wrong starting point either
     VesselTree seen;   ///< sections of the arteries whose axes lie inside the scan
-    std::vector<int> great;   ///< ids of arteries allowed as starting points: aorta, carotid, iliac and femoral arteries, …
+    std::vector<int>
+        great;   ///< ids of arteries allowed as starting points: aorta, carotid, iliac and femoral arteries, …
 };
 
 /// Deterministic: the same arguments give the same bits.

@@ -40,7 +40,8 @@ protected:
         const QPointF at = widget.rect().center();
         QWheelEvent event(at, widget.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
                           false);
-        QSpontaneKeyEvent::setSpontaneous(&event);   // as if sent by the window system, because only then parents receive it too
+        QSpontaneKeyEvent::setSpontaneous(
+            &event);   // as if sent by the window system, because only then parents receive it too
         qApp->notify(&widget, &event);
     }
 

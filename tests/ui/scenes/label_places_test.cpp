@@ -46,7 +46,8 @@ TEST(LabelPlaces, LabelsKeepClearOfVessels)
 {
     LabelGround ground{500.0, 400.0, {}, {}};
     for (int i = 0; i < 200; ++i) {
-        ground.avoided.emplace_back(200.0 + i, 150.0 + 0.2 * i);   // to the lower right, the preferred position of labels
+        ground.avoided.emplace_back(200.0 + i,
+                                    150.0 + 0.2 * i);   // to the lower right, the preferred position of labels
     }
     const WantedLabel label{{200.0, 150.0}, {90.0, 16.0}};
     const ViewRect box = boxOf(labelPlaces({label}, ground)[0], label);

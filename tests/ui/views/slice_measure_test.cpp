@@ -135,7 +135,8 @@ void expectTubeOf12Mm(const core::VolumeGeometry& geometry, BodyPlane plane, dou
 {
     MeasuredSliceView s(geometry, plane, MeasurementKind::Length);
     const auto [left, right] = s.edgesInPicture();
-    const double awayMm = plane == BodyPlane::Axial ? 17.0 / s.view.pxPerMm() : 0.0;   // distance of the measured chord from the axis
+    const double awayMm =
+        plane == BodyPlane::Axial ? 17.0 / s.view.pxPerMm() : 0.0;   // distance of the measured chord from the axis
     s.drag(left, right);
     ASSERT_EQ(s.drawn.size(), 1U);
     const double chordMm = 2.0 * std::sqrt(tubeRadiusMm * tubeRadiusMm - awayMm * awayMm);

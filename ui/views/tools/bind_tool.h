@@ -7,8 +7,8 @@ namespace angiopose::ui {
 class AngiogramView;
 class ImageTool;
 
-/// Binds a checkable action to the mode of a tool. The action is unchecked when another mode takes over or Esc ends
-/// this one.
+/// Connects a checkable action with the mode of a tool. The action becomes unchecked when another mode starts or Esc
+/// ends this mode.
 void bindTool(QAction& action, AngiogramView& view, ImageTool& tool);
 
 }   // namespace angiopose::ui

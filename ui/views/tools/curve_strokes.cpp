@@ -8,7 +8,7 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double curveThinningPx = 0.7;
-constexpr double marginPx = 64.0;   ///< beyond the image: wider than any stroke
+constexpr double marginPx = 64.0;   ///< clipping margin around the image, wider than any stroke
 constexpr double dashAt100Px = 7.0;
 
 const Palette& tones()
@@ -16,7 +16,7 @@ const Palette& tones()
     return palette(ThemeMode::Dark);
 }
 
-/// Returns the parts that may be visible.
+/// Returns the parts of a line that may be visible.
 std::vector<StrokeLine> onPicture(const CurveCanvas& canvas, const StrokeLine& line)
 {
     const Eigen::Vector2d margin(marginPx, marginPx);

@@ -9,17 +9,17 @@
 
 namespace angiopose::ui {
 
-/// Target for drawing image curves: device px, y up.
+/// Canvas onto which image curves are drawn, in device px, y up.
 struct CurveCanvas {
     Eigen::Affine2d canvasFromImage = Eigen::Affine2d::Identity();
     double widthPx = 0.0;
     double heightPx = 0.0;
-    double pixelRatio = 1.0;   ///< device px per px at 100 %
+    double pixelRatio = 1.0;   ///< device px per px at 100 % scale
 
     bool isSame(const CurveCanvas& other) const;
 };
 
-/// Returns the mapped points in one color, without coinciding points.
+/// Maps points to the canvas as a line of one color, without coincident points.
 StrokeLine lineOn(const CurveCanvas& canvas, const std::vector<Eigen::Vector2d>& pointsPx, const Color& tone);
 
 /// Adds the visible parts of a line with a shadow, which makes it readable over bright and dark vessels; widths in px.
@@ -27,21 +27,20 @@ void addShadowed(StrokeMesh& mesh, const CurveCanvas& canvas, const StrokeLine& 
 void addShadowedDashes(StrokeMesh& mesh, const CurveCanvas& canvas, const StrokeLine& line, double widthPx,
                        double dashPx);
 
-/// Style of curves that are not being edited: suspects are dashed amber, devices dashed white. `isFaint` draws all
-/// curves as a faint trace.
+/// Style of curves at rest: curves in `inDoubt` are dashed amber, curves in `apart` (devices) dashed white. `isFaint`
+/// draws all curves faintly.
 struct CurveLook {
-    double widthPx = 2.2;   ///< at 100 % scale
+    double widthPx = 2.2;   ///< width in px at 100 % scale
     std::vector<int> inDoubt = {};
     std::vector<int> apart = {};
     bool isFaint = false;
 };
 void addCurves(StrokeMesh& mesh, const CurveCanvas& canvas, const core::Centerline2d& curves, const CurveLook& look);
 
-/// Caches the strokes of curves that are not being edited until the curves or the view change, because the mouse moves
-/// far more often.
+/// Caches strokes of unedited curves until curves or view change, since mouse moves are far more frequent.
 class KeptCurveStrokes {
 public:
-    /// `revision` identifies curves and look: equal numbers mean both are unchanged.
+    /// Returns the strokes; `revision` stands for curves and look, both of which are unchanged if it is equal.
     const StrokeMesh& of(int revision, const CurveCanvas& canvas, const core::Centerline2d& curves,
                          const CurveLook& look);
 

@@ -1,4 +1,4 @@
-// Keys of EditCurvesTool: edit mode of the mouse, brush size, points of the current path.
+// Keys of EditCurvesTool: switch the edit mode, change the brush size, and add or remove points of the current path.
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/edit_curves_tool.h"
 
@@ -37,7 +37,7 @@ bool EditCurvesTool::takesKey(const QKeyEvent& event) const
                          (event.key() == Qt::Key_BracketLeft || event.key() == Qt::Key_BracketRight);
     const bool isPath = !path_.isEmpty() && (event.key() == Qt::Key_Backspace || event.key() == Qt::Key_Return ||
                                              event.key() == Qt::Key_Enter);
-    // Backspace would move the pose: in this mode it always belongs to the path, even without one.
+    // In this mode, Backspace always edits the path, even if there is none; otherwise it would move the pose.
     return isBrush || isPath || isSuspectKey(event) || event.key() == Qt::Key_Backspace || editOf(event).has_value();
 }
 

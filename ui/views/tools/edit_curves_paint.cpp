@@ -1,4 +1,4 @@
-// Drawing of EditCurvesTool: curves, brush, region, current path.
+// Drawing of EditCurvesTool: curves, brush, region and current path.
 #include "core/tracing/angiogram/drawing/edit_centerline.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
@@ -78,7 +78,7 @@ StrokeMesh EditCurvesTool::strokes(int heightPx) const
 {
     const CurveCanvas canvas = this->canvas(heightPx);
     StrokeMesh mesh;
-    if (isDragging_) {   // removed parts stay faintly visible
+    if (isDragging_) {   // keeps removed parts faintly visible during the drag
         addCurves(mesh, canvas, curves_, {.widthPx = curveWidth, .isFaint = true});
         addCurves(mesh, canvas, shown_, lookAtRest());
     } else {
@@ -92,7 +92,7 @@ StrokeMesh EditCurvesTool::strokes(int heightPx) const
     return mesh;
 }
 
-/// Adds the parts that the brush would erase.
+/// Adds the parts of curves under the brush, which a click would erase.
 void EditCurvesTool::addTouched(StrokeMesh& mesh, const CurveCanvas& canvas) const
 {
     if (!brushes()) {

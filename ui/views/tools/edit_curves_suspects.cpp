@@ -1,5 +1,5 @@
-// Curves that may be devices: buttons (check mark, wire, cross) beside each, and keys to step through and classify
-// them.
+// Curves that may be devices: buttons next to each (check mark, wire, cross), and keys that step through these curves
+// and classify them.
 #include "core/tracing/angiogram/drawing/edit_centerline.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
@@ -24,7 +24,7 @@ const Palette& suspectTones()
     return palette(ThemeMode::Dark);
 }
 
-/// Icon of a guidewire with a curved tip, centered on the origin.
+/// Returns the icon of a guidewire with a curved tip, centered on the origin.
 QPainterPath wireSign()
 {
     QPainterPath path(QPointF(-5.0, 3.5));
@@ -35,7 +35,7 @@ QPainterPath wireSign()
 
 }   // namespace
 
-/// Check mark, wire or cross beside a suspect curve, in widget px.
+/// Button next to a suspect curve (check mark, wire or cross), in widget px.
 struct EditCurvesTool::Sign {
     QPointF center;
     int curveId = 0;
@@ -88,7 +88,7 @@ void EditCurvesTool::decide(int curveId, Decision decision)
     }
 }
 
-/// Toggles the device mark of a curve; no effect without a curve.
+/// Marks a curve as a device, or removes that mark; no effect for a negative ID.
 void EditCurvesTool::keepApart(int curveId)
 {
     if (curveId >= 0) {
@@ -97,7 +97,7 @@ void EditCurvesTool::keepApart(int curveId)
     }
 }
 
-/// Selects the next suspect, cyclically. Requires at least one.
+/// Selects the next (+1) or previous (−1) suspect curve, cyclically; there must be at least one.
 void EditCurvesTool::chooseSuspect(int step)
 {
     const auto count = static_cast<std::ptrdiff_t>(marks_.suspects.size());
@@ -123,7 +123,7 @@ void EditCurvesTool::suspectKey(const QKeyEvent& event)
         return;
     }
     const int decided = chosenSuspect_;
-    chooseSuspect(1);   // found by id: the list changes once this one is classified
+    chooseSuspect(1);   // moves on first: classifying removes the current curve from the list
     if (chosenSuspect_ == decided) {
         chosenSuspect_ = -1;
     }

@@ -127,7 +127,7 @@ void EditCurvesTool::report(const core::Centerline2d& curves, const Words& what)
     if (!isSame(curves, curves_)) {
         emit edited(curves, what);
     }
-    setShown(curves_);   // curves as updated by the receiver of the signal
+    setShown(curves_);   // the receiver of `edited` may have replaced the curves
     view().redraw();
 }
 
@@ -159,7 +159,7 @@ bool EditCurvesTool::startDrag(const ToolPoint& pressed)
 void EditCurvesTool::drag(const ToolPoint& point)
 {
     if (!isDragging_) {
-        return;   // the curves changed meanwhile
+        return;   // new curves canceled the drag
     }
     if (edit_ == CurveEdit::Erase) {
         eraseAlong(mouse_ ? mouse_->imagePx : point.imagePx, point.imagePx);
@@ -235,7 +235,7 @@ bool EditCurvesTool::doubleClick(const ToolPoint&)
     if (edit_ == CurveEdit::Draw) {
         finishPath();
     }
-    return true;   // prevents an accidental fit to window
+    return true;   // accepted, to prevent the view from maximizing
 }
 
 void EditCurvesTool::finishPath()

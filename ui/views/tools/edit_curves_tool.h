@@ -15,7 +15,7 @@ namespace angiopose::ui {
 
 enum class CurveEdit { Erase, Draw, Cut, Remove, Apart, Box, Lasso };
 
-/// Classification of curves by id.
+/// IDs of the curves that are or may be devices.
 struct CurveMarks {
     std::vector<int> suspects = {};   ///< possible catheters, guidewires or bone edges
     std::vector<int> devices = {};   ///< catheters or guidewires confirmed by the user
@@ -28,10 +28,10 @@ struct CurveGround {
     double maxRadiusPx = 8.0;
 };
 
-/// Edits the traced curves of the frame by mouse: see `CurveEdit`. Possible devices are dashed amber, with a check
-/// mark, a wire and a cross to click; S selects the next of them, A keeps it as a vessel, W marks it as a catheter or
-/// guidewire, Delete removes it. Devices are dashed white. Displays the curves it is given and reports the resulting
-/// curves after each edit.
+/// Tool that edits the traced curves of the frame with the mouse, see `CurveEdit`. Possible devices are dashed amber,
+/// with a check mark, a wire and a cross to click; S selects the next one, A accepts it as a vessel, W marks it as a
+/// catheter or guidewire, Delete removes it. Confirmed devices are dashed white. Emits the resulting curves after each
+/// edit.
 class EditCurvesTool : public ImageTool {
     Q_OBJECT
 public:
@@ -39,12 +39,12 @@ public:
     ~EditCurvesTool() override;
 
     void showCurves(const core::Centerline2d& curves, CurveMarks marks);   ///< cancels the current edit
-    void setReady(bool ready);   ///< false while the frame is being traced: editing is disabled
-    void setGround(std::shared_ptr<CurveGround> ground);   ///< null: not available yet, drawn lines are straight
+    void setReady(bool ready);   ///< false disables editing while the frame is being traced
+    void setGround(std::shared_ptr<CurveGround> ground);   ///< null if not available yet: drawn lines are then straight
     bool hasGround() const { return ground_ != nullptr; }
     void setEdit(CurveEdit edit);
     CurveEdit edit() const { return edit_; }
-    void setBrush(double radius);   ///< widget px
+    void setBrush(double radius);   ///< radius in widget px
     double brush() const { return brushRadius_; }
 
     QString caption() const override;
@@ -68,17 +68,17 @@ public:
     void paint(QPainter& painter) const override;
 
 signals:
-    void begun();   ///< mode started: requests a ground
+    void begun();   ///< the mode started; the receiver calls `setGround`
     void editChanged(ui::CurveEdit edit);
     void edited(const core::Centerline2d& curves, const ui::Words& what);
     void suspectAccepted(int curveId);
-    void keptApart(int curveId, bool apart);   ///< marked as a device, or as a vessel again
+    void keptApart(int curveId, bool apart);   ///< the curve was marked as a device, or unmarked
 
 private:
     struct Sign;
-    enum class Decision { Vessel, Device, Nothing };   ///< classification of a suspect
+    enum class Decision { Vessel, Device, Nothing };   ///< user's classification of a suspect curve
 
-    double reachPx() const;   ///< image px
+    double reachPx() const;   ///< picking tolerance in image px
     void eraseAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
     void report(const core::Centerline2d& curves, const Words& what);
     void setAnchor(const ToolPoint& point);
@@ -103,11 +103,11 @@ private:
     void addBrush(StrokeMesh& mesh, const CurveCanvas& canvas) const;
 
     core::Centerline2d curves_;
-    core::Centerline2d shown_;   ///< includes the current drag
+    core::Centerline2d shown_;   ///< curves including the effect of the current drag
     int shownRevision_ = 0;
     mutable KeptCurveStrokes strokesAtRest_;
     CurveMarks marks_;
-    int chosenSuspect_ = -1;   ///< selected by keys; −1: none
+    int chosenSuspect_ = -1;   ///< ID of the suspect curve selected with keys; −1 if none
     std::shared_ptr<CurveGround> ground_;
     bool isReady_ = false;
     CurveEdit edit_ = CurveEdit::Remove;
@@ -115,7 +115,7 @@ private:
     std::optional<ToolPoint> mouse_;
     int hovered_ = -1;
     bool isDragging_ = false;
-    bool isKeeping_ = true;   ///< a region keeps its inside, or with Ctrl its outside
+    bool isKeeping_ = true;   ///< Ctrl: the region keeps only its inside; otherwise its inside is removed
     std::vector<Eigen::Vector2d> region_;
     WirePath path_;
 };

@@ -23,7 +23,7 @@ double distance(const QPointF& a, const QPointF& b)
 
 const Palette& landmarkTones()
 {
-    return palette(ThemeMode::Dark);   // dark background in every theme
+    return palette(ThemeMode::Dark);   // images have a dark background in every theme
 }
 
 }   // namespace
@@ -72,7 +72,7 @@ std::optional<LandmarkTool::Held> LandmarkTool::heldAt(const QPointF& position) 
 bool LandmarkTool::startDrag(const ToolPoint& pressed)
 {
     held_ = heldAt(pressed.position);
-    return true;   // a drag beside the landmarks must not change window/level
+    return true;   // accepts every drag, to keep window/level from changing next to landmarks
 }
 
 void LandmarkTool::drag(const ToolPoint& point)

@@ -7,12 +7,12 @@
 
 namespace angiopose::ui {
 
-/// Landmarks being picked: complete pairs, and one incomplete pair.
+/// Landmarks as displayed: the complete pairs, and at most one incomplete pair.
 struct LandmarkMarks {
     std::vector<core::Landmark> pairs;
     std::optional<Eigen::Vector3d> pendingPointInPatient;
     std::optional<Eigen::Vector2d> pendingPixel;
-    std::vector<Eigen::Vector3d> nodesInPatient;   ///< bifurcations and ends that can be dragged
+    std::vector<Eigen::Vector3d> nodesInPatient;   ///< bifurcations and ends of the tree, which can be dragged
 };
 
 /// Picks landmark pairs between the vessels and the image. A click sets the pixel of a pair; a drag moves it, or drags

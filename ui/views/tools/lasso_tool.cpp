@@ -11,7 +11,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double smallestStepPx = 2.0;   // distance between vertices, widget px
+constexpr double smallestStepPx = 2.0;   // minimum distance between vertices, widget px
 constexpr int fewestCorners = 3;
 
 LassoEffect effectOf(Qt::KeyboardModifiers modifiers)
@@ -79,7 +79,7 @@ void LassoTool::paint(QPainter& painter) const
     for (const QPointF& corner : outline_) {
         shown << view().widgetFromImage({corner.x(), corner.y()});
     }
-    const Color& accent = palette(ThemeMode::Dark).accent;   // dark background in every theme
+    const Color& accent = palette(ThemeMode::Dark).accent;   // images have a dark background in every theme
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(toQColor(accent), 1.5, Qt::DashLine));
     painter.setBrush(toQColor(accent, 0.12));

@@ -9,8 +9,8 @@ namespace angiopose::ui {
 /// Effect of a lasso on the set of auxiliary branches.
 enum class LassoEffect { Replaces, Adds, Removes };
 
-/// Selects auxiliary branches by a lasso: replaces the set, adds to it (Shift) or removes from it (Ctrl). A double
-/// click on the background has no effect.
+/// Tool that selects auxiliary branches with a lasso, which replaces the set, adds to it (Shift) or removes from it
+/// (Ctrl). A double-click on the background has no effect.
 class LassoTool : public ImageTool {
     Q_OBJECT
 public:
@@ -29,7 +29,7 @@ signals:
     void enclosed(const QPolygonF& outlineInImagePx, ui::LassoEffect effect);
 
 private:
-    QPolygonF outline_;   ///< image px
+    QPolygonF outline_;   ///< vertices of the lasso, image px
 };
 
 }   // namespace angiopose::ui

@@ -78,7 +78,7 @@ bool MarkTool::startDrag(const ToolPoint& pressed)
     if (!held_ && mode_ == MarkMode::Arrow) {
         points_ = {pressed.imagePx};
     }
-    return true;   // a drag while marking must not change window/level
+    return true;   // accepts every drag, to keep window/level from changing while marking
 }
 
 void MarkTool::drag(const ToolPoint& point)
@@ -95,7 +95,7 @@ void MarkTool::finishDrag(const ToolPoint& point)
         points_.push_back(point.imagePx);
         askWords();
     } else {
-        click(point);   // small movement between press and release
+        click(point);   // a press with slight movement counts as a click
     }
     view().redraw();
 }
@@ -112,7 +112,7 @@ bool MarkTool::click(const ToolPoint& point)
     return true;
 }
 
-/// Opens a line edit at the first point; Enter or any further action commits the text, Esc discards it.
+/// Opens a line edit at the first point; Enter or any other action commits the text, Esc discards it.
 void MarkTool::askWords()
 {
     words_ = new QLineEdit(&view());

@@ -10,7 +10,7 @@ class QLineEdit;
 
 namespace angiopose::ui {
 
-/// Type of mark set by a click on the image.
+/// Type of mark that a click on the image sets.
 enum class MarkMode { TargetPoint, OstiumRing, SeenHere, Arrow, Words };
 inline constexpr std::size_t markModeCount = 5;
 
@@ -21,7 +21,7 @@ class MarkTool : public ImageTool {
 public:
     MarkTool(MarkMode mode, AngiogramView& view);
 
-    /// Sets the drag handles of existing marks, image px; ends a current drag.
+    /// Sets the drag handles of existing marks, image px; cancels the current drag.
     void showHandles(std::vector<Eigen::Vector2d> handles);
     /// Maps a clicked pixel to the position to set; empty result: no position. If not set, the pixel itself is used.
     using Snap = std::function<std::optional<Eigen::Vector2d>(const Eigen::Vector2d& pixel)>;
@@ -47,7 +47,7 @@ signals:
     void placed(const Eigen::Vector2d& pixel);
     void written(const std::vector<Eigen::Vector2d>& pixels, const QString& words);   ///< may be empty for arrows
     void handleMoved(int handle, const Eigen::Vector2d& pixel);
-    void removeRequested();   ///< the selected mark, or the last one
+    void removeRequested();   ///< requests removal of the selected mark, or of the last one without a selection
 
 private:
     std::optional<std::size_t> handleAt(const QPointF& position) const;
@@ -62,7 +62,7 @@ private:
     std::optional<std::size_t> held_;
     std::vector<Eigen::Vector2d> points_;   ///< points of the arrow or text being drawn
     std::optional<Eigen::Vector2d> mousePx_;
-    QLineEdit* words_ = nullptr;   ///< editor while a text is typed
+    QLineEdit* words_ = nullptr;   ///< line edit while the user types a text; otherwise null
 };
 
 }   // namespace angiopose::ui

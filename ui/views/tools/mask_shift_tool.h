@@ -30,13 +30,13 @@ public:
 signals:
     void begun();
     void ended();
-    void shifted(const Eigen::Vector2d& shiftPx);   ///< emitted during the movement
-    void settled();   ///< movement finished
+    void shifted(const Eigen::Vector2d& shiftPx);   ///< emitted continuously while the mask moves
+    void settled();   ///< emitted at the end of a drag or key step
 
 private:
     void moveTo(const Eigen::Vector2d& shiftPx);
 
-    Eigen::Vector2d shift_ = Eigen::Vector2d::Zero();   ///< right, down
+    Eigen::Vector2d shift_ = Eigen::Vector2d::Zero();   ///< px, positive to the right and down
     Eigen::Vector2d shiftBefore_ = Eigen::Vector2d::Zero();
     Eigen::Vector2d last_ = Eigen::Vector2d::Zero();
 };

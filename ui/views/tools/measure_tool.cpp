@@ -16,7 +16,7 @@ namespace {
 using core::MeasurementKind;
 
 constexpr double measureReachPx = 8.0;
-constexpr std::size_t maxOutlinePoints = 1000;   // limit of the case file
+constexpr std::size_t maxOutlinePoints = 1000;   // maximum of the case file format
 
 double awayPx(const QPointF& a, const QPointF& b)
 {
@@ -93,7 +93,7 @@ bool MeasureTool::startDrag(const ToolPoint& pressed)
     if (isDrawing_) {
         points_ = {pressed.imagePx};
     }
-    return true;   // a drag while measuring must not change window/level
+    return true;   // accepts every drag, to keep window/level from changing while measuring
 }
 
 void MeasureTool::drag(const ToolPoint& point)
@@ -113,7 +113,7 @@ void MeasureTool::finishDrag(const ToolPoint& point)
         points_.push_back(point.imagePx);
         finish();
     } else {
-        click(point);   // small movement between press and release
+        click(point);   // a press with slight movement counts as a click
     }
 }
 
@@ -193,7 +193,7 @@ bool MeasureTool::takeBack()
     return hadPoints;
 }
 
-/// Does nothing with too few points: the next click continues.
+/// Completes the measurement; with too few points, does nothing, and further clicks add points.
 void MeasureTool::finish()
 {
     if (points_.size() < (kind_ == MeasurementKind::Length ? 2U : 3U)) {

@@ -9,15 +9,15 @@
 
 namespace angiopose::ui {
 
-/// Measures in the image. Clicks set points: two make a length, three an angle (vertex in the middle); an area is
-/// closed by a click on its first point, a double click or Enter. A drag draws a length at once, or moves an existing
-/// point. Backspace removes the last point, Delete removes the selected measurement.
+/// Tool that measures in the image. Clicks set points: two for a length, three for an angle (vertex in the middle); a
+/// click on its first point, a double-click or Enter closes an area. A drag draws a whole length or moves an existing
+/// point. Backspace removes the last point; Delete removes the selected measurement.
 class MeasureTool : public ImageTool {
     Q_OBJECT
 public:
     MeasureTool(core::MeasurementKind kind, AngiogramView& view);
 
-    /// Sets the measurements whose points can be dragged; a hidden one is passed without points. Ends a current drag.
+    /// Sets the measurements whose points can be dragged; hidden measurements have no points. Cancels the current drag.
     void showMeasurements(const std::vector<core::ImageMeasurement>& there);
     /// Sets the function that labels a measurement being drawn.
     void setWords(std::function<QString(const std::vector<Eigen::Vector2d>& pixels)> words);
@@ -44,7 +44,7 @@ public:
 signals:
     void drawn(const std::vector<Eigen::Vector2d>& pixels);
     void pointMoved(int measurement, int point, const Eigen::Vector2d& pixel);
-    void removeRequested();   ///< the selected measurement, or the last one
+    void removeRequested();   ///< requests removal of the selected measurement, or of the last one without a selection
 
 private:
     struct Held {
@@ -56,17 +56,17 @@ private:
     bool isAtFirst(const QPointF& position) const;
     void finish();
     void drop();
-    std::vector<Eigen::Vector2d> seen() const;   ///< the points including the mouse position
+    std::vector<Eigen::Vector2d> seen() const;   ///< points set so far plus the pointer position
     std::vector<ImageMark> underWay() const;   ///< measurement being drawn or moved, with its label
     Eigen::Vector2d placeOf(const Eigen::Vector2d& pixel) const;
 
     core::MeasurementKind kind_;
     std::function<QString(const std::vector<Eigen::Vector2d>&)> words_;
     std::vector<core::ImageMeasurement> there_;
-    std::vector<Eigen::Vector2d> points_;   ///< points set so far
+    std::vector<Eigen::Vector2d> points_;   ///< points of the measurement being drawn
     std::optional<Eigen::Vector2d> mousePx_;
     std::optional<Held> held_;
-    bool isDrawing_ = false;   ///< drawing a length by dragging
+    bool isDrawing_ = false;   ///< a length is being drawn by dragging
 };
 
 }   // namespace angiopose::ui

@@ -14,7 +14,7 @@ double outerRadius(const NudgeGrip& grip)
     return grip.ringRadius + outerHandleGapPx;
 }
 
-/// Returns the outer handle in this direction from the center (v down).
+/// Returns the outer handle at the offset `way` (y down) from the center, if any.
 PoseHandle outerHandleAt(const NudgeGrip& grip, const Eigen::Vector2d& way)
 {
     const double outer = outerRadius(grip);

@@ -7,30 +7,30 @@
 
 namespace angiopose::ui {
 
-/// Position of the pose handles, in widget px (v down).
+/// Geometry of the pose handles in widget px (y down).
 struct NudgeGrip {
     Eigen::Vector2d center = Eigen::Vector2d::Zero();
-    double ringRadius = 0.0;   ///< 0: no handles
-    Eigen::Vector2d mmPerPx = Eigen::Vector2d::Zero();   ///< mm per widget px at the pivot's depth, along u and v
+    double ringRadius = 0.0;   ///< radius of the roll ring; there are no handles if 0
+    Eigen::Vector2d mmPerPx = Eigen::Vector2d::Zero();   ///< mm per widget px at the depth of the pivot, along u and v
 };
 
-/// Returns the handle at a widget position: the ring (with a generous margin) rolls, arcs tilt, the slider changes
-/// depth, everything else shifts.
+/// Returns the handle at a widget position: the ring (with a wide margin) for roll, the arcs for tilting, the slider
+/// for depth; elsewhere, a drag shifts the tree.
 PoseHandle handleAt(const NudgeGrip& grip, const Eigen::Vector2d& position);
 
-/// One drag of the tree, accumulated step by step because its speed may change meanwhile.
+/// Current drag of the tree; accumulated step by step, since the pace can change during the drag.
 class NudgeDrag {
 public:
     NudgeDrag(PoseHandle handle, const NudgeGrip& grip, const Eigen::Vector2d& start);
 
-    /// Returns the total offset of the drag; `pace` scales this step (0.1 is fine).
+    /// Moves the drag to `position` and returns its total offset; `pace` scales only this step (0.1 for fine steps).
     core::PoseOffset moveTo(const Eigen::Vector2d& position, double pace);
 
     PoseHandle handle() const { return handle_; }
     const Eigen::Vector2d& center() const { return center_; }
-    double startAngleRad() const { return startRad_; }   ///< clockwise on screen from the right
+    double startAngleRad() const { return startRad_; }   ///< angle on the screen, clockwise from the +x axis
     double sweepRad() const { return sweepRad_; }
-    double slidePx() const;   ///< of an outer handle: to the right, or up
+    double slidePx() const;   ///< drag distance of an outer handle, positive to the right or up
 
 private:
     PoseHandle handle_;
@@ -43,7 +43,7 @@ private:
     double sweepRad_ = 0.0;
 };
 
-/// Returns the clockwise angle on screen (v down) of a position around a center.
+/// Returns the angle on the screen (y down) of a position around a center, clockwise from the +x axis.
 double screenAngleRad(const Eigen::Vector2d& center, const Eigen::Vector2d& position);
 
 }   // namespace angiopose::ui

@@ -27,7 +27,7 @@ QPainterPath arrowHead(const QPointF& tip, const QPointF& back, const QPointF& a
     return head;
 }
 
-/// Curved double arrow: dragging rolls the tree.
+/// Returns the cursor over the roll ring, a curved double arrow.
 QCursor rollCursor()
 {
     QPixmap picture(sizePx, sizePx);
@@ -110,7 +110,7 @@ bool NudgeTool::startDrag(const ToolPoint& pressed)
         dragged_ = {};
         emit dragStarted();
     }
-    return true;   // a drag beside the tree must not change window/level either
+    return true;   // accepts every drag, to keep window/level from changing next to the tree
 }
 
 void NudgeTool::drag(const ToolPoint& point)
@@ -214,7 +214,7 @@ StrokeMesh NudgeTool::strokes(int heightPx) const
     return poseHandleStrokes(shown);
 }
 
-/// Returns the name of the active handle, or the distance it has been dragged.
+/// Returns the name of the handle under the pointer, or the amount by which it has been dragged.
 QString NudgeTool::words() const
 {
     const auto amount = [this](PoseAxis axis) {

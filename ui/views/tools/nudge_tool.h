@@ -7,8 +7,8 @@
 
 namespace angiopose::ui {
 
-/// Moves the tree on the image: drags shift it, on the ring they roll it, on the arcs they tilt it, on the slider they
-/// change depth; keys move it by steps.
+/// Tool that moves the tree on the image: a drag shifts the tree, on the ring it rolls, on the arcs it tilts, and on
+/// the slider it changes depth; keys move the tree in steps.
 class NudgeTool : public ImageTool {
     Q_OBJECT
 public:
@@ -31,13 +31,13 @@ public:
 
 signals:
     void dragStarted();
-    void dragged(const core::PoseOffset& offsetSinceStart);   ///< only the component of the active handle
+    void dragged(const core::PoseOffset& offsetSinceStart);   ///< nonzero only in the components of the active handle
     void dragFinished();
     void dragCancelled();
     void keyNudged(const ui::Nudge& nudge);
 
 private:
-    NudgeGrip grip() const;   ///< handles at the tree's pivot
+    NudgeGrip grip() const;   ///< handles around the pivot of the tree
     PoseHandleLook look() const;
     QString words() const;
 

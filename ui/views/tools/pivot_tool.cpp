@@ -12,8 +12,8 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double pivotReachPx = 12.0;   // widget px
-constexpr double nodeReachPx = 8.0;   // closer clicks snap to the bifurcation
+constexpr double pivotReachPx = 12.0;   // maximum distance of a click from the vessels, widget px
+constexpr double nodeReachPx = 8.0;   // widget px; clicks within this distance snap to a bifurcation or end
 
 }   // namespace
 
@@ -71,7 +71,7 @@ bool PivotTool::click(const ToolPoint& point)
     if (const auto place = placeAt(point)) {
         emit picked(*place);
     }
-    return true;   // clicks beside the vessels change nothing
+    return true;   // accepts clicks next to the vessels without effect
 }
 
 void PivotTool::hover(const ToolPoint& point)
@@ -118,7 +118,7 @@ void PivotTool::keyPress(const QKeyEvent& event)
     }
 }
 
-/// The first arrow key selects the first or last node; further ones continue from there.
+/// Moves the candidate to the next or previous node; the first key press selects the first or last node.
 void PivotTool::step(int by)
 {
     const std::size_t count = nodes_.size();

@@ -8,14 +8,14 @@
 
 namespace angiopose::ui {
 
-/// Picks the rotation center on the vessels: by a click on the projected tree, or by the arrow keys from one
-/// bifurcation to the next and Enter. Delete resets it to the centroid.
+/// Tool that picks the rotation center on the vessels: by a click on the projected tree, or with the arrow keys, which
+/// move from one bifurcation to the next, and Enter. Delete resets the center to the centroid.
 class PivotTool : public ImageTool {
     Q_OBJECT
 public:
     using ImageTool::ImageTool;
 
-    void showTree(const core::VesselTree& tree);   ///< displayed tree from which to pick
+    void showTree(const core::VesselTree& tree);   ///< sets the tree on which the center is picked
 
     QString caption() const override;
     const Color& tone() const override;
@@ -38,9 +38,9 @@ private:
     void step(int by);
 
     core::VesselTree tree_;
-    std::vector<Eigen::Vector3d> nodes_;   ///< bifurcations and ends, visited by the arrow keys
-    std::optional<Eigen::Vector3d> candidate_;   ///< point that a click or Enter would pick
-    std::size_t node_ = 0;   ///< index selected by the arrow keys
+    std::vector<Eigen::Vector3d> nodes_;   ///< bifurcations and ends, through which the arrow keys step
+    std::optional<Eigen::Vector3d> candidate_;   ///< point that the next click or Enter picks
+    std::size_t node_ = 0;   ///< index into `nodes_` selected with the arrow keys
 };
 
 }   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 
 namespace angiopose::ui {
 
-/// Path drawn from anchor to anchor that follows vessels between them.
+/// Path drawn from anchor to anchor; a live wire follows the vessels in between.
 class WirePath {
 public:
     using Points = std::vector<Eigen::Vector2d>;
@@ -14,19 +14,19 @@ public:
     bool isEmpty() const { return pieces_.empty(); }
     void clear();
 
-    /// Adds an anchor. The segment is straight if there is no wire or `straight` is set.
+    /// Adds an anchor. The new segment is straight if `wire` is null or `straight` is set.
     void add(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight);
     void takeBack(core::LiveWire* wire);   ///< removes the last anchor
     void aim(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight);   ///< previews the next anchor
 
-    Points points() const;   ///< without the preview
+    Points points() const;   ///< points of the path, without the preview
     Points anchors() const;
     const Points& aimed() const { return aimed_; }
 
 private:
     Points wayTo(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight) const;
 
-    std::vector<Points> pieces_;   ///< the first holds only the first anchor; each ends at an anchor
+    std::vector<Points> pieces_;   ///< segments, each ending at an anchor; the first consists of the first anchor only
     Points aimed_;
 };
 

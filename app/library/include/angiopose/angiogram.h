@@ -20,12 +20,12 @@ struct Angiogram;
 
 enum class Polarity { VesselsDark, VesselsBright };
 
-/// Image of pixels in row order, (0, 0) top left.
+/// Image with pixels in row-major order; pixel (0, 0) is at the top left.
 template <class T>
 struct Image2d {
     int width = 0;
     int height = 0;
-    std::vector<T> pixels;   ///< width · height
+    std::vector<T> pixels;   ///< width · height values
 
     bool isEmpty() const { return pixels.empty(); }
 };
@@ -33,11 +33,11 @@ struct Image2d {
 using Image = Image2d<float>;
 using Mask = Image2d<std::uint8_t>;   ///< 0 outside, any other value inside
 
-/// One X-ray cine run: frames of equal size with the geometry from its header. Copies share the frames, which never
-/// change.
+/// X-ray cine run: frames of equal size, with the geometry from the header. Copies share the frames, which are
+/// immutable.
 class ANGIOPOSE_EXPORT Angiogram {
 public:
-    /// Copies the frames. Throws if there is none or if they differ in size.
+    /// Copies the frames. Throws if there are no frames or if their sizes differ.
     Angiogram(const std::vector<Image>& frames, Polarity polarity, const CArm& cArm = {});
     explicit Angiogram(std::shared_ptr<const core::Angiogram> content);
 
@@ -45,13 +45,13 @@ public:
     int height() const;
     int frameCount() const;
     std::span<const float> pixels(
-        int frame) const;   ///< height · width, row by row; valid as long as the angiogram exists
-    Image frame(int frame) const;   ///< a copy
+        int frame) const;   ///< height · width values in row-major order; valid as long as the angiogram exists
+    Image frame(int frame) const;   ///< returns a copy
     Polarity polarity() const;
     CArm cArm() const;
-    double frameTimeMs() const;   ///< 0: unknown
+    double frameTimeMs() const;   ///< 0 if unknown
     int suggestedFrame() const;   ///< peak-opacification frame
-    std::vector<Message> warnings() const;   ///< from reading the file
+    std::vector<Message> warnings() const;   ///< warnings from reading the file
 
     const std::shared_ptr<const core::Angiogram>& content() const { return content_; }   ///< internal use
 
@@ -62,17 +62,17 @@ private:
 /// Reads DICOM XA (single-frame and multi-frame), PNG, TIFF or JPEG.
 ANGIOPOSE_EXPORT Angiogram readAngiogram(const std::string& path);
 
-/// Writes uncompressed multi-frame 16-bit DICOM XA with the C-arm geometry.
+/// Writes uncompressed 16-bit multi-frame DICOM XA with the C-arm geometry.
 ANGIOPOSE_EXPORT void writeAngiogram(const Angiogram& angiogram, const std::string& path);
 
-/// Options of 2-D tracing. Lengths are px of a 512 × 512 frame and scale with larger frames.
+/// Options of 2-D tracing. Lengths in px refer to a 512 × 512 frame and scale with larger frames.
 struct TraceOptions {
     double minVesselRadiusPx = 1.5;   ///< radius of the thinnest vessel searched for
     double maxVesselRadiusPx =
         0.0;   ///< radius of the widest vessel searched for; 0: from pixel spacing and magnification, at least 8
-    int minBranchLengthPx = 10;   ///< shorter spurs are removed
-    int minComponentLengthPx = 30;   ///< shorter isolated components are removed
-    double sensitivity = 1.0;   ///< above 1: also detects fainter vessels
+    int minBranchLengthPx = 10;   ///< spurs shorter than this are removed
+    int minComponentLengthPx = 30;   ///< isolated components shorter than this are removed
+    double sensitivity = 1.0;   ///< values above 1 also detect fainter vessels
 };
 
 /// Result of tracing one frame.
@@ -80,16 +80,16 @@ struct AngiogramTrace {
     Centerline2d centerline;
     std::vector<int> suspectCurves;   ///< ids of curves that may be catheters, guidewires or bone edges
     Image vesselness;   ///< 0…1
-    Mask vesselMask;   ///< between the walls of the curves
+    Mask vesselMask;   ///< area between the vessel walls
     Mask fieldMask;   ///< exposed part of the image
-    std::vector<Message> warnings;   ///< for example: no contrast agent arrives in this cine run
+    std::vector<Message> warnings;   ///< e.g. no contrast agent arrives in this cine run
 };
 
 /// Traces the vessels of one image.
 ANGIOPOSE_EXPORT AngiogramTrace traceAngiogram(const Image& frame, Polarity polarity, const TraceOptions& options = {});
 
-/// Traces the vessels of one frame of a cine run, with reduced noise where neighboring frames do not move. Registration
-/// of a case uses this trace.
+/// Traces the vessels of one frame of a cine run. Where neighboring frames do not move, they are used to reduce the
+/// noise. Registration of a case uses this trace.
 ANGIOPOSE_EXPORT AngiogramTrace traceFrame(const Angiogram& run, int frame, const TraceOptions& options = {});
 
 }   // namespace angiopose

@@ -1,10 +1,10 @@
 #pragma once
 
-// AngioPose registers a 3-D vessel tree to a 2-D angiogram. Includes the whole library.
+// Main header: includes the whole library. AngioPose registers a 3-D vessel tree to a 2-D angiogram.
 
 #include "angiopose/angiogram.h"
-#include "angiopose/deformation.h"
 #include "angiopose/case.h"
+#include "angiopose/deformation.h"
 #include "angiopose/error.h"
 #include "angiopose/geometry.h"
 #include "angiopose/observer.h"

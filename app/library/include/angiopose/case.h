@@ -14,12 +14,12 @@
 namespace angiopose {
 
 /// Content of a case file: vessels, one or more angiograms of them (views), geometry, poses and options. A value type:
-/// copies share the images and are otherwise independent. Functions refer to the first view unless they say otherwise.
+/// copies share the images and are otherwise independent. Functions refer to the first view unless stated otherwise.
 class ANGIOPOSE_EXPORT Case {
 public:
     /// Creates a case from vessels and an angiogram. If the geometry is known, the initial pose is that of the C-arm
-    /// about its isocenter, else about the vessels' centroid; otherwise `setInitialPose` must set it. Starts at the
-    /// angiogram's suggested frame.
+    /// about its isocenter, or about the vessels' centroid if the isocenter is unknown; otherwise set it with
+    /// `setInitialPose`. Selects the angiogram's suggested frame.
     Case(const VesselTree& tree, const Angiogram& angiogram);
 
     Case(const Case& other);
@@ -33,25 +33,25 @@ public:
     Angiogram angiogram() const;
     int viewCount() const;
     int frame() const;
-    void setFrame(int frame);   ///< rotates the poses as the gantry rotated between the frames
+    void setFrame(int frame);   ///< also rotates the poses by the gantry rotation between the frames
     ProjectionCamera camera() const;
-    void setCamera(const ProjectionCamera& camera);   ///< for images of the angiogram's size; overrides the C-arm
+    void setCamera(const ProjectionCamera& camera);   ///< valid for images of the angiogram's size; overrides the C-arm
     CArm cArm() const;
-    void setCArm(const CArm& cArm);   ///< overrides camera and initial pose, even if they were set before
+    void setCArm(const CArm& cArm);   ///< overrides a camera and an initial pose set earlier
     Pose initialPose() const;
-    void setInitialPose(const Pose& cameraFromPatient);   ///< also moves the current pose there
-    Pose cameraFromPatient() const;   ///< current pose; registration starts from it
+    void setInitialPose(const Pose& cameraFromPatient);   ///< also sets the current pose
+    Pose cameraFromPatient() const;   ///< current pose, from which the registration starts
     void setCameraFromPatient(const Pose& cameraFromPatient);
     RegistrationOptions options() const;
     void setOptions(const RegistrationOptions& options);
     void setTarget(const Centerline2d& target);   ///< of this frame, instead of tracing it; see targetOf
-    TraceOptions traceOptions() const;   ///< used for frames without a given target
+    TraceOptions traceOptions() const;   ///< used for frames whose target has not been set
     void setTraceOptions(const TraceOptions& options);
     std::vector<int> excludedBranchIds() const;   ///< see RegistrationInput
     void setExcludedBranchIds(const std::vector<int>& ids);
     std::vector<int> auxiliaryBranchIds() const;
     void setAuxiliaryBranchIds(const std::vector<int>& ids);
-    std::vector<Message> warnings() const;   ///< from reading the case and its files
+    std::vector<Message> warnings() const;   ///< warnings from reading the case and its files
 
     struct Content;
     explicit Case(std::unique_ptr<Content> content);
@@ -62,31 +62,30 @@ private:
     std::unique_ptr<Content> content_;
 };
 
-/// Reads a case file and the files it names; traces vessels that are given as a scan, a label image or a surface.
+/// Reads a case file and the files named in it. Vessels given as a scan, a label image or a surface are traced.
 ANGIOPOSE_EXPORT Case readCase(const std::string& path, const Observer& observe = {});
 
-/// Reads a case from two files: vessels (centerlines, or a file to trace them from) and an angiogram.
+/// Reads a case from two files: vessels (centerlines, or a file in which to trace them) and an angiogram.
 ANGIOPOSE_EXPORT Case readCase(const std::string& vesselPath, const std::string& imagePath,
                                const VesselReadOptions& options = {}, const Observer& observe = {});
 
-/// Writes a case file with relative paths. Content that comes from no file is first written next to it under its name:
-/// for a.angiopose, the vessels to a.tree.vtp, the angiogram to a.angiogram.dcm, and a target that was set to
-/// a.curves.csv (marked as edited in the case file because it is valid for one frame). The case refers to these files
-/// from then on.
+/// Writes a case file with relative paths. Data that are not stored in files yet are saved next to it first: for
+/// a.angiopose, the vessels as a.tree.vtp, the angiogram as a.angiogram.dcm, and a target that was set as a.curves.csv
+/// (flagged as edited, because it is valid for one frame only). The case then refers to these files.
 ANGIOPOSE_EXPORT void writeCase(Case& session, const std::string& path);
 
-/// Target points of the case: the given ones, else those traced in its frame.
+/// Target points of the case: those that were set, or else those traced in its frame.
 ANGIOPOSE_EXPORT Centerline2d targetOf(const Case& session);
 
-/// Input of `registerVessels` as arrays; traces the angiogram if no target is given. It does not contain method,
-/// settings and locks: `registerVessels(inputOf(session), session.options())` finds the same pose as `registerCase`.
-/// Only a case knows the uncertainty of its geometry from the origin of the values; see option `geometryErrors`.
+/// Input of `registerVessels` as arrays; traces the angiogram if no target is set. Method, settings and locks are not
+/// included: `registerVessels(inputOf(session), session.options())` finds the same pose as `registerCase`. Only a case
+/// knows the origin of its geometry values, from which their uncertainty follows; see the option `geometryErrors`.
 ANGIOPOSE_EXPORT RegistrationInput inputOf(const Case& session);
 
 /// Registers the case with its options and adopts the pose. Throws if the case has several views; see registerViews.
 ANGIOPOSE_EXPORT RegistrationResult registerCase(Case& session, const Observer& observe = {});
 
-/// Registers all views of a case jointly and adopts the poses.
+/// Registers all views of a case jointly and sets their current poses to the result.
 ANGIOPOSE_EXPORT MultiViewResult registerViews(Case& session, const Observer& observe = {});
 
 /// Writes result.json of the last registration of the case.
@@ -95,18 +94,18 @@ ANGIOPOSE_EXPORT void writeResult(const Case& session, const std::string& path);
 /// Options of a simulated case; lengths in mm.
 struct SimulationOptions {
     int branchCount = 24;
-    double nonRigidStdMm = 0.0;   ///< smooth deformation of the vessels in the image
-    double missingBranchShare = 0.2;   ///< share of the branches that are unopacified in the image
-    double extraBranchShare = 0.1;   ///< vessels in the image that the tree lacks, per branch
+    double nonRigidStdMm = 0.0;   ///< standard deviation of the smooth deformation of the vessels in the image
+    double missingBranchShare = 0.2;   ///< fraction of the branches that are unopacified in the image
+    double extraBranchShare = 0.1;   ///< number of vessels in the image that are missing from the tree, per branch
     int frameCount = 8;
 };
 
 /// Simulated case with ground truth.
 struct SimulatedCase {
-    Case session;   ///< with an initial pose as a header would give it
+    Case session;   ///< its initial pose has errors typical of DICOM headers
     Pose trueCameraFromPatient = Pose::Identity();
     Centerline2d trueTarget;   ///< curves of the opacified vessels, one point per px
-    std::vector<int> missingBranchIds;   ///< unopacified in the image
+    std::vector<int> missingBranchIds;   ///< branches that are unopacified in the image
 };
 
 /// Simulates an angiogram of a random tree from a random view. The result depends only on the seed and the options.

@@ -10,12 +10,12 @@ namespace angiopose {
 
 /// Message for the user: `id` is stable and meant for programs, `text` is the English sentence.
 struct Message {
-    std::string id;   ///< "text.plain" for sentences without an id of their own
+    std::string id;   ///< "text.plain" for sentences without their own id
     std::string text;
-    std::vector<std::string> arguments;   ///< values inserted into the sentence: names, numbers with their unit
+    std::vector<std::string> arguments;   ///< values inserted into the sentence: names, and numbers with units
 };
 
-/// Thrown by every function that cannot do its work: `what()` names the file or value, the problem and the remedy.
+/// Thrown by every function that fails; `what()` names the file or value, the problem and the remedy.
 class ANGIOPOSE_EXPORT Error : public std::runtime_error {
 public:
     Error(std::string id, const std::string& sentence);
@@ -27,8 +27,8 @@ private:
     std::string id_;
 };
 
-/// Thrown when the observer stops work that has no partial result: reading, tracing. A stopped registration instead
-/// returns its best pose so far with StopReason::StoppedByUser.
+/// Thrown when the observer stops work that has no partial result (reading, tracing). A stopped registration instead
+/// returns the best pose so far with StopReason::StoppedByUser.
 class ANGIOPOSE_EXPORT Stopped : public Error {
 public:
     using Error::Error;

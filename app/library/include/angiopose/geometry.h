@@ -7,8 +7,8 @@
 #include <optional>
 
 // Coordinate frames. Patient: LPS, mm. Camera: mm, origin in the X-ray source, Z > 0 toward the detector. Image: px, u
-// right (column), v down (row), (0, 0) is the center of the first pixel. Value types do not use Eigen alignment, so
-// their layout is the same in programs compiled for another processor than the library.
+// right (column), v down (row); (0, 0) is the center of the first pixel. The value types use no Eigen alignment, so
+// that their memory layout does not depend on the processor options with which a program is compiled.
 
 namespace angiopose {
 
@@ -17,10 +17,10 @@ using Pose = Eigen::Matrix<double, 4, 4, Eigen::RowMajor | Eigen::DontAlign>;
 using Matrix6d = Eigen::Matrix<double, 6, 6, Eigen::RowMajor | Eigen::DontAlign>;
 using Vector6d = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
 
-/// Pinhole model of X-ray source and detector: u = fx X/Z + cx, v = fy Y/Z + cy. The sign of fx matters: the wrong one
-/// mirrors the image, and a tree with few branches may still fit it.
+/// Pinhole model of X-ray source and detector: u = fx X/Z + cx, v = fy Y/Z + cy. The sign of fx matters: with the wrong
+/// sign the image is mirrored, and a tree with few branches may still fit it.
 struct ProjectionCamera {
-    double fx = 0.0;   ///< px; negative in a standard image, which is seen from the detector
+    double fx = 0.0;   ///< px; negative for a standard image, viewed from the detector side
     double fy = 0.0;   ///< px
     double cx = 0.0;   ///< px
     double cy = 0.0;   ///< px
@@ -28,28 +28,28 @@ struct ProjectionCamera {
     int height = 0;   ///< rows of the image
 };
 
-/// C-arm geometry as in DICOM; lengths in mm, angles in degrees. Unset values are unknown.
+/// C-arm geometry as in DICOM; lengths in mm, angles in degrees. Values that are not set are unknown.
 struct CArm {
     std::optional<double> sourceToDetectorMm;
-    std::optional<double> sourceToPatientMm;   ///< source to isocenter
+    std::optional<double> sourceToPatientMm;   ///< distance from source to isocenter
     std::optional<double> columnSpacingMm;   ///< pixel spacing on the detector along u
     std::optional<double> rowSpacingMm;   ///< pixel spacing on the detector along v
     std::optional<double> primaryAngleDeg;   ///< LAO +, RAO −
     std::optional<double> secondaryAngleDeg;   ///< CRA +, CAU −
-    std::optional<double> rollDeg;   ///< clockwise rotation of the displayed image; not set: 0
-    std::optional<double> principalPointUPx;   ///< not set: image center
-    std::optional<double> principalPointVPx;   ///< not set: image center
-    bool mirrored = false;   ///< true: displayed as seen from the source
-    std::optional<Eigen::Vector3d> isocenterInPatientMm;   ///< not set: unknown in the vessels' coordinates
+    std::optional<double> rollDeg;   ///< clockwise rotation of the displayed image; 0 if not set
+    std::optional<double> principalPointUPx;   ///< image center if not set
+    std::optional<double> principalPointVPx;   ///< image center if not set
+    bool mirrored = false;   ///< true if the image is viewed from the source side
+    std::optional<Eigen::Vector3d> isocenterInPatientMm;   ///< not set if unknown in the coordinates of the vessels
 };
 
-/// Camera of a C-arm for images of this size; requires sourceToDetectorMm and the pixel spacings.
+/// Returns the camera of a C-arm for images of this size; requires sourceToDetectorMm and the pixel spacings.
 ANGIOPOSE_EXPORT ProjectionCamera cameraFromCArm(const CArm& cArm, int width, int height);
 
 /// Pose of a C-arm that rotates about `isocenterInPatient` (LPS, mm); requires sourceToPatientMm and both angles.
 ANGIOPOSE_EXPORT Pose cameraFromPatient(const CArm& cArm, const Eigen::Vector3d& isocenterInPatient);
 
-/// Projects a patient point (mm) to the image (px); empty if it lies at or behind the source.
+/// Projects a patient point (mm) to the image (px); empty if the point is at or behind the source.
 ANGIOPOSE_EXPORT std::optional<Eigen::Vector2d> project(const ProjectionCamera& camera, const Pose& cameraFromPatient,
                                                         const Eigen::Vector3d& pointInPatient);
 

@@ -9,11 +9,11 @@
 
 namespace angiopose {
 
-/// Registration method and its settings, by the keys that `methods()` lists. Unset settings have their defaults.
-/// Unknown keys are rejected; settings of another method are kept but have no effect.
+/// Registration method and its settings, identified by the keys that `methods()` lists. Settings that are not set have
+/// their defaults. Unknown keys are rejected; settings of other methods are kept but have no effect.
 struct RegistrationOptions {
     std::string method = "angiopose";
-    std::map<std::string, std::string> values;   ///< a number, or the name of a choice
+    std::map<std::string, std::string> values;   ///< number, or name of a choice, by key
     std::vector<std::string> locks;   ///< locked degrees of freedom: right, up, along-ray, roll, lao-rao, cra-cau
 
     ANGIOPOSE_EXPORT RegistrationOptions& set(const std::string& key, double value);
@@ -27,7 +27,7 @@ struct OptionInfo {
     std::string help;   ///< effect, in one sentence
     double min = 0.0;
     double max = 0.0;
-    std::vector<std::string> choices;   ///< if not empty: the allowed values
+    std::vector<std::string> choices;   ///< allowed values; empty if any number is allowed
     std::string defaultValue;
 };
 
@@ -35,11 +35,11 @@ struct OptionInfo {
 struct MethodInfo {
     std::string id;
     std::string label;
-    std::string summary;   ///< its cost function and its source
+    std::string summary;   ///< cost function and literature source of the method
     std::vector<OptionInfo> options;
 };
 
-/// All methods, the default first.
+/// Lists all methods, the default method first.
 ANGIOPOSE_EXPORT std::vector<MethodInfo> methods();
 
 }   // namespace angiopose

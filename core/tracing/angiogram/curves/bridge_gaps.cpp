@@ -14,7 +14,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double aheadCosine = 0.7;   // cosine: within 45° of the direction in which the vessel ends
+constexpr double aheadCosine = 0.7;   // cosine of the maximum angle (45°) to the direction of the vessel end
 constexpr std::size_t directionReach = 8;
 
 struct FreeEnd {
@@ -56,7 +56,7 @@ Image2d<int> componentLabels(const Mask2d& mask)
     return labels;
 }
 
-/// Nearest pixel ahead of the free end that belongs to another component, within `reachPx`.
+/// Returns the nearest pixel of another component that lies ahead of the free end, within `reachPx`.
 std::optional<Eigen::Vector2d> targetAhead(const FreeEnd& end, const Image2d<int>& labels, double reachPx)
 {
     const int x0 = static_cast<int>(std::lround(end.point.x()));

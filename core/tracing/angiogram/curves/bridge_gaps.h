@@ -4,8 +4,8 @@
 
 namespace angiopose::core {
 
-/// Closes short gaps in vessels: where a skeleton end points at another component at most `reachPx` ahead and the mean
-/// ridge strength between them is at least `minRidge`, a line joins them.
+/// Closes short gaps in vessels: draws a line from each skeleton end to the component it points at if that component is
+/// at most `reachPx` ahead and the mean ridge strength along the line is at least `minRidge`.
 Mask2d withGapsBridged(const Mask2d& mask, const ImageF& ridges, double reachPx, double minRidge);
 
 }   // namespace angiopose::core

@@ -9,9 +9,9 @@ namespace angiopose::core {
 namespace {
 
 constexpr double upperQuartile = 0.75;
-constexpr double clearlyFilled = 15.0;   // in units of clutter; higher (metal catheter) does not mean more contrast
+constexpr double clearlyFilled = 15.0;   // cap on ridge strength, in clutter units; above is metal, not more contrast
 
-/// Maximum over the pixel and its neighbors, because ridges are narrow and points lie between pixels.
+/// Returns the maximum vesselness in the 3×3 neighborhood, because ridges are narrow and points lie between pixels.
 double strongestAround(const ImageF& vesselness, const Eigen::Vector2d& point)
 {
     const int x = static_cast<int>(std::lround(point.x()));

@@ -7,15 +7,15 @@
 
 namespace angiopose::core {
 
-/// Score for how much of a frame looks like opacified vessels: the total length of all non-suspect curves times the
-/// length of the longest one (both in units of the frame's longer side), times how far their ridges stand out from
-/// noise and background (upper quartile along them, at most 15; `clutter` is the level that noise and background reach
-/// in `vesselness`). 0 if no curve is left.
+/// Scores how much of a frame shows opacified vessels: total length of the non-suspect curves × length of the longest
+/// of them (both in units of the frame's longer side) × upper quartile of the ridge strength along them in units of
+/// `clutter`, at most 15. `clutter` is the level that noise and background reach in `vesselness`. Returns 0 if all
+/// curves are suspect.
 double contrastSeen(const Centerline2d& centerline, const std::vector<int>& suspectIds, const ImageF& vesselness,
                     double clutter);
 
-/// A frame below this score usually shows no opacified vessels. Chosen on the even-numbered annotated angiograms, both
-/// unchanged and with their vessels painted over, and on the phantom's frames; see `contrast_table`.
+/// A frame below this score usually shows no opacified vessels. Tuned on the even-numbered annotated angiograms, both
+/// unchanged and with their vessels painted over, and on the frames of the phantom; see `contrast_table`.
 constexpr double minContrast = 8.0;
 
 /// A frame at or above this score shows opacified vessels regardless of other frames: three in five annotated

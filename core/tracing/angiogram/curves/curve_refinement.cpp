@@ -16,7 +16,7 @@ constexpr double profileMarginPx = 3.0;
 constexpr double skeletonLambda = 4.0;
 constexpr double finalLambda = 10.0;
 constexpr double unsureWeight = 0.05;
-constexpr double minRadiusAtEnd = 0.6;   // relative to the typical radius
+constexpr double minRadiusAtEnd = 0.6;   // minimum, relative to the typical radius
 constexpr int curveTangentReach = 4;
 // The absorption of a round tube follows its chord 2√(r² − x²), which falls to half at x = r √3/2.
 constexpr double halfDepthPerRadius = 0.8660254;
@@ -35,8 +35,8 @@ std::vector<Eigen::Vector2d> normalsOf(const std::vector<Eigen::Vector2d>& point
     return normals;
 }
 
-/// Replaces missing radii (negative) by the nearest known ones, or by 1 px if none is known, then applies a running
-/// median against outliers.
+/// Fills in missing (negative) radii from the nearest known radii, or with 1 px if none is known, then applies a
+/// running median against outliers.
 std::vector<double> filledRadii(const std::vector<double>& radii)
 {
     std::vector<double> known = radii;
@@ -61,7 +61,7 @@ std::vector<double> filledRadii(const std::vector<double>& radii)
     return result;
 }
 
-/// Mean opacity over a few points around the i-th point.
+/// Returns the mean opacity over a few points around the i-th point.
 double depthAround(const Curve2d& curve, const ImageF& opacity, std::size_t i)
 {
     constexpr std::size_t reach = 2;
@@ -74,8 +74,8 @@ double depthAround(const Curve2d& curve, const ImageF& opacity, std::size_t i)
     return sum / static_cast<double>(last - first + 1);
 }
 
-/// Number of points at one end that lie beyond the vessel, where the ridge filter overshoots: they are less than half
-/// as deep as points farther inside.
+/// Counts the points at one end that lie beyond the vessel, where the ridge filter overshoots: points with less than
+/// half the median opacity of the end section.
 std::size_t pointsBeyondEnd(const Curve2d& curve, const ImageF& opacity, std::size_t most)
 {
     std::vector<double> depths;
@@ -97,8 +97,8 @@ double usualRadius(const Curve2d& curve)
     return quantile({curve.radiusPx.begin(), last}, 0.5);
 }
 
-/// Number of points to cut at one end: those beyond the vessel, and those where the skeleton hooks sideways and no
-/// walls are found. The ridge of a wide vessel overshoots farther than that of a thin one.
+/// Returns the number of points to trim at one end: those beyond the vessel, and those where the skeleton hooks
+/// sideways and no walls are found. Ridges of wide vessels overshoot farther than those of thin ones.
 std::size_t pointsToCut(const Curve2d& curve, const std::vector<bool>& hasWalls, const ImageF& opacity)
 {
     const double radius = usualRadius(curve);

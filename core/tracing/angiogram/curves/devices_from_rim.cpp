@@ -8,8 +8,8 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minShareOfField = 0.2;   // relative to the frame's longer side
-constexpr double minDevicePx = 60.0;   // shorter vessel segments curve just as uniformly
+constexpr double minShareOfField = 0.2;   // minimum device length, relative to the frame's longer side
+constexpr double minDevicePx = 60.0;   // minimum device length; shorter vessel segments have equally uniform curvature
 constexpr double minShareOfWhole = 0.5;
 constexpr std::size_t stepPoints = 4;
 

@@ -7,9 +7,9 @@
 
 namespace angiopose::core {
 
-/// Ids of curves that start at the rim of the field and look like catheters or guidewires (a single arc of constant
-/// width) over at least half of their length; tracing joins a catheter with the vessel that its tip lies in. Ascending
-/// if the curve ids are.
+/// Returns the IDs of curves that start at the edge of the field and look like catheters or guidewires (a single arc of
+/// constant width) over at least half of their length; the rest of such a curve may be the vessel that the catheter tip
+/// lies in. Ascending if the curve IDs are.
 std::vector<int> devicesFromRim(const Centerline2d& centerline, const Mask2d& field);
 
 }   // namespace angiopose::core

@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// Whether the field or the image ends within 10 px of a point.
+/// Returns whether the edge of the field or image lies within 10 px of a point.
 bool isAtRim(const Eigen::Vector2d& pointPx, const Mask2d& field);
 
 }   // namespace angiopose::core

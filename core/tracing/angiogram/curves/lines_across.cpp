@@ -9,8 +9,8 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minShareAcross = 0.5;   // shorter paths may cut a corner
-constexpr double largestDeformation = 0.01;   // RMS distance from a straight line, relative to the length
+constexpr double minShareAcross = 0.5;   // minimum chord / shorter field side; shorter paths may cut a corner
+constexpr double largestDeformation = 0.01;   // maximum RMS distance from a straight line, relative to the length
 
 }   // namespace
 

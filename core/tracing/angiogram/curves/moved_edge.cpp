@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t minPointsOfEdge = 10;   // shorter paths are dominated by noise
 constexpr double nearestSidePx = 2.0;
-constexpr double farthestSidePx = 4.0;   // patients move more, but then the two sides look like separate lines
+constexpr double farthestSidePx = 4.0;   // patients may move farther, but then both sides appear as separate lines
 constexpr std::size_t edgeTangentReach = 4;
 
 /// Unit normals pointing to the right of the path.

@@ -7,10 +7,10 @@
 
 namespace angiopose::core {
 
-/// Whether a dark path (pixel by pixel, px) is one side of an edge or line of the mask image that has moved:
-/// subtraction leaves it twice, dark and bright side by side, with the bright side at least as strong. Contrast agent
-/// never leaves anything brighter than the background, which is 0 in `opacity`; so neither vessels nor the background
-/// between two of them are mistaken for a moved edge.
+/// Returns whether a dark path (pixel by pixel, px) is a misregistration artifact of the subtraction: an edge or line
+/// that moved between mask and frame appears twice, dark and bright side by side, with the bright side at least as
+/// strong. Contrast agent never appears brighter than the background (0 in `opacity`), so neither vessels nor the
+/// background between two vessels are mistaken for such an artifact.
 bool isMovedEdge(const std::vector<Eigen::Vector2d>& pathPx, const ImageF& opacity);
 
 }   // namespace angiopose::core

@@ -53,7 +53,7 @@ std::vector<std::vector<Arm>> armsByNode(const SkeletonGraph& graph)
     return arms;
 }
 
-/// Whether the arms at both ends of a short edge form two straight lines through it.
+/// Returns whether the arms at both ends of a short edge form two straight lines through the edge.
 bool isCrossing(const SkeletonGraph& graph, std::vector<Arm> ofStart, std::vector<Arm> ofEnd, std::size_t edge)
 {
     const auto belongs = [edge](Arm arm) { return arm / 2 == edge; };
@@ -69,7 +69,7 @@ bool isCrossing(const SkeletonGraph& graph, std::vector<Arm> ofStart, std::vecto
            (straight(ofStart[0], ofEnd[1]) && straight(ofStart[1], ofEnd[0]));
 }
 
-/// Attaches the arm's end to a new node and removes the distorted points within `gapPx` of it.
+/// Attaches the end of the arm to a new node and removes the distorted points within `gapPx` of that node.
 void reattach(SkeletonGraph& graph, Arm arm, int node, double gapPx)
 {
     SkeletonEdge& edge = graph.edges[arm / 2];
@@ -89,7 +89,7 @@ void reattach(SkeletonGraph& graph, Arm arm, int node, double gapPx)
     (arm % 2 == 0 ? edge.startNode : edge.endNode) = node;
 }
 
-/// Merges the two junctions into which thinning splits a crossing into one node.
+/// Merges pairs of junctions that thinning creates at a crossing into one node.
 SkeletonGraph withCrossingsMerged(SkeletonGraph graph, double crossingPx)
 {
     for (std::size_t i = 0; i < graph.edges.size(); ++i) {
@@ -119,7 +119,7 @@ SkeletonGraph withCrossingsMerged(SkeletonGraph graph, double crossingPx)
     return graph;
 }
 
-/// For each arm, the arm that continues it straight through their node, or noArm.
+/// For each arm, the arm that continues it straight through the shared node, or noArm.
 std::vector<Arm> continuations(const SkeletonGraph& graph)
 {
     struct Pair {
@@ -149,7 +149,7 @@ std::vector<Arm> continuations(const SkeletonGraph& graph)
     return partner;
 }
 
-/// Points of all edges from `arm` on, each entered at one end and left at the other.
+/// Concatenates the points of all edges from `arm` onward, each traversed from one end to the other.
 std::vector<Eigen::Vector2d> chainFrom(const SkeletonGraph& graph, Arm arm, const std::vector<Arm>& partner,
                                        std::vector<bool>& used)
 {
@@ -179,7 +179,7 @@ std::vector<std::vector<Eigen::Vector2d>> orderedCurves(const SkeletonGraph& gra
             curves.push_back(chainFrom(merged, arm, partner, used));
         }
     }
-    for (Arm arm = 0; arm < partner.size(); ++arm) {   // only rings are left
+    for (Arm arm = 0; arm < partner.size(); ++arm) {   // only closed rings remain
         if (!used[arm / 2]) {
             curves.push_back(chainFrom(merged, arm, partner, used));
         }

@@ -5,8 +5,8 @@
 
 namespace angiopose::core {
 
-/// Marks the pixels whose centers lie between the walls of a curve, i.e. closer to it than its radius at that point.
-/// Curves without radii mark nothing.
+/// Marks the pixels whose centers lie between the walls of a curve, i.e. closer to the curve than its radius at that
+/// point. Ignores curves without radii.
 Mask2d paintedVessels(const Centerline2d& centerline, int width, int height);
 
 }   // namespace angiopose::core

@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Points relative to their mean, one per row.
+/// Returns the points relative to their mean, one per row.
 Eigen::MatrixX2d centered(const std::vector<Eigen::Vector2d>& points)
 {
     Eigen::MatrixX2d rows(points.size(), 2);

@@ -5,10 +5,10 @@
 
 namespace angiopose::core {
 
-/// RMS distance, px, of the points from the best-fit straight line.
+/// Returns the RMS distance, px, of the points from the best-fit straight line.
 double deviationFromLine(const std::vector<Eigen::Vector2d>& pointsPx);
 
-/// RMS distance, px, of the points from the best-fit circle (Kåsa 1976); the points must not be collinear.
+/// Returns the RMS distance, px, of the points from the best-fit circle (Kåsa 1976); the points must not be collinear.
 double deviationFromArc(const std::vector<Eigen::Vector2d>& pointsPx);
 
 }   // namespace angiopose::core

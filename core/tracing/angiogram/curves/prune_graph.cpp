@@ -16,7 +16,7 @@ std::vector<int> degreesOf(const SkeletonGraph& graph)
     return degrees;
 }
 
-/// Index of the spur with the lowest worth below `least`; -1 if there is none.
+/// Returns the index of the spur with the lowest score below `least`, or -1 if there is none.
 int minSpur(const SkeletonGraph& graph, const std::vector<double>& worths, double least)
 {
     const std::vector<int> degrees = degreesOf(graph);
@@ -39,7 +39,7 @@ void reverse(SkeletonEdge& edge)
     std::swap(edge.startNode, edge.endNode);
 }
 
-/// Joins the two edges that meet at `node` if exactly two distinct edges do, and measures the joined edge.
+/// Joins the edges at `node` if exactly two distinct edges meet there, and scores the joined edge.
 void joinThrough(SkeletonGraph& graph, int node, std::vector<double>& worths, const EdgeMeasure& worth)
 {
     std::vector<std::size_t> meeting;
@@ -48,7 +48,7 @@ void joinThrough(SkeletonGraph& graph, int node, std::vector<double>& worths, co
         if (edge.startNode == node || edge.endNode == node) {
             meeting.push_back(i);
         }
-        if (edge.startNode == node && edge.endNode == node) {   // the edge is a ring that ends here
+        if (edge.startNode == node && edge.endNode == node) {   // closed ring: both ends are at this node
             return;
         }
     }
@@ -71,7 +71,7 @@ void joinThrough(SkeletonGraph& graph, int node, std::vector<double>& worths, co
     worths.erase(worths.begin() + static_cast<std::ptrdiff_t>(meeting[1]));
 }
 
-/// For each node, the representative of its connected component.
+/// Returns a representative node of the connected component for each node.
 std::vector<int> piecesOf(const SkeletonGraph& graph)
 {
     std::vector<int> parent(graph.nodesPx.size());

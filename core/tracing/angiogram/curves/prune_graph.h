@@ -6,14 +6,14 @@
 
 namespace angiopose::core {
 
-/// Size or worth of an edge, such as its length or the evidence along it.
+/// Size or score of an edge, such as its length or the vessel evidence along the edge.
 using EdgeMeasure = std::function<double(const SkeletonEdge&)>;
 
-/// Removes spurs: while a branch between a junction and a free end is worth less than `least`, removes the one of
-/// lowest worth. Edges that then continue each other become one.
+/// Removes spurs (edges between a junction and a free end), lowest score first, until none scores below `least`. Merges
+/// edges that then continue each other.
 SkeletonGraph withoutSpurs(SkeletonGraph graph, const EdgeMeasure& worth, double least);
 
-/// Removes connected components whose edges sum up to less than `least`.
+/// Removes connected components whose total edge size is below `least`.
 SkeletonGraph withoutSmallPieces(SkeletonGraph graph, const EdgeMeasure& size, double least);
 
 }   // namespace angiopose::core

@@ -92,7 +92,7 @@ private:
         for (const std::size_t first : neighborsOf(nodePixel)) {
             const int start = nodeAt_.pixels[nodePixel];
             const int touching = nodeAt_.pixels[first];
-            if (touching > start) {   // two adjacent nodes
+            if (touching > start) {   // adjacent nodes; the edge is added once
                 graph_.edges.push_back({start,
                                         touching,
                                         {graph_.nodesPx[static_cast<std::size_t>(start)],

@@ -23,8 +23,8 @@ struct SkeletonGraph {
 /// Builds the graph of a one-pixel-wide skeleton; adjacent junction pixels form one node at their centroid.
 SkeletonGraph skeletonGraph(const Mask2d& skeleton);
 
-/// Ordered curves through the graph: at each node, edges that continue each other straight are joined, so two crossing
-/// vessels give two curves. Two junctions up to `crossingPx` apart that thinning made from one crossing count as one.
+/// Orders the graph into curves: at each node, joins edges that continue each other straight, so two crossing vessels
+/// give two curves. Two junctions up to `crossingPx` apart that thinning created at one crossing count as one.
 std::vector<std::vector<Eigen::Vector2d>> orderedCurves(const SkeletonGraph& graph, double crossingPx);
 
 }   // namespace angiopose::core

@@ -10,13 +10,13 @@ namespace angiopose::core {
 namespace {
 
 constexpr double minShareOfSuspect = 0.15;
-constexpr double evenBendPx = 0.7;   // RMS distance from the best-fit arc, short curves
-constexpr double evenBendPerLength = 0.006;   // RMS distance relative to the length, long curves
+constexpr double evenBendPx = 0.7;   // maximum RMS distance from the best-fit arc or line, short curves
+constexpr double evenBendPerLength = 0.006;   // maximum RMS distance relative to the length, long curves
 constexpr double minLoopPx = 20.0;
 constexpr double maxShareOfLoop = 0.6;
-constexpr double loopGap = 0.15;   // distance between the ends, relative to the length
-constexpr double evenWidth = 0.3;   // spread relative to the width: the walls of hollow devices show unevenly
-constexpr double evenTaper = 0.2;   // change from one half to the other, relative to the width
+constexpr double loopGap = 0.15;   // maximum distance between the ends, relative to the length
+constexpr double evenWidth = 0.3;   // maximum spread relative to the width; walls of hollow devices appear uneven
+constexpr double evenTaper = 0.2;   // maximum change between the two halves, relative to the width
 
 bool deformationsEvenly(const Curve2d& curve)
 {
@@ -32,7 +32,7 @@ bool keepsItsWidth(const std::vector<double>& radii)
     return 0.5 * (spread[2] - spread[0]) <= evenWidth * spread[1] && std::abs(change) <= evenTaper * spread[1];
 }
 
-/// Whether a curve closes on itself, as a loop of wire does and a single vessel does not.
+/// Returns whether a curve closes on itself, like a wire loop and unlike a single vessel.
 bool isClosedLoop(const Curve2d& curve, int imageSidePx)
 {
     const double length = curve.lengthPx();

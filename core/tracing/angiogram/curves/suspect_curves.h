@@ -6,13 +6,13 @@
 
 namespace angiopose::core {
 
-/// Whether a curve has uniform curvature (a single arc, or straight) and constant width, whatever its length.
+/// Returns whether a curve of any length has uniform curvature (straight or a single arc) and constant width.
 bool runsLikeDevice(const Curve2d& curve);
 
-/// Ids of long curves with uniform curvature (a single arc, or straight) and constant width, as catheters, wires and
-/// bone edges have and vessels rarely do, and of closed wire loops. They stay in the centerline: the user decides
-/// whether they count. `imageSidePx` is the longer side of the frame; curves without radii are judged by their course
-/// alone.
+/// Returns the IDs of long curves with uniform curvature (straight or a single arc) and constant width, typical of
+/// catheters, wires and bone edges but rare in vessels, and of closed wire loops. The curves stay in the centerline;
+/// the user decides which ones to exclude. `imageSidePx` is the longer side of the frame; curves without radii are
+/// judged by their shape alone.
 std::vector<int> suspectCurves(const Centerline2d& centerline, int imageSidePx);
 
 }   // namespace angiopose::core

@@ -18,9 +18,9 @@ namespace {
 constexpr double minBranchEvidence = 0.5;
 constexpr double minWorth = 4.5;
 constexpr double weakPart = 0.2;
-constexpr double minWorthOfPiece = 11.0;   // an isolated piece needs more evidence
-// The filters see only half of the surroundings near the rim of the field: a curve that stays mostly this close to the
-// rim is an artifact.
+constexpr double minWorthOfPiece = 11.0;   // isolated components need more evidence
+// Near the edge of the field, the filters see only half of their neighborhood: a curve that stays mostly within this
+// distance of the edge is an artifact.
 constexpr int branchRimPx = 6;
 constexpr double maxAlongRim = 0.6;
 
@@ -38,7 +38,7 @@ std::vector<float> evidenceAlong(const SkeletonEdge& edge, const ImageF& evidenc
     return along;
 }
 
-/// The field without its rim; everything beyond the image counts as outside.
+/// Field eroded by `branchRimPx`; pixels beyond the image count as outside.
 Mask2d insideOfRim(const Mask2d& field)
 {
     Mask2d inside = eroded(field, branchRimPx);

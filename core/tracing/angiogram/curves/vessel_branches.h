@@ -6,12 +6,12 @@
 
 namespace angiopose::core {
 
-/// Graph of a vessel mask that keeps only vessel-like parts: no edges along the rim of the field, no short or weak side
-/// branches, no short or weak components.
+/// Builds the graph of a vessel mask and keeps only vessel-like parts: no edges along the edge of the field, no short
+/// or weak side branches, no short or weak components.
 SkeletonGraph vesselBranches(const Mask2d& vessels, const ImageF& evidence, const ImageF& opacity, const Mask2d& field,
                              const TraceOptions& options);
 
-/// Same as `vesselBranches`, judged by length alone, for manually drawn masks.
+/// Variant of `vesselBranches` for manually drawn masks; judges edges by length alone.
 SkeletonGraph drawnBranches(const Mask2d& vessels, const TraceOptions& options);
 
 }   // namespace angiopose::core

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double touchPx = 4.0;   // beyond the wall; tracing may end before a branch's origin
+constexpr double touchPx = 4.0;   // tolerance beyond the wall; tracing may stop short of a branch's origin
 constexpr int minBranches = 2;
 
 bool endsOn(const Eigen::Vector2d& endPx, const Curve2d& trunk)

@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// Id of the widest curve that at least two others branch from: the trunk of the vessels. Devices have no branches, and
-/// vessels that only cross do not count. Nothing if curves have no radii or none has branches.
+/// Returns the ID of the vessel trunk: the widest curve with at least two branches. Devices have no branches, and
+/// vessels that merely cross do not count. Returns nullopt if no curve has radii and branches.
 std::optional<int> widestTrunk(const Centerline2d& centerline);
 
 }   // namespace angiopose::core

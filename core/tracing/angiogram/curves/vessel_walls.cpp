@@ -11,14 +11,14 @@ namespace angiopose::core {
 namespace {
 
 constexpr double profileStepPx = 0.5;
-constexpr int profilesAveraged = 3;   // to either side of the point
+constexpr int profilesAveraged = 3;   // on either side of the point
 constexpr double maxShiftPx = 2.0;
 constexpr double leapPx = 1.0;
-constexpr double widestLeap = 1.4;   // relative to the typical width nearby
+constexpr double widestLeap = 1.4;   // maximum width relative to the typical width nearby
 
 using Profile = std::span<const double>;
 
-/// Opacity profiles across each point of a curve, from −half to +half profile steps, one row per point.
+/// Opacity profiles perpendicular to a curve: one row per point, from −half to +half profile steps.
 class Profiles {
 public:
     Profiles(const std::vector<Eigen::Vector2d>& points, const std::vector<Eigen::Vector2d>& normals,
@@ -40,7 +40,7 @@ public:
 
     std::size_t count() const { return count_; }
 
-    /// Mean of a few profiles around the profile `center`.
+    /// Computes the mean of the profiles around profile `center`.
     void meanAround(std::size_t center, std::vector<double>& mean) const
     {
         const std::size_t first = center >= profilesAveraged ? center - profilesAveraged : 0;
@@ -60,11 +60,11 @@ private:
     std::size_t count_;
     std::size_t length_;
     std::vector<double> values_;
-    std::vector<double> shares_;   ///< contribution of each value to a mean over the full number of profiles
+    std::vector<double> shares_;   ///< values divided by the full number of averaged profiles
 };
 
-/// Distance from `peak` in direction ±1, in fractional steps, to where the profile falls to `level`; nothing if it does
-/// not.
+/// Returns the distance from `peak`, in (fractional) steps along `direction` (±1), at which the profile falls to
+/// `level`; nullopt if it never does.
 std::optional<double> fallBelow(Profile profile, int peak, int direction, double level)
 {
     const auto valueAt = [&profile](int k) { return profile[static_cast<std::size_t>(k)]; };

@@ -8,21 +8,21 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int maxSidewaysPx = 4;   // catheters move with the heart
+constexpr int maxSidewaysPx = 4;   // maximum lateral shift; catheters move with the heart
 constexpr int shiftCount = 2 * maxSidewaysPx + 1;
-constexpr int reachPoints = 7;   // averaged along the curve to suppress noise
-constexpr double besidePx = 2.5;   // from the walls to the background that the depth is measured against
+constexpr int reachPoints = 7;   // points averaged on either side to suppress noise
+constexpr double besidePx = 2.5;   // distance from the wall to the background samples
 constexpr double minShareOfDepth = 0.5;
 constexpr double minShareOfCurve = 0.6;
 constexpr std::size_t minFrames = 5;
 constexpr std::size_t maxFrames = 9;   // more frames add no information
 constexpr double minShareOfFrames = 0.85;
 constexpr double minShareOfAll = 0.8;
-constexpr double maxShareOfDevices = 0.35;   // share of the traced length; if more was visible before, vessels were too
+constexpr double maxShareOfDevices = 0.35;   // fraction of the traced length; above, vessels were already opacified
 
-using Depths = std::array<double, shiftCount>;   ///< depth of the dark line at each sideways shift
+using Depths = std::array<double, shiftCount>;   ///< depth of the dark line at each lateral shift
 
-/// Darkness (gray values) of the frame on the line relative to both sides of it.
+/// Returns how much darker (in gray values) the frame is on the line than on both sides of the line.
 double depthAt(const ImageF& frame, double sign, const Eigen::Vector2d& point, const Eigen::Vector2d& aside)
 {
     const auto valueAt = [&](const Eigen::Vector2d& at) { return sign * sampled(frame, at.x(), at.y()); };
@@ -36,8 +36,8 @@ std::vector<Depths> depthsAlong(const Curve2d& curve, const ImageF& frame, doubl
     for (std::size_t i = 0; i < depths.size(); ++i) {
         const Eigen::Vector2d normal(-tangents[i].y(), tangents[i].x());
         for (int k = 0; k < shiftCount; ++k) {
-            depths[i][static_cast<std::size_t>(k)] = depthAt(frame, sign, curve.pointsPx[i] + (k - maxSidewaysPx) * normal,
-                                                             (curve.radiusPx[i] + besidePx) * normal);
+            depths[i][static_cast<std::size_t>(k)] = depthAt(
+                frame, sign, curve.pointsPx[i] + (k - maxSidewaysPx) * normal, (curve.radiusPx[i] + besidePx) * normal);
         }
     }
     return depths;

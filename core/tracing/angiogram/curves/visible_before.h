@@ -7,24 +7,23 @@
 
 namespace angiopose::core {
 
-/// For each traced curve, the share 0…1 of its points that an earlier frame shows too: a dark line within 4 px
-/// sideways, at least half as deep. A structure visible before the contrast agent arrives is not a vessel but a
-/// catheter, a wire or a bone edge. Both frames have the same size; curves without radii get 0.
+/// Returns for each traced curve the fraction (0…1) of points at which an earlier frame already shows a dark line, at
+/// least half as deep and within 4 px laterally. A structure visible before the contrast agent arrives is a catheter, a
+/// wire or a bone edge, not a vessel. Both frames must have the same size; curves without radii get 0.
 std::vector<double> shareSeenBefore(const Centerline2d& centerline, const ImageF& frame, const ImageF& before,
                                     Polarity polarity);
 
-/// Evidence from an earlier frame about a trace.
+/// Parts of a trace that an earlier frame already shows.
 struct SeenBefore {
-    std::vector<int>
-        curveIds;   ///< ascending; visible before while most are not; empty if vessels may have been opacified then
-    bool isEverything = false;   ///< no contrast agent arrives between the two frames
+    std::vector<int> curveIds;   ///< curves visible before, ascending; empty if vessels may already have been opacified
+    bool isEverything = false;   ///< nearly all was visible before: no contrast agent arrived in between
 };
 
 SeenBefore seenBefore(const Centerline2d& centerline, const ImageF& frame, const ImageF& before, Polarity polarity);
 
-/// Ids of stationary curves: in nearly all frames of the run, a dark line of similar depth lies within 1 px of them.
-/// ECG clips, leads, hooks and shutter edges are stationary; vessels move, or fill and empty. Empty for runs of fewer
-/// than five frames. `frame` is the one in which the curves were traced.
+/// Returns the IDs of stationary curves: in nearly all frames of the run, a dark line of similar depth lies within 1 px
+/// of the curve. ECG clips, leads, hooks and shutter edges are stationary; vessels move, or opacify and wash out. Empty
+/// for runs of fewer than five frames. `frame` is the frame in which the curves were traced.
 std::vector<int> stillCurves(const Centerline2d& centerline, const std::vector<ImageF>& frames, int frame,
                              Polarity polarity);
 

@@ -38,7 +38,7 @@ DrawingGround drawingGround(const ImageF& frame, Polarity polarity, const TraceO
     }
     ground.opacity = flattenBackground(vesselsDark, ground.fieldMask, groundInRadii * options.maxVesselRadiusPx);
     ground.vesselness = ridgeStrength(ground.opacity, options.minVesselRadiusPx, options.maxVesselRadiusPx);
-    // The strongest 0.1 % of the values count as 1.
+    // The strongest 0.1 % of the values saturate at 1.
     const float top = std::max(ranked(evenSample(ground.vesselness.pixels, groundSamples), 0.999), 1e-12F);
     for (float& value : ground.vesselness.pixels) {
         value = std::min(1.0F, value / top);

@@ -6,15 +6,15 @@
 
 namespace angiopose::core {
 
-/// Images that guide manual drawing of curves on a frame: `LiveWire` follows the vesselness, `withDrawn` centers on the
-/// opacity. Unlike tracing, this does not require that a vessel is found.
+/// Images that guide manual drawing on a frame: `LiveWire` follows the vesselness, and `withDrawn` centers curves on
+/// the opacity. Unlike tracing, computing them does not fail if the frame shows no vessels.
 struct DrawingGround {
     ImageF vesselness;   ///< 0…1
     ImageF opacity;   ///< flattened background; vessels positive
     Mask2d fieldMask;   ///< 0 in regions excluded from tracing: shutter, border, burned-in text
 };
 
-/// All images are empty for an empty frame or one with non-finite values. `shutter` as for `findField`.
+/// Computes the images; all are empty if the frame is empty or has non-finite values. For `shutter`, see `findField`.
 DrawingGround drawingGround(const ImageF& frame, Polarity polarity, const TraceOptions& options = {},
                             const Mask2d& shutter = {});
 

@@ -33,7 +33,7 @@ Curve2d partOf(const Curve2d& curve, std::size_t first, std::size_t end)
     return {curve.id, slice(curve.pointsPx), slice(curve.radiusPx)};
 }
 
-/// The runs of consecutive points that `keeps` accepts, each as a curve.
+/// Returns the sections of consecutive points that `keeps` accepts, each as a curve.
 std::vector<Curve2d> keptParts(const Curve2d& curve, const KeepsPoint& keeps)
 {
     std::vector<Curve2d> parts;

@@ -8,8 +8,8 @@ namespace angiopose::core {
 namespace {
 
 constexpr int snapReachPx = 4;
-constexpr double snapFalloffPx = 6.0;   // extra distance from the pointer at which a much stronger vessel may lie
-constexpr std::size_t settledPerCall = 120000;   // takes about 11 ms, to keep the window responsive
+constexpr double snapFalloffPx = 6.0;   // distance from the pointer at which the snap weight falls to 0
+constexpr std::size_t settledPerCall = 120000;   // about 11 ms, to keep the window responsive
 constexpr double dearest = 240.0;
 constexpr std::uint32_t unreachedPixel = std::numeric_limits<std::uint32_t>::max();
 

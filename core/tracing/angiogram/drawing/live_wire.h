@@ -9,24 +9,24 @@
 
 namespace angiopose::core {
 
-/// Live-wire tool for drawing along vessels (intelligent scissors, Mortensen & Barrett 1998): finds the least-cost
-/// path, cheap on vessels, from an anchor to the pointer. The search continues from call to call only as far as each
-/// call needs, so a moving pointer mostly reads stored results; one call settles at most 120 000 pixels.
+/// Live-wire tool for drawing along vessels (intelligent scissors, Mortensen & Barrett 1998): finds the path of least
+/// cost, low on vessels, from an anchor to the pointer. Each call extends the search only as far as needed, so a moving
+/// pointer mostly reads stored results; one call settles at most 120 000 pixels.
 class LiveWire {
 public:
-    /// `vesselness` 0…1, as returned by `traceAngiogram`.
+    /// `vesselness` ranges from 0 to 1, as returned by `traceAngiogram`.
     explicit LiveWire(const ImageF& vesselness);
 
     /// Starts a new search at the strongest vesselness within a few px of `pointPx`.
     void setAnchor(const Eigen::Vector2d& pointPx);
 
-    /// Path from the anchor to the strongest vesselness near `pointPx`, in steps of about 1 px, both ends included. A
-    /// straight line if the search has not reached that point yet; empty without an anchor.
+    /// Returns the path from the anchor to the strongest vesselness near `pointPx`, in steps of about 1 px, both ends
+    /// included. A straight line if the search has not reached that point yet; empty without an anchor.
     std::vector<Eigen::Vector2d> pathTo(const Eigen::Vector2d& pointPx);
 
 private:
     using Pixel = std::uint32_t;
-    static constexpr std::uint32_t bucketCount = 512;   ///< larger than the highest cost of a step
+    static constexpr std::uint32_t bucketCount = 512;   ///< larger than the maximum cost of a step
 
     Pixel snapped(const Eigen::Vector2d& pointPx) const;
     Eigen::Vector2d pointOf(Pixel pixel) const;

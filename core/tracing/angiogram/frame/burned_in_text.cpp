@@ -10,19 +10,19 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double extremeShare = 0.02;   // share of the range that counts as the extreme value after lossy compression
-constexpr double hardEdge = 0.3;   // share of the range, between a shape and its surroundings
-constexpr double hardEdgeOfInk = 0.12;   // if the shape has one exact value, which X-ray images do not
+constexpr double extremeShare = 0.02;   // tolerance around minimum and maximum (lossy compression), fraction of range
+constexpr double hardEdge = 0.3;   // minimum intensity step across a shape's border, as a fraction of the range
+constexpr double hardEdgeOfInk = 0.12;   // same for shapes of one exact value, which X-ray images never contain
 constexpr int inkLevels = 256;
 constexpr int minInkPx = 40;
 constexpr std::size_t maxInks = 3;
-constexpr double minHardShare = 0.8;   // share of a shape's border
+constexpr double minHardShare = 0.8;   // minimum fraction of a shape's border with such a step
 constexpr int minPixelsOfLetter = 4;
 constexpr int minHeightPx = 5;
 constexpr int textMarginPx = 3;
 
-/// Share of the neighbors outside the shape that differ from `value` by at least `step`, measured two pixels away
-/// because the border may be smoothed.
+/// Returns the fraction of the pixels just outside the shape that differ from `value` by at least `step`, sampled two
+/// pixels away because the border may be smoothed.
 double hardShare(const ImageF& frame, const Mask2d& drawn, const std::vector<std::size_t>& pixels, float value,
                  double step)
 {
@@ -67,7 +67,7 @@ std::vector<Glyph> glyphsOf(const ImageF& frame, const Ink& ink, double greatest
     return glyphs;
 }
 
-/// For each value, the number of pixels with an equal neighbor on one side and a hard edge on the other.
+/// For each value, counts the pixels with an equal neighbor on one side and a hard edge on the other.
 std::vector<int> inkCounts(const ImageF& frame, float least, float range)
 {
     std::vector<int> counts(inkLevels + 1);
@@ -85,7 +85,7 @@ std::vector<int> inkCounts(const ImageF& frame, float least, float range)
     return counts;
 }
 
-/// The minimum and maximum values, and the values that occur most often in flat shapes with hard edges.
+/// Returns the minimum and maximum values, and the values most frequent in flat shapes with hard edges.
 std::vector<Ink> inksOf(const ImageF& frame)
 {
     const auto [least, greatest] = std::minmax_element(frame.pixels.begin(), frame.pixels.end());

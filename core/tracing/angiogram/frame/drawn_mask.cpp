@@ -6,8 +6,8 @@
 namespace angiopose::core {
 namespace {
 
-constexpr float edgeShare = 0.1F;   // share of the range: tolerance around one of the two levels
-constexpr double minOfLevels = 0.97;   // share of the pixels; the rest are edges smoothed by drawing or scaling
+constexpr float edgeShare = 0.1F;   // tolerance around either level, as a fraction of the range
+constexpr double minOfLevels = 0.97;   // minimum fraction of pixels at the two levels; the rest are smoothed edges
 
 }   // namespace
 

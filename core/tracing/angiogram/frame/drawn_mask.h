@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// Interprets a two-level image (apart from blurred edges) as a vessel mask: white vessels on a larger black
-/// background. Nothing for any other image, including frames of an X-ray run.
+/// Converts a two-level image (apart from blurred edges) to a vessel mask: white vessels on a larger black background.
+/// Returns nullopt for any other image, including X-ray frames.
 std::optional<Mask2d> drawnMask(const ImageF& picture);
 
 }   // namespace angiopose::core

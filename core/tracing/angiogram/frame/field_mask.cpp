@@ -11,14 +11,14 @@
 namespace angiopose::core {
 namespace {
 
-// A shutter edge rises over a few pixels; the borders of heart and diaphragm rise over many. As a share of the gray
-// range per pixel, between the measured 0.06 of shutters and 0.02 of organs; all measured on the half-size image.
+// Minimum slope of a shutter edge, as a fraction of the gray range per pixel. Shutter edges rise over a few pixels
+// (measured 0.06), the borders of heart and diaphragm over many (0.02); all measured on the half-size image.
 constexpr double sharpEdgePerPx = 0.07;
 constexpr double fieldSmoothingPx = 1.0;
 constexpr int edgeReachPx = 2;
 constexpr double minShareOfEdge = 0.6;
-constexpr std::size_t smallestDrawnShare = 200;   // minimum area is the frame's area divided by this
-constexpr int shutterEdgePx = 4;   // in full-size pixels: width of the blurred edge
+constexpr std::size_t smallestDrawnShare = 200;   // the frame's area divided by the minimum area of a region
+constexpr int shutterEdgePx = 4;   // width of the blurred edge, px of the full-size image
 
 /// Dark regions that reach the image edge and are wider than any vessel.
 Mask2d darkBorder(const ImageF& smooth, double threshold, int openingPx)
@@ -39,7 +39,7 @@ Mask2d darkBorder(const ImageF& smooth, double threshold, int openingPx)
     return border;
 }
 
-/// Mean slope across the inner edge of the border, gray values per px; 0 without a border.
+/// Returns the mean slope across the inner edge of the border, gray values per px; 0 without a border.
 double edgeSlope(const ImageF& smooth, const Mask2d& border)
 {
     double sum = 0.0;
@@ -113,7 +113,7 @@ ImageF negated(ImageF image)
     return image;
 }
 
-/// Replaces the marked part of the image by the median gray value of the rest, so nothing stands out against it.
+/// Replaces the marked part of the image by the median gray value of the rest to suppress its contrast.
 ImageF grayedOut(ImageF image, const Mask2d& marked)
 {
     std::vector<float> rest;
@@ -129,8 +129,8 @@ ImageF grayedOut(ImageF image, const Mask2d& marked)
     return image;
 }
 
-/// Whether most of the image's edge is marked, as by a page around the image; lungs and air are bright on only one
-/// side.
+/// Returns whether most of the image border is marked, as by a surrounding page; lungs and air are bright on one side
+/// only.
 bool surrounds(const Mask2d& marked)
 {
     int count = 0;
@@ -144,7 +144,7 @@ bool surrounds(const Mask2d& marked)
     return count > minShareOfEdge * all;
 }
 
-/// Unexposed surroundings, dark or light: pages and inverted displays have light ones.
+/// Finds the unexposed surroundings, dark or light (pages and inverted displays).
 Mask2d surround(const ImageF& image, int openingPx)
 {
     const Mask2d light = unexposedBorder(negated(image), openingPx);

@@ -10,11 +10,11 @@
 namespace angiopose::core {
 namespace {
 
-// The same contrast agent attenuates by a fixed share of the background (Beer-Lambert), part of which display curves
-// remove: 0 would be a fixed difference, 1 a fixed share.
+// Exponent of the vessel contrast as a function of background brightness: 1 for a fixed fraction of the background
+// (Beer-Lambert), 0 for a fixed difference; display curves lie in between.
 constexpr double contrastPower = 0.65;
 constexpr float vesselWeight = 0.05F;
-constexpr float darkestShare = 0.3F;   // share of the median background; a lower limit would amplify noise
+constexpr float darkestShare = 0.3F;   // lower limit, fraction of the median background; less would amplify noise
 
 /// Weighted Gaussian mean, sum(w v)/sum(w), on a coarser grid; only variations slower than `sigmaPx` are needed.
 ImageF slowMean(const ImageF& values, const ImageF& weights, double sigmaPx)
@@ -56,7 +56,7 @@ ImageF backgroundOf(const ImageF& image, const ImageF& exposed, double sigmaPx)
     return slowMean(image, weights, sigmaPx);
 }
 
-/// Factors that scale differences from the background to their value at the median background.
+/// Computes the gain that scales differences from the background to their value at the median background.
 ImageF contrastGain(const ImageF& background, const ImageF& exposed, float black)
 {
     std::vector<float> levels;

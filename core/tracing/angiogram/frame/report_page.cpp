@@ -11,15 +11,15 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t grayLevels = 64;   // number of bins over the gray range, to find the paper's value
-constexpr double minPaper = 0.7;   // share of the pixels; a narrow field in a black frame may come close
-constexpr double inkContrast = 0.25;   // difference from the paper, share of the gray range
-constexpr double maxToneShare = 0.1;   // share of pixels in large non-letter shapes, such as small images and frames
-constexpr double greatestLetterShare = 0.05;   // share of the longer side
+constexpr std::size_t grayLevels = 64;   // histogram bins for finding the gray value of the page
+constexpr double minPaper = 0.7;   // minimum page-colored fraction; a narrow field in a black frame comes close
+constexpr double inkContrast = 0.25;   // minimum difference of ink from the page, as a fraction of the gray range
+constexpr double maxToneShare = 0.1;   // maximum fraction of pixels in shapes too large for letters (images, frames)
+constexpr double greatestLetterShare = 0.05;   // maximum letter size, as a fraction of the longer side
 constexpr std::size_t minLetters = 30;
-constexpr double minInRows = 0.5;   // share of the letter-sized shapes; specks do not lie in rows
+constexpr double minInRows = 0.5;   // minimum fraction of letter-sized shapes in rows; specks do not form rows
 
-/// The most common gray value, if nearly all pixels have it.
+/// Returns the most frequent gray value if most pixels have it, else nullopt.
 std::optional<float> paperOf(const ImageF& picture, float low, float range)
 {
     std::array<std::size_t, grayLevels> counts{};

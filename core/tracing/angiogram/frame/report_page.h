@@ -4,8 +4,8 @@
 
 namespace angiopose::core {
 
-/// Whether the image is a page of text; dose reports and worksheets are stored among the runs of an examination. Nearly
-/// all of the page has one gray value, and most of the rest are letters in rows. All pixels must be finite.
+/// Returns whether the image is a page of text, such as a dose report or worksheet stored among the runs of an
+/// examination: most pixels have one gray value, and most other shapes are letters in rows. All pixels must be finite.
 bool isReportPage(const ImageF& picture);
 
 }   // namespace angiopose::core

@@ -13,9 +13,9 @@ namespace {
 
 constexpr int reachFrames = 4;
 constexpr int smallestSteadySide = 8;
-constexpr double steadySmoothingPx = 1.5;   // in pixels of the half-size frame
-// Multiple of the level that white noise has after smoothing; detector noise is not quite white, which accounts for
-// about one of them.
+constexpr double steadySmoothingPx = 1.5;   // standard deviation of the smoothing, px of the half-size frame
+// Threshold for a change, as a multiple of the standard deviation of smoothed white noise; about 1 of the 4 allows for
+// detector noise that is not quite white.
 constexpr double changedMultiple = 4.0;
 constexpr double maxChanged = 0.01;
 constexpr double medianPerSigma = 0.6745;   // median of |x| for a standard normal x
@@ -28,7 +28,7 @@ bool hasFinitePixels(const ImageF& image)
 
 struct Difference {
     ImageF coarse;   ///< half-size other frame minus half-size frame, minus `brighterBy`
-    float brighterBy = 0.0F;   ///< median brightness difference of the other frame
+    float brighterBy = 0.0F;   ///< median brightness difference, other frame minus frame
 };
 
 Difference differenceOf(const ImageF& coarse, const ImageF& other)
@@ -44,7 +44,7 @@ Difference differenceOf(const ImageF& coarse, const ImageF& other)
     return {std::move(difference), middle};
 }
 
-/// Standard deviation of the noise, from the Laplacian (Immerkær 1996), which suppresses most of the vessels and
+/// Estimates the standard deviation of the noise from the Laplacian (Immerkær 1996), which suppresses most vessels and
 /// organs.
 double noiseOf(const ImageF& image)
 {
@@ -58,7 +58,7 @@ double noiseOf(const ImageF& image)
     return ranked(std::move(laplacian), 0.5) / (medianPerSigma * std::sqrt(20.0));
 }
 
-/// Mask (255) of the pixels whose difference is only noise, on the half-size grid; nothing if too much has changed.
+/// Returns the mask (255) of pixels that differ only by noise, on the half-size grid; nullopt if too many have changed.
 std::optional<Mask2d> unchangedPixels(const ImageF& difference)
 {
     const double smoothNoise = noiseOf(difference) / (2.0 * std::sqrt(std::numbers::pi) * steadySmoothingPx);

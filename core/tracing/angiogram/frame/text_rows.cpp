@@ -18,7 +18,7 @@ bool areInOneRow(const Glyph& a, const Glyph& b)
            gap > 0 && gap <= 2 * height;
 }
 
-/// Removes from `waiting` the glyphs that form one row with one of its glyphs, and returns them.
+/// Removes one row of glyphs from `waiting` and returns the row.
 std::vector<Glyph> takeTextRow(std::vector<Glyph>& waiting)
 {
     std::vector<Glyph> row{waiting.back()};

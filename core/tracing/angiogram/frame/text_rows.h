@@ -15,7 +15,7 @@ struct Glyph {
 /// Bounds of the shape with these pixels, as returned by `componentsOf`.
 Glyph boundsOf(const std::vector<std::size_t>& pixels, int imageWidth);
 
-/// Rows of three or more adjacent shapes: similar height, same baseline, at most two letters apart.
+/// Groups shapes into rows of three or more: similar height, same baseline, at most two letters apart.
 std::vector<std::vector<Glyph>> textRows(std::vector<Glyph> glyphs);
 
 }   // namespace angiopose::core

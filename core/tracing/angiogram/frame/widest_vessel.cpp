@@ -9,7 +9,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double leftMainRadiusMm = 2.5;
-constexpr double maxRadiusPx = 24.0;   // above this, ribs and spine are found as vessels too
+constexpr double maxRadiusPx = 24.0;   // a larger radius would also pick up ribs and spine
 
 }   // namespace
 

@@ -11,7 +11,7 @@ inline constexpr double usualMaxVesselRadiusPx = 8.0;
 /// 5 mm diameter, converted by pixel spacing and magnification, limited to 8 to 24 px; 8 if the spacing is unknown.
 double widestVesselRadiusPx(const CArm& cArm, int width, int height);
 
-/// Fills in the widest vessel radius if the options leave it open.
+/// Sets `maxVesselRadiusPx` if the options leave it at 0.
 TraceOptions settledFor(TraceOptions options, const CArm& cArm = {}, int width = 0, int height = 0);
 
 }   // namespace angiopose::core

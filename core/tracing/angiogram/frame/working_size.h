@@ -8,13 +8,12 @@
 
 namespace angiopose::core {
 
-/// Scaling of a frame to the typical size, in which vessels are a few pixels wide: larger frames are halved and smaller
-/// ones doubled until they have it. The same vessels are then traced equally, whatever the matrix of the detector or
-/// export.
+/// Scaling of a frame to the typical size, at which vessels are a few pixels wide: larger frames are halved and smaller
+/// ones doubled, repeatedly if needed. Tracing then does not depend on the matrix size of the detector or export.
 struct WorkingSize {
-    int halvings = 0;   ///< negative: doublings
+    int halvings = 0;   ///< number of halvings; negative for doublings
 
-    double factor() const;   ///< px of the working frame per px of the stored one
+    double factor() const;   ///< px of the working frame per px of the stored frame
 };
 
 /// Chooses the scaling that gives the shorter side 176 to 767 px.

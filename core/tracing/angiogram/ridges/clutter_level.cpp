@@ -9,27 +9,27 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double rank = 0.9;   // above most noise, below what the flanks of vessels add to the far tail
+constexpr double rank = 0.9;   // quantile above most noise but below the tail that vessel flanks add
 constexpr double tailRank = 0.98;
-// Ratio of the values at these two ranks if structures are present; it is lower for pure noise.
+// Ratio of these two quantiles if structures are present; lower for pure noise.
 constexpr double tailRatio = 1.75;
-constexpr double minWeight = 0.5;   // thin vessels must be found despite some noise
-constexpr int clutterRimPx = 6;   // rim in which filters respond to the edge of the field
+constexpr double minWeight = 0.5;   // lower limit of scale weights; thin vessels must be found despite some noise
+constexpr int clutterRimPx = 6;   // width of the border in which filters respond to the field edge
 constexpr double clearMultiple = 4.0;
 constexpr int flankPx = 10;
-constexpr std::size_t minShareLeft = 10;   // if less than 1/10 of the field is left, all of it counts
+constexpr std::size_t minShareLeft = 10;   // if less than 1/10 of the field is away from vessels, all of it counts
 constexpr int maxBands = 4;
 constexpr int minBands = 2;
 constexpr int bandRows = 40;
-constexpr int enoughPixels = 82000;   // enough for the statistics
-constexpr int marginRows = 12;   // on either side, the reach of the filters
+constexpr int enoughPixels = 82000;   // pixels needed for stable statistics
+constexpr int marginRows = 12;   // rows added on either side for the reach of the filters
 
 struct Band {
     int firstRow = 0;
     int rowCount = 0;
 };
 
-/// The whole image, or several evenly spaced bands if it is large.
+/// Returns the whole image as one band, or several evenly spaced bands if the image is large.
 std::vector<Band> bandsOf(int width, int height)
 {
     const int bandCount = std::clamp(enoughPixels / (bandRows * std::max(1, width)), minBands, maxBands);
@@ -44,7 +44,7 @@ std::vector<Band> bandsOf(int width, int height)
     return bands;
 }
 
-/// The band with its margins as a separate image with inverted sign.
+/// Returns the band with its margins as a separate, inverted image.
 ImageF invertedBand(const ImageF& opacity, const Band& band, int firstRow)
 {
     const int endRow = std::min(opacity.height, band.firstRow + band.rowCount + marginRows);

@@ -7,22 +7,22 @@
 
 namespace angiopose::core {
 
-/// Estimates how strong ridges get where there is no vessel, from the ridges of the opposite sign. Contrast agent only
-/// darkens, while noise and background both darken and brighten, so bright ridges show how strong dark ones would be
+/// Estimates the ridge strength where there is no vessel from the ridges of the opposite sign. Contrast agent only
+/// darkens, while noise and background both darken and brighten, so bright ridges show how strong dark ridges would be
 /// without vessels. Large images are measured in bands.
 class Clutter {
 public:
-    /// Measures inside `field`.
+    /// Measures the clutter inside `field`.
     Clutter(const ImageF& opacity, const Mask2d& field, std::vector<RidgeScale> scales);
 
-    /// The scales, weighted so that none has stronger clutter than the coarsest: the finest filters respond most to
-    /// noise and gray-value steps, which would otherwise hide even wide vessels.
+    /// Returns the scales, weighted so that no scale has stronger clutter than the coarsest: the finest filters respond
+    /// most to noise and gray-value steps, which would otherwise hide even wide vessels.
     const std::vector<RidgeScale>& scales() const { return scales_; }
 
-    /// Level that one in ten pixels exceeds in the weighted ridges of the opposite sign; lower if the tail above it is
-    /// as thin as that of noise, from which vessels stand out sooner. `ridges` is `ridgeStrength(opacity, scales())`;
-    /// the surroundings of its clear vessels are left out, because their flanks are ridges of the opposite sign too. In
-    /// units of `ridges`; 0 without a field.
+    /// Returns the clutter level: the 90 % quantile of the weighted ridges of the opposite sign, or less if their tail
+    /// is as thin as that of pure noise, from which vessels stand out more easily. `ridges` is `ridgeStrength(opacity,
+    /// scales())`; the neighborhood of clear vessels is excluded because their flanks are ridges of the opposite sign
+    /// as well. In units of `ridges`; 0 without a field.
     double level(const ImageF& ridges) const;
 
 private:

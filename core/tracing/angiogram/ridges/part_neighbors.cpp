@@ -12,10 +12,10 @@ namespace {
 // Finer lines are mostly noise; the filters for wide vessels already detect background wider than this as such.
 constexpr double finestGroundSigmaPx = 1.4;
 constexpr double coarsestGroundSigmaPx = 2.3;
-constexpr float minRidgeEvidence = 1.3F;   // slightly above a vessel's, so noise does not split wide vessels
+constexpr float minRidgeEvidence = 1.3F;   // slightly above the vessel threshold, so noise does not split wide vessels
 constexpr float minShareOfEvidence = 0.3F;   // relative to the evidence of the adjacent vessels
 constexpr int neighborReachPx = 5;
-constexpr std::size_t minPixelsOfRidge = 16;   // fewer pixels are texture
+constexpr std::size_t minPixelsOfRidge = 16;   // smaller lines are texture
 
 ImageF brightRidges(ImageF opacity, std::vector<RidgeScale> scales)
 {

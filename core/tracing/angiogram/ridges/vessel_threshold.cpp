@@ -13,7 +13,7 @@ constexpr float lowEvidence = 0.9F;
 constexpr float highEvidence = 1.9F;
 constexpr int flankReachPx = 3;
 constexpr float flankShare = 0.35F;
-// Filters still respond weakly around the ends of strong vessels.
+// Radius of the halo in which filters still respond weakly to the ends of strong vessels.
 constexpr int haloReachPx = 12;
 constexpr float haloShare = 0.15F;
 constexpr double opacitySigmaPx = 2.0;
@@ -21,7 +21,7 @@ constexpr float minOpacityPerRidge = 0.3F;   // the opacity of a round vessel is
 constexpr std::size_t thresholdSamples = 200000;
 constexpr double noiseMultiple = 4.0;
 constexpr double clutterMultiple = 1.9;
-// For images without noise: ridges below this share of the strongest ones are only filter artifacts.
+// Lower limit relative to the strongest ridges, for images without noise: weaker ridges are filter artifacts.
 constexpr double minShareOfFrame = 0.02;
 constexpr double strongestRank = 0.999;
 

@@ -21,20 +21,20 @@ constexpr double finestSigmaPx = 0.8;
 // Coarser scales are filtered on a half-size image, at a quarter of the cost.
 constexpr double coarsestSigmaOnGrid = 1.7;
 constexpr double lineReachInSigmas = 2.5;
-constexpr double shortestLineReachPx = 4.0;   // the finest scales alone would not average out enough noise
-constexpr std::size_t tapCount = 5;   // mostly 1.25 σ apart, fine enough for the smoothness at scale σ
+constexpr double shortestLineReachPx = 4.0;   // lower limit; the finest scales alone would not average out enough noise
+constexpr std::size_t tapCount = 5;   // samples along the line, mostly 1.25 σ apart: fine enough at scale σ
 constexpr float slopeWeight = 0.85F;
-// A ridge that continues on one side only, as at blobs, is reduced by this share of the difference.
+// Fraction of the difference between both sides by which a one-sided ridge, as at a blob, is reduced.
 constexpr float oneSidedPenalty = 0.5F;
 constexpr int rowsPerStrip = 32;
-constexpr int maxFilterThreads = 2;   // more threads only wait for memory
+constexpr int maxFilterThreads = 2;   // more threads would only wait for memory
 
 /// Scale-normalized first and second Gaussian derivatives of some rows of an image.
 struct Derivatives {
     ImageF x, y, xx, xy, yy;
 };
 
-/// The row to differentiate and the rows above and below it, starting at its second pixel.
+/// Row to differentiate, with the rows above and below; the pointers start at the second pixel.
 struct ThreeRows {
     const float* above;
     const float* here;
@@ -132,7 +132,7 @@ void ridgeRow(const Derivatives& d, std::size_t start, const Eigen::Vector2f& n,
     }
 }
 
-/// Ridges across the direction `angle`, with `margin` edge values repeated left and right.
+/// Computes the ridges across direction `angle`, padded left and right with `margin` edge values.
 void fillRidges(const Derivatives& d, double angle, int margin, ImageF& ridges)
 {
     const Eigen::Vector2f normal(static_cast<float>(-std::sin(angle)), static_cast<float>(std::cos(angle)));
@@ -144,8 +144,8 @@ void fillRidges(const Derivatives& d, double angle, int margin, ImageF& ridges)
     }
 }
 
-/// Raises `strongest` to the mean ridge along the line through each pixel, minus the one-sided penalty. `rows` are the
-/// ridge rows already shifted by the taps, from back to front.
+/// Raises `strongest` at each pixel to the mean ridge strength along the line through that pixel, minus the one-sided
+/// penalty. `rows` are the ridge rows already shifted by the taps, from back to front.
 ANGIOPOSE_WIDE_VECTORS
 void raiseToLineMean(float* strongest, int width, const std::array<const float*, tapCount>& rows,
                      const std::array<float, tapCount>& weights)
@@ -172,7 +172,7 @@ public:
         d_ = {strip, strip, strip, strip, strip};
     }
 
-    /// Raises the rows of the strip that starts at row `top`.
+    /// Raises the rows of `best` in the strip that starts at row `top`.
     void raise(int top, ImageF& best)
     {
         const int rowCount = std::min(rowsPerStrip, smooth_.height - top);
@@ -243,7 +243,7 @@ ImageF ridgeStrength(const ImageF& opacity, const std::vector<RidgeScale>& scale
     }
     ImageF grid = opacity;
     double gridSpacingPx = 1.0;
-    std::vector<ImageF> levels{ImageF(grid.width, grid.height)};   // strongest ridges per grid, sizes halving
+    std::vector<ImageF> levels{ImageF(grid.width, grid.height)};   // strongest ridges per level, sizes halving
     for (const RidgeScale& scale : scales) {
         while (scale.sigmaPx / gridSpacingPx > coarsestSigmaOnGrid &&
                std::min(grid.width, grid.height) >= 2 * smallestSide) {

@@ -21,7 +21,7 @@ std::vector<RidgeScale> ridgeScales(double minRadiusPx, double maxRadiusPx);
 /// noise, and reduced if only one half of that line has a ridge.
 ImageF ridgeStrength(const ImageF& opacity, const std::vector<RidgeScale>& scales);
 
-/// Ridge strength over all scales of these radii.
+/// Computes the ridge strength over all scales for these radii.
 ImageF ridgeStrength(const ImageF& opacity, double minRadiusPx, double maxRadiusPx);
 
 }   // namespace angiopose::core

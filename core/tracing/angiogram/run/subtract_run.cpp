@@ -13,8 +13,8 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t maxMaskFrames = 8;
-constexpr double emptyShare = 0.15;   // share of the rise from the lowest to the peak opacification
-constexpr double minRise = 1.5;   // ratio of the peak frame to the first; below, the run begins with contrast
+constexpr double emptyShare = 0.15;   // fraction of the rise from lowest to peak opacification
+constexpr double minRise = 1.5;   // minimum ratio of peak to first opacification; below, the run starts with contrast
 
 std::optional<Message> problemWith(const std::vector<ImageF>& frames, const SubtractionPlan& plan)
 {
@@ -51,7 +51,7 @@ void leaveOutBlank(const std::vector<ImageF>& frames, std::vector<int>& maskFram
     }
 }
 
-/// Completes the plan by choosing the mask frames.
+/// Checks the plan and chooses its mask frames if none are given.
 Result<SubtractionPlan> settledPlan(const std::vector<ImageF>& frames, Polarity polarity, SubtractionPlan plan)
 {
     if (const auto problem = problemWith(frames, plan)) {
@@ -71,7 +71,7 @@ Result<SubtractionPlan> settledPlan(const std::vector<ImageF>& frames, Polarity 
     return plan;
 }
 
-/// Index of the single mask of a frame; nothing if it lies outside the run.
+/// Returns the index of the mask that `interval` assigns to a frame; nullopt if the mask lies outside the run.
 std::optional<std::size_t> intervalMask(const MaskInterval& interval, int frame, int frameCount)
 {
     const int first = interval.reversedFrom.value_or(0);

@@ -9,13 +9,13 @@
 
 namespace angiopose::core {
 
-using StopCheck = std::function<bool()>;   ///< true: cancel, the result is no longer needed
+using StopCheck = std::function<bool()>;   ///< returns true to cancel when the result is no longer needed
 
-/// One mask for each frame (DICOM's time interval differences, PS3.3 C.7.6.10.1): the frame `offset` frames before it;
-/// or, with `reversedFrom`, the masks run backward from `offset` frames before `reversedFrom` while the frames run
-/// forward from it.
+/// Separate mask for each frame (DICOM time interval differencing, PS3.3 C.7.6.10.1): the frame `offset` frames
+/// earlier; with `reversedFrom`, the masks run backward from `offset` frames before `reversedFrom` while the frames run
+/// forward from `reversedFrom`.
 struct MaskInterval {
-    int offset = 1;   ///< negative: masks come after their frames
+    int offset = 1;   ///< frames from mask to frame; negative if masks come later
     std::optional<int> reversedFrom = {};
 
     bool operator==(const MaskInterval&) const = default;
@@ -23,27 +23,27 @@ struct MaskInterval {
 
 /// Settings for subtracting bones and organs from the frames of a run.
 struct SubtractionPlan {
-    std::vector<int> maskFrames = {};   ///< averaged; empty: chosen by `suggestMaskFrames`
-    std::optional<MaskInterval> interval = {};   ///< replaces `maskFrames`
-    std::optional<Eigen::Vector2d> maskShiftPx = {};   ///< right and down, for all frames; absent: per frame
+    std::vector<int> maskFrames = {};   ///< frames to average; if empty, chosen by `suggestMaskFrames`
+    std::optional<MaskInterval> interval = {};   ///< if set, replaces `maskFrames`
+    std::optional<Eigen::Vector2d> maskShiftPx = {};   ///< right and down, for all frames; if unset, found per frame
     PixelRelation relation = PixelRelation::Linear;
 
     bool operator==(const SubtractionPlan&) const = default;
 };
 
-/// A subtracted run, with the mask frames and shifts that were used.
+/// Subtracted run, with the mask frames and shifts used.
 struct SubtractedRun {
-    std::vector<ImageF> frames;   ///< polarity unchanged
-    std::vector<int> maskFrames;   ///< averaged; empty for intervals
+    std::vector<ImageF> frames;   ///< polarity as in the input
+    std::vector<int> maskFrames;   ///< averaged frames; empty for interval plans
     std::vector<Eigen::Vector2d> maskShiftsPx;   ///< one per frame; zero for a frame without mask (unchanged)
 };
 
 /// Processing of the stored frames before they are shown, traced and registered (`angiogram.subtraction` of a case).
 struct RunTreatment {
     bool isSubtracted = false;
-    bool isComposite = false;   ///< every frame shows all the contrast agent of the run
+    bool isComposite = false;   ///< replaces every frame by the peak-opacification image of the run
     SubtractionPlan plan = {};
-    std::optional<Polarity> polarity = {};   ///< absent: as stated in the file
+    std::optional<Polarity> polarity = {};   ///< if unset, as stated in the file
 
     bool changesFrames() const { return isSubtracted || isComposite || polarity; }
     bool operator==(const RunTreatment&) const = default;
@@ -54,8 +54,8 @@ struct RunTreatment {
 /// frame does. Empty if the run begins with contrast or has fewer than two frames. `shutter` as for `findField`.
 std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity polarity, const Mask2d& shutter = {});
 
-/// Subtracts the averaged mask from every frame. Fails if mask frames do not exist, none can be suggested, or sizes
-/// differ.
+/// Subtracts the averaged mask from every frame. Fails if a mask frame does not exist, no mask frame can be suggested,
+/// or frame sizes differ.
 Result<SubtractedRun> subtractRun(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
                                   const StopCheck& isStopRequested = {});
 
@@ -64,7 +64,7 @@ struct SubtractedFrame {
     Eigen::Vector2d maskShiftPx = Eigen::Vector2d::Zero();
 };
 
-/// One frame as `subtractRun` returns it, for a preview while masks and shift are being chosen.
+/// Subtracts one frame as `subtractRun` does, for a preview while masks and shift are being chosen.
 Result<SubtractedFrame> subtractFrame(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
                                       int frame);
 

@@ -14,13 +14,13 @@
 namespace angiopose::core {
 namespace {
 
-// Opacification is measured on a coarse copy of each frame, because only the amount of vessel matters here, not its
+// Opacification is measured on a coarse copy of each frame, because only the vessel area matters here, not the
 // position.
 constexpr int widestSidePx = 300;
 constexpr double minRadiusPx = 1.5;
 constexpr double maxRadiusPx = 4.0;
 constexpr std::size_t smallestVesselPx = 60;
-constexpr double fullShare = 0.97;   // smaller differences are noise
+constexpr double fullShare = 0.97;   // fraction of the maximum; smaller differences are noise
 
 bool isTraceable(const ImageF& frame, const ImageF& first)
 {

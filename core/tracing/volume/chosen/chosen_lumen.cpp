@@ -24,7 +24,7 @@ VoxelMask croppedMask(const VoxelMask& mask, const VoxelBox& box)
     return part;
 }
 
-/// Adds the axis points that lie in the lumen.
+/// Adds the axis points of the great vessel that lie in the lumen.
 void addPlacesIn(const VoxelMask& lumen, const GreatVessel& great, std::vector<Eigen::Vector3d>& places)
 {
     for (const Trunk& trunk : great.trunks) {
@@ -33,7 +33,7 @@ void addPlacesIn(const VoxelMask& lumen, const GreatVessel& great, std::vector<E
     }
 }
 
-/// Axis points of the great vessels to be traced; empty if there are seeds or no great vessels.
+/// Returns the axis points of the great vessels to trace; empty if there are seeds or no great vessels.
 std::vector<Eigen::Vector3d> foundPlaces(const VoxelMask& lumen, const VesselTracingOptions& options,
                                          const std::vector<GreatVessel>& greatVessels)
 {

@@ -5,14 +5,14 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::uint8_t enclosed = 0;   ///< until proved otherwise
+constexpr std::uint8_t enclosed = 0;   ///< assumed until an outside neighbor is found
 constexpr std::uint8_t inside = 1;
 constexpr std::uint8_t outside = 2;
 constexpr std::uint8_t filled = 2;
-constexpr int maxOfTheNeighbors = 17;   ///< out of 26; next to a flat wall 9 are set, in an obtuse corner 15
+constexpr int maxOfTheNeighbors = 17;   ///< minimum of 26 neighbors; a flat wall has 9, an obtuse corner 15
 
-/// One pass over the rows, upward (`step` = 1) or downward (-1): marks voxels as outside if the neighbor beside, behind
-/// or below is outside.
+/// Makes one pass over the rows, upward (`step` = 1) or downward (-1): marks voxels as outside if the preceding
+/// neighbor along any axis is outside.
 bool sweep(VoxelMask& mask, int step, TracingProgress* progress)
 {
     const Eigen::Vector3i& size = mask.geometry.size;

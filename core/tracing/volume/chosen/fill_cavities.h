@@ -11,11 +11,11 @@ namespace angiopose::core {
 /// Stops filling when `progress`, if given, requests a stop.
 void fillCavities(VoxelMask& mask, TracingProgress* progress = nullptr);
 
-/// Whether an unset voxel may be a hole.
+/// Returns whether an unset voxel may be a hole.
 using HoleFilter = std::function<bool(int i, int j, int k)>;
 
-/// Sets voxels to 2 if most of their neighbors are set and `isHole`, if given, accepts them; larger holes take several
-/// rounds. Noise makes holes that are open to one side, and thinning would leave a loop around each. Vessel walls stay
+/// Sets voxels to 2 if most of their neighbors are set and `isHole`, if given, accepts them; larger holes need several
+/// calls. Noise creates holes that are open to one side, and thinning would leave a loop around each. Vessel walls stay
 /// in place.
 void fillHoles(VoxelMask& mask, const HoleFilter& isHole = {});
 

@@ -6,9 +6,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double wallMm = 4.0;   ///< flap, stent wires or two walls, including their blurring
+constexpr double wallMm = 4.0;   ///< maximum thickness of a flap, stent struts or two walls, including blur
 constexpr double minRadiusMm = 4.0;
-constexpr double minParallel = 0.85;   ///< cosine; pulmonary arteries cross the aorta
+constexpr double minParallel = 0.85;   ///< minimum cosine of the angle; pulmonary arteries cross the aorta
 
 bool isLumen(const VoxelMask& lumen, const Eigen::Affine3d& voxelFromPatient, const Eigen::Vector3d& inPatient)
 {
@@ -16,7 +16,7 @@ bool isLumen(const VoxelMask& lumen, const Eigen::Affine3d& voxelFromPatient, co
     return lumen.geometry.contains(at) && lumen.at(at.x(), at.y(), at.z()) != 0;
 }
 
-/// Whether most of the trunk lies inside the lumen.
+/// Returns whether most of the trunk lies inside the lumen.
 bool holds(const VoxelMask& lumen, const Trunk& trunk)
 {
     const Eigen::Affine3d voxelFromPatient = lumen.geometry.patientFromVoxel().inverse();
@@ -32,7 +32,7 @@ Eigen::Vector3d directionAt(const Trunk& trunk, std::size_t n)
         .normalized();
 }
 
-/// Whether the trunks run parallel here, no more than a wall apart.
+/// Returns whether the trunks run parallel at this point, at most one wall apart.
 bool isBeside(const Trunk& trunk, std::size_t at, const Trunk& other)
 {
     const Eigen::Vector3d direction = directionAt(trunk, at);

@@ -7,15 +7,15 @@
 
 namespace angiopose::core {
 
-/// A great vessel that was not traced, next to one that was.
+/// Untraced great vessel alongside a traced one, e.g. the second lumen of a dissection.
 struct OtherLumen {
-    double besideMm = 0.0;   ///< length of the stretch along the traced vessel
-    Eigen::Vector3d placeInPatient = Eigen::Vector3d::Zero();   ///< on its axis, in the middle of that stretch
+    double besideMm = 0.0;   ///< length of the section alongside the traced vessel
+    Eigen::Vector3d placeInPatient = Eigen::Vector3d::Zero();   ///< axis point in the middle of that section
 };
 
-/// Finds a great vessel outside `lumen` that runs alongside one inside it with no more than a wall between them: the
-/// two lumens of an aortic dissection do so over most of their length, whereas pulmonary arteries cross the aorta.
-/// Returns the longest one.
+/// Finds a great vessel outside `lumen` that runs alongside one inside, separated by no more than a wall. The two
+/// lumens of an aortic dissection do so over most of their length, whereas pulmonary arteries cross the aorta. Returns
+/// the longest candidate.
 OtherLumen otherLumenBeside(const VoxelMask& lumen, const std::vector<GreatVessel>& greatVessels);
 
 }   // namespace angiopose::core

@@ -16,11 +16,11 @@ namespace {
 constexpr std::uint8_t unreachedVoxel = 1;
 constexpr std::uint8_t vessel = 2;
 constexpr std::uint8_t other = 3;
-constexpr double maxBallBeyondSection = 1.3;   ///< largest ball relative to the cross-section
+constexpr double maxBallBeyondSection = 1.3;   ///< maximum inscribed sphere relative to the cross-section
 constexpr double minNeckFromSeed =
-    0.45;   ///< relative to the thinner radius, between a seed and a vessel that continues its own
+    0.45;   ///< minimum, relative to the thinner radius, between a seed and a vessel continuing its own
 
-/// Voxel next to flooded ones; the widest is processed first, ties in order of insertion.
+/// Voxel at the front of the flood; the widest is processed first, ties in order of insertion.
 struct Shore {
     std::uint16_t width = 0;
     std::uint32_t turn = 0;
@@ -34,8 +34,8 @@ class Flood {
 public:
     Flood(VoxelMask& mask, const DistanceMap& distances) : mask_(mask), distances_(distances) {}
 
-    /// Floods from the vessel's middle when a place lies off it; otherwise a wider neighboring region would get there
-    /// first.
+    /// Floods from the center of the vessel even if a start point is off-center; otherwise, a wider adjacent region
+    /// would reach the center first.
     void start(const std::vector<Eigen::Vector3d>& placesInPatient, std::uint8_t label)
     {
         for (const Eigen::Vector3d& place : placesInPatient) {
@@ -45,7 +45,7 @@ public:
         }
     }
 
-    /// Labels markers at once, if they are not labeled yet.
+    /// Labels markers immediately unless they already have a label.
     void start(const std::vector<std::uint32_t>& voxels, std::uint8_t label)
     {
         for (const std::uint32_t voxel : voxels) {
@@ -99,7 +99,7 @@ private:
     std::uint32_t turn_ = 0;
 };
 
-/// Repeatedly finds the region that belongs to given starts in one mask.
+/// Finds the region that belongs to given start points; reusable for the same mask.
 class Splitter {
 public:
     Splitter(VoxelMask& mask, const VesselTracingOptions& options, const VoxelFill& fill, TracingProgress& progress)
@@ -111,7 +111,7 @@ public:
     {
     }
 
-    /// Labels the region that belongs to these places.
+    /// Labels the region that belongs to these start points.
     void split(const std::vector<Eigen::Vector3d>& startsInPatient)
     {
         for (std::uint8_t& voxel : mask_.voxels) {
@@ -131,7 +131,7 @@ public:
         flood.run(progress_);
     }
 
-    /// Whether the labeled vessel contains a place; valid after `split`.
+    /// Returns whether the labeled vessel contains a point; valid after `split`.
     bool holds(const Eigen::Vector3d& placeInPatient) const
     {
         const auto voxel = voxelNear(mask_, placeInPatient);
@@ -139,7 +139,7 @@ public:
     }
 
     /// Labels the region of the first great vessel that contains the seed, or else of the seed itself; returns the
-    /// places it was started from.
+    /// start points used.
     std::vector<Eigen::Vector3d> splitFor(const Eigen::Vector3d& seed, const std::vector<GreatVessel>& greatVessels)
     {
         const auto around = std::find_if(greatVessels.begin(), greatVessels.end(),
@@ -157,15 +157,15 @@ public:
             return {seed};
         }
         split(points);
-        if (!holds(seed)) {   // the seed's vessel is wider than the detected section
+        if (!holds(seed)) {   // the seeded vessel is wider than the detected section
             points.push_back(seed);
             split(points);
         }
         return points;
     }
 
-    /// Axis points of the great vessel in this mask, except those from which the steepest ascent of the distances leads
-    /// into something wider that touches it.
+    /// Returns the axis points of the great vessel in this mask, except those from which steepest ascent in the
+    /// distance map leads into a wider touching structure.
     std::vector<Eigen::Vector3d> middlesOf(const GreatVessel& great) const
     {
         std::vector<Eigen::Vector3d> middles;
@@ -182,8 +182,8 @@ public:
     }
 
 private:
-    /// Valid after `split` for a seed: points of the first great vessel that the seed leads to on a path about as wide
-    /// as this vessel and the seed's own; empty if there is none.
+    /// Returns the points of the first great vessel that the seed reaches along a path about as wide as that vessel and
+    /// the seed's vessel; empty if there is none. Valid after `split` for a seed.
     std::vector<Eigen::Vector3d> continuedIn(const std::vector<GreatVessel>& greatVessels) const
     {
         for (const GreatVessel& great : greatVessels) {

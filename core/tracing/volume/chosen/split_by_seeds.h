@@ -11,14 +11,14 @@
 
 namespace angiopose::core {
 
-/// Removes from a mask everything that is reached from a place to avoid on a wider path than from a seed, so connected
-/// vessels are separated at their narrowest place (marker-based flooding of the distance map, Meyer 1994). Regions
-/// beyond necks (see `voxelsBeyondNecks`) and, if `fill` is given, vessels with other blood are avoided as well. Places
-/// outside the mask are ignored. Incomplete when stopped.
+/// Removes from a mask everything that a point to avoid reaches along a wider path than a seed does, which separates
+/// connected vessels at their narrowest point (marker-based flooding of the distance map, Meyer 1994). Also removes
+/// regions beyond necks (see `voxelsBeyondNecks`) and, if `fill` is given, vessels with a different opacification.
+/// Points outside the mask are ignored. Incomplete when stopped.
 ///
-/// A seed stands for the great vessel whose vessels contain it, so all places in them give the same result; only a seed
-/// outside all of them stands for itself. Without seeds the first great vessel is used. Returns the places that the
-/// vessels were reached from.
+/// A seed stands for the great vessel that contains it, so all points in that vessel give the same result; only a seed
+/// outside all great vessels stands for itself. Without seeds, the first great vessel is used. Returns the start points
+/// from which the vessels were flooded.
 std::vector<Eigen::Vector3d> splitBySeeds(VoxelMask& mask, const VesselTracingOptions& options, const VoxelFill& fill,
                                           const std::vector<GreatVessel>& greatVessels, TracingProgress& progress);
 

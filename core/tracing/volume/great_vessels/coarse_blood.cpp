@@ -82,7 +82,7 @@ public:
         means.reserve(extents_[0].size() * extents_[1].size());
         const auto columns = static_cast<std::size_t>(lumen_.geometry.size.x());
         const std::vector<double> plane = planeOf(extents_[2][k]);
-        std::vector<double> along(columns);   // means over the block's z and y
+        std::vector<double> along(columns);   // means over the block's z and y extent
         for (const Extent& y : extents_[1]) {
             std::fill(along.begin(), along.end(), 0.0);
             for (std::size_t b = 0; b < y.weights.size(); ++b) {
@@ -103,8 +103,8 @@ public:
     }
 
 private:
-    /// Means over the block's z for all columns and rows; blocks share voxels, and evaluating their fill is the
-    /// expensive part.
+    /// Averages over the block's z extent for all columns and rows at once: blocks share voxels, and evaluating `fill_`
+    /// is the expensive part.
     std::vector<double> planeOf(const Extent& z) const
     {
         const Eigen::Vector3i& size = lumen_.geometry.size;

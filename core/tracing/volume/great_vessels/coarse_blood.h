@@ -8,20 +8,20 @@
 namespace angiopose::core {
 
 constexpr double usualBlockMm = 1.5;
-constexpr double fineBlockMm = 1.0;   ///< finer blocks, for scans whose widest arteries are those of the neck
+constexpr double fineBlockMm = 1.0;   ///< finer block size, for scans whose widest arteries are in the neck
 
-/// Fill of a scan averaged over blocks of one size, whatever its voxel size: sufficient for wide vessels, free of most
-/// noise, small in memory, and the same for the same patient.
+/// Opacification of a scan averaged over blocks of fixed size, independent of the voxel size: sufficient for wide
+/// vessels, low in noise, and small in memory.
 struct CoarseBlood {
-    VoxelGrid<std::uint8_t> shares;   ///< 200 = fully opacified; axes as in the scan
-    VoxelMask lumen;   ///< blocks that are at least half full
+    VoxelGrid<std::uint8_t> shares;   ///< mean opacification; 200 = fully opacified; axes as in the scan
+    VoxelMask lumen;   ///< blocks with a mean opacification of at least 0.5
     double finestMm = 0.0;   ///< finest resolved length: block length or the shortest voxel side
 
     /// Linear interpolation, for points in mm along the axes from the center of the first block.
     BloodFill fill() const;
 };
 
-/// Computes the block means. `fill` counts inside `lumen`, and elsewhere only below one half, to exclude other bright
+/// Computes the block means of `fill`. Outside `lumen`, values of one half or more count as 0 to exclude other bright
 /// structures. Incomplete when stopped.
 CoarseBlood coarseBlood(const VoxelMask& lumen, const VoxelFill& fill, int threads, TracingProgress& progress,
                         double blockMm = usualBlockMm);

@@ -11,15 +11,15 @@
 
 namespace angiopose::core {
 
-/// A lumen with all voxels that belong to it, and its great vessels.
+/// Complete lumen and its great vessels.
 struct LumenWithGreatVessels {
     VoxelMask lumen;
     std::vector<GreatVessel> great;
 };
 
-/// Finds the great vessels. In scans with stents, searches with and without the lumen beside the wires, because
-/// tracking ends where the width changes abruptly between sections, either hidden by wires or widened by a stent; keeps
-/// the result whose first vessel has the higher worth. Incomplete when stopped.
+/// Finds the great vessels. Stents hide or widen sections abruptly and stop the tracking; scans with stents are
+/// searched with and without the lumen beside the struts, and the result with the higher-scoring first vessel is kept.
+/// Incomplete when stopped.
 LumenWithGreatVessels findGreatVessels(SegmentedLumen segmented, const VoxelFill& fill, int threads,
                                        TracingProgress& progress, double blockMm = usualBlockMm);
 

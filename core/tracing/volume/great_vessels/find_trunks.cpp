@@ -20,20 +20,20 @@ struct Tube {
     std::vector<double> radiusMm;
 };
 
-/// Data that the tracking runs on.
+/// Input data of the tracking.
 struct TubeGround {
     BloodFill fill;
-    double voxelMm = 1.0;   ///< finest length resolved by the fill
-    Eigen::Vector3d highMm = Eigen::Vector3d::Zero();   ///< center of the last voxel; tracking ends at the rim
+    double voxelMm = 1.0;   ///< finest length that `fill` resolves
+    Eigen::Vector3d highMm = Eigen::Vector3d::Zero();   ///< center of the last voxel; tracking ends at the boundary
 };
 
-constexpr double minTrustInWall = 0.5;   ///< a sixth of the rays may miss the wall, at branch origins
-constexpr double minFlatTrust = 0.1;   ///< for a closed section, such as the true lumen of a dissection
+constexpr double minTrustInWall = 0.5;   ///< a sixth of the rays may miss the wall (branch origins)
+constexpr double minFlatTrust = 0.1;   ///< for closed flat sections, such as the true lumen of a dissection
 constexpr double minClosed = 0.95;
-constexpr double maxWidening = 1.3;   ///< between consecutive sections
-constexpr double maxAside = 0.5;   ///< in radii, from the expected point to the section's center
+constexpr double maxWidening = 1.3;   ///< maximum ratio of consecutive radii
+constexpr double maxAside = 0.5;   ///< offset of the section's center from the expected point, in radii
 constexpr double stepInRadii = 0.5;
-constexpr int maxMissed = 3;   ///< consecutive sections: a wide branch origin spans one or two diameters
+constexpr int maxMissed = 3;   ///< consecutive sections; a wide branch origin spans one or two diameters
 constexpr int maxSteps = 1000;
 
 /// Current state of the tracking.
@@ -43,7 +43,7 @@ struct Walker {
     double radiusMm;
 };
 
-/// Whether the section is round, or flattened with walls on all sides.
+/// Returns whether the section is round, or flattened with walls on all sides.
 bool isTube(const CrossSection& section)
 {
     return section.trust >= minTrustInWall || (section.trust >= minFlatTrust && section.closed >= minClosed);
@@ -55,7 +55,7 @@ bool isLike(const CrossSection& section, const Eigen::Vector3d& expected, double
            radiusMm <= maxWidening * section.radiusMm && (section.centerMm - expected).norm() <= maxAside * radiusMm;
 }
 
-/// Start section across the vessel: the smallest of the round sections in 13 directions.
+/// Returns the start section across the vessel: the smallest of the round sections in 13 directions.
 std::optional<Walker> startAt(const Eigen::Vector3d& startMm, double radiusMm, const TubeGround& ground)
 {
     std::optional<Walker> best;
@@ -99,8 +99,8 @@ Tube walkOneWay(Walker walker, const TubeGround& ground)
     return tube;
 }
 
-/// Tracks a vessel both ways from `startMm`, of about `radiusMm`, from one cross-section to the next, as long as they
-/// are round and the width changes slowly. Contains at least the start.
+/// Tracks a vessel of about `radiusMm` in both directions from `startMm`, section by section, as long as the sections
+/// are round and the width changes slowly. Returns at least the start.
 Tube walkTube(const Eigen::Vector3d& startMm, double radiusMm, const TubeGround& ground)
 {
     const auto start = startAt(startMm, radiusMm, ground);
@@ -118,15 +118,15 @@ Tube walkTube(const Eigen::Vector3d& startMm, double radiusMm, const TubeGround&
     return tube;
 }
 
-constexpr double minRadiusInBlocks = 1.3;   ///< or in voxels, if these are longer; thinner vessels are not detected
-constexpr double minSlendernessOfPiece = 3.0;   ///< a single heart chamber has 2
-constexpr double usualRadiusMm = 15.0;   ///< of the widest arteries; larger ones (chambers) score no higher
-constexpr double maxSlenderness = 20.0;   ///< maximum that counts; otherwise thin vessels would win
+constexpr double minRadiusInBlocks = 1.3;   ///< in blocks, or in voxels if larger; thinner vessels are not detected
+constexpr double minSlendernessOfPiece = 3.0;   ///< minimum; a single heart chamber has 2
+constexpr double usualRadiusMm = 15.0;   ///< radius of the widest arteries; larger chambers score no higher
+constexpr double maxSlenderness = 20.0;   ///< cap in the score; otherwise thin vessels would win
 constexpr std::size_t minPointsOfTrunk = 6;
 constexpr std::uint8_t inTube = 1;
 constexpr std::uint8_t inTrunk = 2;
 
-/// Local middles of the lumen, the widest first.
+/// Returns the local centers of the lumen, widest first.
 std::vector<std::uint32_t> middlesOf(const DistanceMap& distances, double minMm)
 {
     const VolumeGeometry& grid = distances.geometry;
@@ -141,7 +141,7 @@ std::vector<std::uint32_t> middlesOf(const DistanceMap& distances, double minMm)
                 const auto row = static_cast<std::size_t>(grid.size.x());
                 const std::size_t slice = row * static_cast<std::size_t>(grid.size.y());
                 const std::uint16_t here = distances.units[at];
-                int sides = 0;   // number of axes along which the voxel is the middle
+                int sides = 0;   // number of axes along which the distance is a local maximum
                 for (const std::size_t step : {std::size_t{1}, row, slice}) {
                     sides += here >= distances.units[at - step] && here >= distances.units[at + step] ? 1 : 0;
                 }
@@ -156,7 +156,7 @@ std::vector<std::uint32_t> middlesOf(const DistanceMap& distances, double minMm)
     return middles;
 }
 
-/// Marks the voxels inside the tube, because tracking from there would only repeat it.
+/// Marks the voxels inside the tube, because tracking from them would find the same tube again.
 void mark(VoxelMask& seen, const Tube& tube, std::uint8_t value)
 {
     const VolumeGeometry& grid = seen.geometry;
@@ -178,7 +178,7 @@ void mark(VoxelMask& seen, const Tube& tube, std::uint8_t value)
     }
 }
 
-/// Whether most of the tube lies in trunks found before.
+/// Returns whether most of the tube lies in trunks found before.
 bool isRepeated(const Tube& tube, const VoxelMask& seen)
 {
     const VolumeGeometry& grid = seen.geometry;
@@ -189,8 +189,8 @@ bool isRepeated(const Tube& tube, const VoxelMask& seen)
     return 2 * inSeen > static_cast<std::ptrdiff_t>(tube.pointsMm.size());
 }
 
-/// Whether a trunk is long enough for its width: the wider, the more slender it must be, because two heart chambers in
-/// a row are wider than arteries and have a slenderness of 4.
+/// Returns whether a trunk is long enough for its width: wider trunks must be more slender, because two heart chambers
+/// in a row are wider than arteries and have a slenderness of 4.
 bool isTrunk(const Trunk& trunk)
 {
     const double unusual = std::max(1.0, trunk.medianRadiusMm() / usualRadiusMm);

@@ -9,25 +9,25 @@
 
 namespace angiopose::core {
 
-/// A long stretch of vessel, wide for its scan.
+/// Long vessel section that is wide for its scan.
 struct Trunk {
-    std::vector<Eigen::Vector3d> pointsInPatient;   ///< on its axis, LPS mm
+    std::vector<Eigen::Vector3d> pointsInPatient;   ///< axis points, LPS, mm
     std::vector<double> radiusMm;
-    double fill = 1.0;   ///< mean along the axis; 1: as bright as the scan's blood
+    double fill = 1.0;   ///< mean opacification along the axis; 1 is the lumen level of the scan
 
     double medianRadiusMm() const;
-    double slenderness() const;   ///< length relative to its largest radius
+    double slenderness() const;   ///< length divided by the largest radius
 
-    /// Resemblance to an aorta or another main artery: long, wide, aligned with the body and well opacified; a false
-    /// lumen and veins are often less so.
+    /// Scores the resemblance to an aorta or another main artery: long, wide, aligned with the body axis and well
+    /// opacified; false lumens and veins often score lower.
     double worth() const;
 
     bool operator==(const Trunk&) const = default;
 };
 
-/// Finds vessel stretches that look like great vessels: round cross-sections, width changing slowly from one to the
-/// next, longer than wide; the one of highest worth comes first. Tracks both ways from the widest places of `lumen`,
-/// whose distances are given. Incomplete when stopped.
+/// Finds vessel sections that look like great vessels (round cross-sections, slowly changing width, longer than wide),
+/// highest score first. Tracks in both directions from the widest points of the lumen, whose distance map is given.
+/// Incomplete when stopped.
 std::vector<Trunk> findTrunks(const CoarseBlood& blood, const DistanceMap& distances, TracingProgress& progress);
 
 }   // namespace angiopose::core

@@ -11,19 +11,18 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double maxGapInRadii = 2.0;   ///< in sums of both radii, from a trunk's end to the next axis
+constexpr double maxGapInRadii = 2.0;   ///< maximum from a trunk's end to the next axis, in sums of both radii
 constexpr double maxGapOfSameBlood = 2.5;
-constexpr double minSlendernessOfTrunks = 5.0;   ///< required of one trunk; two heart chambers in a row reach 4.5
-constexpr double minLengthMm = 40.0;   ///< length of that trunk; marrow, ureters and dense bowel are shorter
-constexpr double minNeckBetween =
-    0.45;   ///< neck between trunks relative to the thinner radius; touching vessels have 0.3
-constexpr double maxBeyondSection = 1.3;   ///< largest ball over section; above, it lies in a touching structure
-constexpr double maxFillStep = 0.2;   ///< between blood of the same artery; veins and organs differ more
-constexpr double maxStepOfSameBlood = 0.1;   ///< as much as it varies along a whole aorta
-constexpr double minOfOther = 0.5;   ///< thinner relative to wider radius; below, one branches from the other
-constexpr double minOfFirst = 0.01;   ///< relative to the first trunk's worth; excludes stumps that link trunks
+constexpr double minSlendernessOfTrunks = 5.0;   ///< minimum of one trunk; two heart chambers in a row reach 4.5
+constexpr double minLengthMm = 40.0;   ///< minimum length of that trunk; marrow, ureters and dense bowel are shorter
+constexpr double minNeckBetween = 0.45;   ///< minimum neck relative to the thinner radius; touching vessels have 0.3
+constexpr double maxBeyondSection = 1.3;   ///< inscribed sphere / section; above, it lies in a touching structure
+constexpr double maxFillStep = 0.2;   ///< maximum difference within an artery; veins and organs differ more
+constexpr double maxStepOfSameBlood = 0.1;   ///< variation of the opacification along a whole aorta
+constexpr double minOfOther = 0.5;   ///< thinner / wider radius; below, one trunk branches from the other
+constexpr double minOfFirst = 0.01;   ///< score relative to the first trunk; excludes stumps that link trunks
 
-/// Decides whether trunks continue one another.
+/// Decides whether one trunk continues another.
 class Joiner {
 public:
     explicit Joiner(const DistanceMap& distances)
@@ -41,7 +40,7 @@ public:
 private:
     enum class Blood { Same, Alike, Other };
 
-    /// Classifies the blood by its fill; heart chambers contain the same blood as arteries, so slenderness counts too.
+    /// Compares the opacification of two trunks; heart chambers enhance like arteries, so slenderness counts as well.
     static Blood bloodOf(const Trunk& trunk, const Trunk& other)
     {
         const double step = std::abs(trunk.fill - other.fill);
@@ -49,9 +48,9 @@ private:
         return step > maxFillStep ? Blood::Other : step > maxStepOfSameBlood || !isSlender ? Blood::Alike : Blood::Same;
     }
 
-    /// Whether a trunk's end continues in the other trunk. With the same blood, the path between them counts as narrow
-    /// only relative to the balls that fit into the lumen: dissected aortas are flattened, and their sections are wider
-    /// than any ball.
+    /// Returns whether the end of a trunk continues in the other trunk. With equal opacification, the path between them
+    /// counts as narrow only relative to the spheres inscribed in the lumen: dissected aortas are flattened, and their
+    /// sections are wider than any inscribed sphere.
     bool isJoinedAt(const Trunk& trunk, std::size_t end, const Trunk& other, Blood blood) const
     {
         const Eigen::Vector3d& tip = trunk.pointsInPatient[end];
@@ -92,8 +91,8 @@ private:
         return (by.pointsInPatient[beside] - place).norm() <= by.radiusMm[beside];
     }
 
-    /// Nearest trunk point, starting from `from`, that lies outside the other trunk: tracking may lead through a wall
-    /// into a touching structure, where no neck is detectable any more. Returns `from` if there is none.
+    /// Returns the trunk point nearest to `from` that lies outside the other trunk, or `from` if there is none:
+    /// tracking may pass through a wall into a touching structure, where no neck can be detected.
     static std::size_t nearestOutside(std::size_t from, const Trunk& trunk, const Trunk& other)
     {
         const std::size_t count = trunk.pointsInPatient.size();
@@ -121,7 +120,7 @@ private:
         return medianOf(std::move(balls));
     }
 
-    /// Middle of the surrounding vessel, because the last tracked section need not lie in its middle.
+    /// Returns the center of the surrounding vessel, because the last tracked section may be off-center.
     Eigen::Vector3i middleAt(const Eigen::Vector3d& inPatient, double radiusMm) const
     {
         const VolumeGeometry& grid = distances_.geometry;
@@ -146,7 +145,7 @@ Eigen::Vector3d GreatVessel::middleInPatient() const
 
 double GreatVessel::worth() const
 {
-    double worth = 0.0;   // combined so that many small branches do not make a great vessel
+    double worth = 0.0;   // root sum of squares, so many small branches do not make a great vessel
     for (const Trunk& trunk : trunks) {
         worth = std::hypot(worth, trunk.worth());
     }

@@ -10,14 +10,14 @@ namespace angiopose::core {
 
 /// Trunks that continue one another, such as the ascending aorta, arch and descending aorta.
 struct GreatVessel {
-    std::vector<Trunk> trunks;   ///< the one of highest worth first
+    std::vector<Trunk> trunks;   ///< highest score first
 
     Eigen::Vector3d middleInPatient() const;   ///< halfway along the first trunk
     double worth() const;
     bool surrounds(const Eigen::Vector3d& placeInPatient) const;   ///< whether the point lies within a section
 };
 
-/// Finds the great vessels of a scan, the one of highest worth first. Incomplete when stopped.
+/// Finds the great vessels of a scan, highest score first. Incomplete when stopped.
 std::vector<GreatVessel> greatVessels(const CoarseBlood& blood, int threads, TracingProgress& progress);
 
 }   // namespace angiopose::core

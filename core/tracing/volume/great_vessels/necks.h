@@ -10,22 +10,22 @@
 
 namespace angiopose::core {
 
-/// Path from a voxel to the middle of the surrounding vessel, by steepest ascent of the distances.
+/// Returns the path from a voxel to the center of the surrounding vessel by steepest ascent in the distance map.
 std::vector<std::uint32_t> wayToMiddle(std::uint32_t voxel, const DistanceMap& distances);
 
 /// Narrowest widths along the paths from the seeds.
 struct Necks {
-    std::vector<std::uint16_t> units;   ///< per voxel: neck of the widest path, in distance units; 0: not connected
+    std::vector<std::uint16_t> units;   ///< narrowest width on the widest path, distance units; 0: unconnected
     double seedRadiusMm = 0.0;   ///< radius of the widest vessel at a seed
 };
 
-/// Widest paths within a mask from the middle of the vessels at the seeds (LPS mm); seeds outside the mask are ignored.
-/// Incomplete when stopped.
+/// Computes the widest paths within a mask from the vessel centers at the seeds (LPS, mm); ignores seeds outside the
+/// mask. Incomplete when stopped.
 Necks necksOf(const VoxelMask& mask, const DistanceMap& distances, const std::vector<Eigen::Vector3d>& seedsInPatient,
               TracingProgress& progress);
 
-/// Narrowest place, in mm, on the widest path between two voxels that leaves the box around both by at most `aroundMm`;
-/// 0 if they are not connected.
+/// Returns the narrowest width, in mm, on the widest path between two voxels; the search extends at most `aroundMm`
+/// beyond the box around both. 0 if they are not connected.
 double neckMm(const DistanceMap& distances, const Eigen::Vector3i& from, const Eigen::Vector3i& to, double aroundMm);
 
 }   // namespace angiopose::core

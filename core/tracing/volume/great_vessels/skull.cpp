@@ -10,23 +10,23 @@ namespace angiopose::core {
 namespace {
 
 constexpr double blockMm = 2.5;
-constexpr double minBoneFill = 1.5;   ///< brighter than blood by half of its contrast
-constexpr double minBoneShare = 0.25;   ///< share of a block's voxels
+constexpr double minBoneFill = 1.5;   ///< brighter than the lumen by half of its contrast
+constexpr double minBoneShare = 0.25;   ///< minimum bone fraction of a block's voxels
 constexpr double maxAirFill = -1.0;
 constexpr int sectors = 48;
-constexpr int minSectors = 44;   ///< sectors that contain bone; ribs and hips close fewer
+constexpr int minSectors = 44;   ///< minimum number of sectors with bone; ribs and hips close fewer
 constexpr double minRingMm = 30.0;
 constexpr double maxRingMm = 130.0;
-constexpr double minSoftShare = 0.8;   ///< share of the enclosed area; a chest contains air
-constexpr double innerShare = 0.75;   ///< share of the ring's radius that counts as enclosed
+constexpr double minSoftShare = 0.8;   ///< minimum soft-tissue fraction of the enclosed area; a chest contains air
+constexpr double innerShare = 0.75;   ///< fraction of the ring's radius that counts as enclosed
 constexpr double minHeightMm = 20.0;   ///< total height of closed rings
-constexpr double besideTableMm = 4.5;   ///< maximum distance from a sinus wall to the bone
-constexpr double minWithinMm = 25.0;   ///< minimum length within the vault for a course to be evaluated
-constexpr double maxBesideOfArtery = 0.5;   ///< share of that length; the petrous bone lies next to the carotid
+constexpr double besideTableMm = 4.5;   ///< maximum distance from the wall of a venous sinus to bone
+constexpr double minWithinMm = 25.0;   ///< minimum length within the vault for evaluating a course
+constexpr double maxBesideOfArtery = 0.5;   ///< maximum fraction of that length; the petrous bone borders the carotid
 constexpr double minBesideOfSinus = 0.6;
-constexpr double minFillOfLate = 0.75;   ///< fill of a sinus opacified as much as arteries
-constexpr double maxOutward = 0.45;   ///< near the middle of the head
-constexpr double entryMm = 25.0;   ///< from the lower face of the scan, or from the base of the vault
+constexpr double minFillOfLate = 0.75;   ///< minimum opacification of a sinus that enhances like the arteries
+constexpr double maxOutward = 0.45;   ///< maximum relative distance from the middle of the head
+constexpr double entryMm = 25.0;   ///< maximum distance from the lower face of the scan or the base of the vault
 
 std::size_t sectorOf(const Eigen::Vector2d& aside)
 {
@@ -56,7 +56,6 @@ Block blockAt(const Eigen::Array3i& block, const Eigen::Array3i& per, const Voxe
     return bone >= minBoneShare * looked ? Block::Bone : sum < maxAirFill * looked ? Block::Air : Block::Soft;
 }
 
-/// Classifies all blocks of a scan.
 VoxelGrid<Block> blocksOf(const VolumeGeometry& grid, const VoxelFill& fill, int threads, TracingProgress& progress)
 {
     const Eigen::Array3i per = (blockMm / grid.spacingMm.array()).round().max(1.0).cast<int>();
@@ -129,7 +128,7 @@ BoneRing ringIn(const VoxelGrid<Block>& blocks, int k)
     return ring;
 }
 
-/// Lowest and highest axis points.
+/// Returns the lowest and the highest axis point.
 std::pair<Eigen::Vector3d, Eigen::Vector3d> endsOf(const GreatVessel& great)
 {
     Eigen::Vector3d low = great.trunks.front().pointsInPatient.front();

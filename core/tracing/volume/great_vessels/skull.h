@@ -11,18 +11,18 @@
 
 namespace angiopose::core {
 
-/// Skull of a head in CT, used to distinguish arteries from veins: sinuses run along its inner table, arteries come
-/// from the neck and run to the middle of the head.
+/// Skull of a head CT, used to distinguish arteries from veins: dural venous sinuses run along the inner table;
+/// arteries enter from the neck and run to the middle of the head.
 class Skull {
 public:
-    /// Whether a vessel of that radius at the given point lies next to bone, at the height of the vault.
+    /// Returns whether a vessel of the given radius lies next to bone at the level of the skull vault.
     bool isBesideTable(const Eigen::Vector3d& inPatient, double radiusMm) const;
 
-    /// Position between the middle of the head (0) and its bone (1) in the axial plane; nothing if no bone ring
-    /// surrounds the point.
+    /// Returns the position in the axial plane between the middle of the head (0) and the bone (1); nullopt if no bone
+    /// ring surrounds the point.
     std::optional<double> outwardShare(const Eigen::Vector3d& inPatient) const;
 
-    /// Length in mm along the axis within the vault, and the part of it next to the inner table.
+    /// Length of a vessel axis within the skull vault, and of its part next to the inner table, in mm.
     struct Course {
         double withinMm = 0.0;
         double besideMm = 0.0;
@@ -42,21 +42,21 @@ private:
 
     const Ring* ringAt(const Eigen::Vector3d& block) const;
 
-    DistanceMap toBone_;   ///< distance to bone, in blocks of some mm
-    std::vector<Ring> rings_;   ///< by slice of blocks
+    DistanceMap toBone_;   ///< distance to bone, on the grid of blocks
+    std::vector<Ring> rings_;   ///< one ring per slice of blocks
     Eigen::Affine3d blockFromPatient_;
 };
 
-/// Finds the skull; nothing if bone does not enclose soft tissue over 20 mm along the body (no head, only its middle,
-/// or no CT). `fill` (patient axis order) above 1.5 is bone, below -1 air. Incomplete when stopped.
+/// Finds the skull; nullopt if bone does not enclose soft tissue over 20 mm along the body (no head, only its middle,
+/// or no CT). Values of `fill` (patient axis order) above 1.5 are bone, below -1 air. Incomplete when stopped.
 std::optional<Skull> findSkull(const VolumeGeometry& grid, const VoxelFill& fill, int threads,
                                TracingProgress& progress);
 
-/// Axis points of the great vessels that are sinuses.
+/// Returns the axis points of the great vessels that are dural venous sinuses.
 std::vector<Eigen::Vector3d> sinusPlaces(const std::vector<GreatVessel>& great, const Skull& skull);
 
-/// Keeps the great vessels that are definitely arteries of the head: those along the skull are sinuses, and if sinuses
-/// are opacified as much as arteries, a vessel from the neck must also run to the middle of the head.
+/// Keeps only definite arteries of the head: vessels that enter from the neck and do not run along the skull like
+/// venous sinuses. If the sinuses enhance like the arteries, a vessel must also reach the middle of the head.
 std::vector<GreatVessel> arteriesOfHead(std::vector<GreatVessel> great, const Skull& skull, const VolumeGeometry& grid);
 
 }   // namespace angiopose::core

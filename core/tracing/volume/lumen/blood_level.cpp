@@ -14,25 +14,25 @@ namespace {
 
 constexpr std::size_t levelBins = 300;
 constexpr int coarseStep = 3;   ///< sampling step in voxels, along each axis
-constexpr double maxAirHu = -500.0;   ///< values below this indicate a CT in HU
+constexpr double maxAirHu = -500.0;   ///< CT in HU if the lowest value is below
 constexpr double wholeAirHu = -1000.0;
-constexpr double darkHu = -20.0;   ///< fat lies below; zero-based scales have only noise around air there
-constexpr double darkShare = 0.001;   ///< share of the voxels
+constexpr double darkHu = -20.0;   ///< fat is darker; on unsigned scales (air at 0), only noise is this dark
+constexpr double darkShare = 0.001;   ///< minimum fraction of voxels at or below `darkHu`
 constexpr double denseHu = 800.0;   ///< bone and metal; for HU shifted by about 1000 (air at 0), the whole body
-constexpr double maxDenseShare = 0.2;   ///< share of the voxels
-constexpr double minContrastHu = 150.0;   ///< blood minus tissue in CT; less is an organ or bone marrow
-constexpr double minContrastShare = 0.15;   ///< without HU: share of the tissue-to-bone range, about 1000 HU
+constexpr double maxDenseShare = 0.2;   ///< maximum fraction of voxels above `denseHu`
+constexpr double minContrastHu = 150.0;   ///< minimum lumen contrast to tissue in CT; organs and marrow have less
+constexpr double minContrastShare = 0.15;   ///< same without HU, relative to the tissue-to-bone range (about 1000 HU)
 constexpr double minBloodMl = 0.03;
 constexpr double shareOfGreatest = 0.01;   ///< minimum volume of a peak relative to the largest peak
-constexpr double airShare = 0.05;   ///< share of the value range, from the lowest, that counts as air
-constexpr double minBodyShare = 0.05;   ///< relative to the air's volume; vessels alone fill less
-constexpr double minMuscleShare = 0.2;   ///< relative to the largest peak of the body, which may be fat
-constexpr double unchanged = 0.04;   ///< share of the value range below which surroundings count as homogeneous
+constexpr double airShare = 0.05;   ///< fraction of the value range, from the lowest value, that counts as air
+constexpr double minBodyShare = 0.05;   ///< minimum volume relative to air; vessels alone have less
+constexpr double minMuscleShare = 0.2;   ///< minimum volume relative to the largest body peak, which may be fat
+constexpr double unchanged = 0.04;   ///< maximum change in homogeneous surroundings, fraction of the value range
 
-constexpr int brightStep = 2;   ///< sampling step in voxels in the search for the brightest
+constexpr int brightStep = 2;   ///< sampling step in voxels when searching for the brightest voxels
 constexpr double brightestMl = 0.5;   ///< volume of 10 mm of a common carotid artery
-constexpr double airOfBrightest = 0.08;   ///< share of the range from the lowest value to blood
-constexpr double minOfTissue = 1.5;   ///< ratio of blood to tissue
+constexpr double airOfBrightest = 0.08;   ///< maximum air level, fraction of the range from lowest value to lumen
+constexpr double minOfTissue = 1.5;   ///< minimum ratio of lumen to tissue level
 
 /// Smoothed histogram of the voxels with homogeneous surroundings.
 struct Histogram {
@@ -58,7 +58,7 @@ public:
                7.0;
     }
 
-    /// Largest difference from the surroundings two voxels away.
+    /// Returns the largest difference from the surroundings two voxels away.
     double change(int i, int j, int k, double center) const
     {
         double greatest = 0.0;
@@ -90,12 +90,12 @@ private:
 };
 
 struct Range {
-    double low = 0.0;   ///< for HU the value of air, even if the scan contains none
+    double low = 0.0;   ///< lowest value; in HU at most that of air, even without air in the scan
     double high = 0.0;   ///< 99.8th percentile of the sampled values
     bool isHu = false;
 };
 
-/// Whether the values are Hounsfield units: the scan contains air, or fat if it is cropped, and only few values are as
+/// Returns whether the values are Hounsfield units: the scan contains air, or (if cropped) fat and only few voxels as
 /// dense as the whole body would be if HU were shifted above 0.
 bool showsHu(std::vector<float>& values, double low)
 {
@@ -126,7 +126,7 @@ Histogram histogramOf(const Reader& reader, const Range& range, double above, in
 {
     Histogram histogram;
     histogram.low = range.low;
-    histogram.binWidth = (1.5 * (range.high - range.low)) / levelBins;   // covers rare blood beyond the range
+    histogram.binWidth = (1.5 * (range.high - range.low)) / levelBins;   // covers small bright lumens beyond the range
     reader.visit(3, step, [&](int i, int j, int k) {
         if (reader.at(i, j, k) <= above) {
             return;
@@ -137,7 +137,7 @@ Histogram histogramOf(const Reader& reader, const Range& range, double above, in
             histogram.ml[static_cast<std::size_t>(bin)] += reader.voxelMl() * step * step * step;
         }
     });
-    for (int round = 0; round < 3; ++round) {   // close to a Gaussian of 2.4 bins
+    for (int round = 0; round < 3; ++round) {   // approximates a Gaussian with σ = 2.4 bins
         std::vector<double> smooth(levelBins, 0.0);
         for (std::size_t b = 0; b < levelBins; ++b) {
             for (std::size_t n = b < 2 ? 0 : b - 2; n <= std::min(levelBins - 1, b + 2); ++n) {
@@ -187,8 +187,8 @@ std::size_t highestBin(const Histogram& histogram, double above, double below)
     return best;
 }
 
-/// Tissue value without Hounsfield units: the highest peak. If that is the air around the patient, the brightest peak
-/// large enough for muscle and organs: fat is darker, and blood and bone have less volume.
+/// Returns the tissue level without Hounsfield units: the highest peak, or if that is the air around the patient, the
+/// brightest peak large enough for muscle and organs (fat is darker; vessels and bone have less volume).
 double tissueWithoutHu(const Histogram& histogram, const Range& range)
 {
     const std::size_t highest = highestBin(histogram, range.low - 1.0, std::numeric_limits<double>::max());
@@ -210,7 +210,7 @@ double tissueWithoutHu(const Histogram& histogram, const Range& range)
     return histogram.valueOf(isBelowBlood ? muscle->bin : highest);
 }
 
-/// Tissue value: in CT, the highest peak of muscle and organs.
+/// Returns the tissue level: in CT, the highest peak of muscle and organs.
 double tissueValue(const Histogram& histogram, const Range& range, bool isHu)
 {
     return isHu ? histogram.valueOf(highestBin(histogram, 0.0, 130.0)) : tissueWithoutHu(histogram, range);
@@ -233,7 +233,7 @@ double typicalAbove(const Reader& reader, double threshold)
     return *middle;
 }
 
-/// The value above which the sampled voxels have a volume of `ml`.
+/// Returns the value above which the sampled voxels have a total volume of `ml`.
 double valueAbove(std::vector<float>& values, double ml, double mlOfOne)
 {
     const auto count = static_cast<std::ptrdiff_t>(std::min(ml / mlOfOne, static_cast<double>(values.size()) - 1.0));
@@ -292,7 +292,7 @@ Result<BloodLevel> findBloodLevel(const Volume& volume, const AxisOrder& order, 
     level.tissue = tissueValue(histogramOf(reader, range, range.low - 1.0, coarseStep), range, isHu);
     const double minBlood =
         threshold ? *threshold : level.tissue + (isHu ? minContrastHu : minContrastShare * (range.high - level.tissue));
-    // Every voxel counts here, because blood may be rare.
+    // Samples every voxel, because the opacified lumen may be small.
     const Histogram histogram = histogramOf(reader, range, minBlood, 1);
     const std::vector<Peak> peaks = peaksOf(histogram, minBlood);
     double greatest = minBloodMl;

@@ -56,7 +56,7 @@ private:
     const BloomingBits& bits_;
     const VoxelFill& fill_;
     double minFill_;
-    std::vector<std::uint32_t> shore_;   ///< voxels reached last
+    std::vector<std::uint32_t> shore_;   ///< most recently reached voxels
 };
 
 }   // namespace

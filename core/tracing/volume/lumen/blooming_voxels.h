@@ -16,9 +16,9 @@ struct BloomingBits {
     std::uint8_t blooming = 64;   ///< the bit to set
 };
 
-/// Sets `blooming` in `flags` for voxels that are reached from something bright by strictly decreasing values, in at
-/// most `reach` steps along each axis: blurring, motion and streaks around bone and dense contrast agent pass through
-/// every brightness, including that of blood, while an adjacent vessel is brighter again than the gap. Descents end
+/// Sets `blooming` in `flags` for voxels reached from a bright source along strictly decreasing values, in at most
+/// `reach` steps along each axis. Blurring, motion and streaks around bone and dense contrast agent pass through every
+/// intensity, including that of the lumen, whereas an adjacent vessel is brighter than the gap before it. Descents end
 /// below `minFill`. Incomplete when stopped.
 void markBlooming(VoxelMask& flags, const BloomingBits& bits, const VoxelFill& fill, double minFill,
                   const Eigen::Vector3i& reach, TracingProgress& progress);

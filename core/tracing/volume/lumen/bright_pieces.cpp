@@ -12,7 +12,7 @@ constexpr double joinMm = 1.25;   ///< half of the maximum gap between voxels of
 constexpr std::uint8_t betweenPieces = 1;
 constexpr std::uint8_t bright = 2;
 
-/// Marks the voxels near anything bright as `betweenPieces`.
+/// Marks the voxels near bright voxels as `betweenPieces`.
 void widen(VoxelMask& mask)
 {
     const Eigen::Vector3i& size = mask.geometry.size;

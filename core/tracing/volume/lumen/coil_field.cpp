@@ -12,22 +12,22 @@ namespace {
 
 constexpr double cellMm = 12.0;
 constexpr int samplesAlong = 5;   ///< samples per cell, along each axis
-constexpr double overNoise = 1.6;   ///< ratio of a tissue cell's median to that of air
-constexpr double airCells = 0.05;   ///< quantile of the cells that is taken as air
-constexpr double minOfRange = 0.02;   ///< relative to the brightest cell; darker is noise-free air
+constexpr double overNoise = 1.6;   ///< minimum ratio of a tissue cell's median to that of air
+constexpr double airCells = 0.05;   ///< quantile of the cell medians that is taken as air
+constexpr double minOfRange = 0.02;   ///< minimum relative to the brightest cell; darker cells are noise-free air
 constexpr std::size_t minCells = 60;
 constexpr int coilRounds = 10;
-constexpr double otherTissue = 0.7;   ///< natural logarithm; organs that differ more are ignored
+constexpr double otherTissue = 0.7;   ///< maximum log deviation; organs that differ more are ignored
 constexpr double coilStiffness = 1e-3;   ///< relative to the number of cells; damps curvature driven by few cells
 constexpr double minFallOff = 2.0;
 constexpr double maxFallOff = 8.0;   ///< a larger correction would only amplify noise
-constexpr double maxScatter = 0.3;   ///< median deviation from the field, natural logarithm
-constexpr double minExplained = 0.5;   ///< share of the tissue's variance
+constexpr double maxScatter = 0.3;   ///< maximum of the median log deviation from the field
+constexpr double minExplained = 0.5;   ///< minimum fraction of the tissue's variance explained by the field
 constexpr double maxStoredOfCoil = 32000.0;
 
 using Terms = Eigen::Matrix<double, 10, 1>;
 
-/// Polynomial terms of the field; `place` from -1 to 1 along each axis.
+/// Polynomial terms of the field; `place` ranges from -1 to 1 along each axis.
 Terms termsAt(const Eigen::Vector3d& place)
 {
     Terms terms;
@@ -123,7 +123,7 @@ Terms fieldThrough(const std::vector<Cell>& cells)
     }
     field[0] = medianOf(std::move(logarithms));
     for (int round = 0; round < coilRounds; ++round) {
-        const double reach = otherTissue * (round < coilRounds / 2 ? 2.0 : 1.0);   // the initial field is flat
+        const double reach = otherTissue * (round < coilRounds / 2 ? 2.0 : 1.0);   // initial field is flat
         Eigen::Matrix<double, 10, 10> normal = Eigen::Matrix<double, 10, 10>::Zero();
         Terms right = Terms::Zero();
         for (const Cell& cell : cells) {
@@ -139,7 +139,7 @@ Terms fieldThrough(const std::vector<Cell>& cells)
     return field;
 }
 
-/// Range of the field's logarithm over the body; nothing if the field does not explain the tissue.
+/// Range of the field's logarithm over the body.
 struct FieldReach {
     double low = 0.0;
     double high = 0.0;

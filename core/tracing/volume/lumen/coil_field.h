@@ -9,8 +9,8 @@ namespace angiopose::core {
 
 /// A scan with the coil's inhomogeneity removed (bias-field correction).
 struct BiasCorrectedScan {
-    Volume volume;   ///< scaled to where the coil's sensitivity is highest
-    double fallOff = 1.0;   ///< factor by which the coil received weaker elsewhere in the body
+    Volume volume;   ///< corrected scan, scaled to the highest coil sensitivity
+    double fallOff = 1.0;   ///< largest ratio of coil sensitivities within the body
 };
 
 /// Corrects MR scans whose tissue darkens from one place to another by more than half, smoothly enough to be caused by

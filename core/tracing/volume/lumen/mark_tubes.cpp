@@ -15,11 +15,11 @@ namespace {
 constexpr int blockSize = 64;
 constexpr std::array<double, 3> scalesInVoxels{0.9, 1.7, 3.0};
 constexpr double reachInSigmas = 3.0;
-constexpr float minCurvature = 0.075F;   ///< times σ², relative to blood contrast; a vessel of radius σ has 0.3
-constexpr float minRoundness = 0.33F;   ///< weaker over stronger curvature across; a sheet has 0
-constexpr float maxAlong = 0.75F;   ///< curvature along over the weaker one across; a ball has 1
+constexpr float minCurvature = 0.075F;   ///< minimum curvature × σ² / lumen contrast; a vessel of radius σ has 0.3
+constexpr float minRoundness = 0.33F;   ///< minimum ratio of the transverse curvatures; a sheet has 0
+constexpr float maxAlong = 0.75F;   ///< maximum axial / weaker transverse curvature; a sphere has 1
 
-/// Part of the scan with a margin, as fraction of blood.
+/// Block of the scan with a margin, as opacification.
 struct TubeBlock {
     Eigen::Vector3i low;   ///< first voxel in the volume, margin included; may lie outside
     Eigen::Vector3i size;
@@ -54,14 +54,14 @@ std::vector<float> gaussian(double sigma)
     return kernel;
 }
 
-/// Smooths along one axis; values at the rim of the block are repeated.
+/// Smooths along one axis; values at the border of the block are repeated.
 void smoothAlong(TubeBlock& block, std::vector<float>& scratch, int axis, double sigma)
 {
     const std::vector<float> kernel = gaussian(sigma);
     const int reach = static_cast<int>(kernel.size() / 2);
     const std::ptrdiff_t stride = axis == 0 ? 1 : axis == 1 ? block.size.x() : block.size.x() * block.size.y();
     const int count = block.size[axis];
-    // Number of adjacent values per run: rows for the second axis, slices for the third.
+    // Number of contiguous values smoothed together: rows for the second axis, slices for the third.
     const std::ptrdiff_t run = axis == 0 ? 1 : stride;
     const auto total = static_cast<std::ptrdiff_t>(block.fill.size());
     std::fill(scratch.begin(), scratch.end(), 0.0F);
@@ -117,7 +117,7 @@ bool isTube(const Eigen::Matrix3f& hessian)
     }
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
     solver.computeDirect(hessian, Eigen::EigenvaluesOnly);
-    const Eigen::Vector3f& values = solver.eigenvalues();   // ascending: strongest across, weaker across, along
+    const Eigen::Vector3f& values = solver.eigenvalues();   // ascending: stronger transverse, weaker transverse, axial
     return values[1] < -minCurvature && values[1] < minRoundness * values[0] &&
            std::abs(values[2]) < -maxAlong * values[1];
 }

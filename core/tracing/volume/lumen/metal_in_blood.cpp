@@ -10,13 +10,13 @@ namespace angiopose::core {
 namespace {
 
 constexpr double maxBoneHu = 2000.0;
-constexpr double maxBoneFill = 5.0;   ///< for scans without Hounsfield units
-constexpr double solidReachMm = 6.0;   ///< bright to this distance on all sides: not a stent, even if blurred
-constexpr double aroundMetalMm = 2.0;   ///< from its brightest voxels; includes their blur and thinner wires
-constexpr double besideWiresMm = 3.0;   ///< beyond the blur of the wires
+constexpr double maxBoneFill = 5.0;   ///< same for scans without Hounsfield units
+constexpr double solidReachMm = 6.0;   ///< a voxel bright to this distance on all sides is no stent, even if blurred
+constexpr double aroundMetalMm = 2.0;   ///< margin around the brightest voxels for their blur and thinner struts
+constexpr double besideWiresMm = 3.0;   ///< distance beyond the blur of the struts
 constexpr double brightFill = 1.6;
 constexpr double minBesideFill = 0.7;
-constexpr double minBesideShare = 0.38;   ///< share of the voxels that are not bright; wires in a sternum have 0.3
+constexpr double minBesideShare = 0.38;   ///< minimum lumen fraction of non-bright voxels; sternal wires have 0.3
 
 /// The six positions at distance `reach` along the axes.
 std::array<Eigen::Vector3i, 6> sidesOf(const Eigen::Vector3i& voxel, const Eigen::Vector3i& reach)

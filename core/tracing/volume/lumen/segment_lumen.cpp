@@ -19,26 +19,26 @@ namespace angiopose::core {
 namespace {
 
 constexpr TubeBits bits;
-constexpr std::uint8_t core = 4;   ///< homogeneous and as bright as blood
+constexpr std::uint8_t core = 4;   ///< homogeneous, with the intensity of the lumen
 constexpr std::uint8_t tooBright = 8;
-constexpr std::uint8_t calcification = 16;   ///< too bright, but in a small component
-constexpr std::uint8_t metal = 32;   ///< too bright, part of a stent with blood inside
+constexpr std::uint8_t calcification = 16;   ///< brighter than the lumen, in a small component
+constexpr std::uint8_t metal = 32;   ///< brighter than the lumen, part of a stent around lumen
 constexpr std::uint8_t blooming = 64;   ///< see `markBlooming`
 constexpr std::uint8_t wallBits = tooBright | metal;
 
-constexpr double minTubeFill = 0.25;   ///< fraction of blood in a voxel of a thin vessel
+constexpr double minTubeFill = 0.25;   ///< minimum opacification of a voxel of a thin vessel
 constexpr double minCoreFill = 0.55;
-constexpr double maxFillOfLumen = 1.6;   ///< brighter: bone, metal, contrast agent before mixing
-constexpr double maxMetal = 6.0;   ///< in cross-sections; higher values add no information
-constexpr double maxUneven = 0.18;   ///< standard deviation within a core
-constexpr double maxBrightMl = 0.1;   ///< components brighter than blood; calcifications are smaller
-constexpr double coreReachMm = 1.4;   ///< from a core to its wall; at least two voxels
-constexpr double rimMm = 1.5;   ///< around bone and metal, where blurring looks like blood; at least one voxel
-constexpr int maxWireWidth = 2;   ///< voxels up to the wire's crest
+constexpr double maxFillOfLumen = 1.6;   ///< brighter voxels are bone, metal or unmixed contrast agent
+constexpr double maxMetal = 6.0;   ///< cap in cross-sections; higher values add no information
+constexpr double maxUneven = 0.18;   ///< maximum standard deviation within a core
+constexpr double maxBrightMl = 0.1;   ///< volume limit of calcifications; larger bright components are bone or metal
+constexpr double coreReachMm = 1.4;   ///< distance from a core to the wall; at least two voxels
+constexpr double rimMm = 1.5;   ///< rim of bone and metal where blurring mimics lumen; at least one voxel
+constexpr int maxWireWidth = 2;   ///< voxels from the edge of a strut to its brightest line
 constexpr double bloomingMm = 4.0;   ///< reach of streaks and blurring from bone and dense contrast agent
-constexpr double cortexReachMm = 1.4;   ///< from marrow to its cortical bone; at least two voxels
-constexpr double maxBoneWall = 0.3;   ///< share of a vessel's wall
-constexpr double minCoreShare = 0.2;   ///< share of cores; above, a component with bright walls is a stented vessel
+constexpr double cortexReachMm = 1.4;   ///< distance from marrow to cortical bone; at least two voxels
+constexpr double maxBoneWall = 0.3;   ///< maximum fraction of a vessel's wall that borders bone
+constexpr double minCoreShare = 0.2;   ///< minimum fraction of cores; above, bright walls indicate a stented vessel
 
 class Segmenter {
 public:
@@ -76,7 +76,7 @@ public:
     }
 
 private:
-    /// Number of voxels along each axis.
+    /// Converts a length to voxels along each axis, at least `least`.
     Eigen::Vector3i voxelsIn(double mm, int least) const
     {
         return (mm / order_.geometry.spacingMm.array()).round().cast<int>().max(least);
@@ -110,7 +110,7 @@ private:
         return [this](int i, int j, int k) { return fillAt(i, j, k); };
     }
 
-    /// Marks voxels brighter than blood: large components are bone and metal, small ones are calcified plaque in a
+    /// Marks voxels brighter than the lumen: large components are bone and metal, small ones are calcified plaque in a
     /// vessel wall.
     void markTooBright(TracingProgress& progress)
     {
@@ -130,8 +130,8 @@ private:
         });
     }
 
-    /// Wires of a wide vessel are its wall. Those of a thin vessel blur together and are the only part of it that is
-    /// visible, so they become lumen.
+    /// Turns the struts of thin stents into lumen: in a thin vessel they blur together and are the only visible part.
+    /// In a wide vessel, the struts form the wall.
     void openThinStents(TracingProgress& progress)
     {
         std::vector<VoxelPiece> wide;
@@ -163,8 +163,8 @@ private:
         });
     }
 
-    /// Whether the scan is as bright as blood here and at some distance on all six sides; edge values are repeated
-    /// beyond the rim.
+    /// Returns whether the voxel and six samples at some distance on all sides have the intensity of the lumen and vary
+    /// little; edge values are repeated beyond the boundary.
     bool isEven(int i, int j, int k) const
     {
         const int x = coreReach_.x();
@@ -202,8 +202,8 @@ private:
         return false;
     }
 
-    /// Selects cores, bright voxels around them, and tubes with adjacent bright voxels; excludes the rim of bone or
-    /// metal, which looks like blood due to blurring.
+    /// Selects cores, bright voxels around them, and tubes with adjacent bright voxels; excludes the rim of bone and
+    /// metal, where blurring mimics lumen.
     void choose(VoxelMask& lumen, int k) const
     {
         for (int j = 0; j < size_.y(); ++j) {
@@ -235,8 +235,8 @@ private:
         }
     }
 
-    /// Whether a component is marrow, which can be as bright as blood but is inhomogeneous and surrounded by cortical
-    /// bone.
+    /// Returns whether a component is marrow, which can be as bright as the lumen but is inhomogeneous and surrounded
+    /// by cortical bone.
     bool isMarrow(const VoxelPiece& piece, const VoxelMask& lumen) const
     {
         std::size_t cores = 0;
@@ -273,7 +273,7 @@ private:
     const BloodLevel& level_;
     Eigen::Vector3i size_;
     int threads_;
-    Eigen::Vector3i coreReach_;   ///< voxels along each axis, as for the following reaches
+    Eigen::Vector3i coreReach_;   ///< in voxels along each axis, as the following reaches
     Eigen::Vector3i rim_;
     Eigen::Vector3i bloomingReach_;
     Eigen::Vector3i cortexReach_;

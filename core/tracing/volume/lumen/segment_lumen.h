@@ -11,20 +11,20 @@ namespace angiopose::core {
 
 /// Lumen candidates, in patient axis order.
 struct SegmentedLumen {
-    /// 2 for voxels as bright as blood in homogeneous surroundings (cores of wide vessels), 1 for voxels around such
-    /// cores and bright along lines (thin vessels, also below the threshold).
+    /// 2: contrast-enhanced core of a wide vessel; 1: rim of such a core, or thin line-like vessel (may be below the
+    /// threshold).
     VoxelMask clear;
     VoxelPiece besideWires;   ///< see `lumenBesideWires`
 };
 
-/// Segments the lumen; bone is mostly excluded because its cortex forms sheets and its inside is inhomogeneous.
-/// Incomplete when stopped.
+/// Segments the lumen. Excludes most bone, whose cortex forms sheets and whose interior is inhomogeneous. Incomplete
+/// when stopped.
 SegmentedLumen segmentLumen(const Volume& volume, const AxisOrder& order, const BloodLevel& level, int threads,
                             TracingProgress& progress);
 
-/// Fraction of blood at each point of the scan, by linear interpolation; bright voxels outside `lumen` (bone next to a
-/// vessel) count as tissue, voxels of value 2 (filled holes) as blood. `lumen` and `order` must have the same geometry;
-/// all arguments must outlive the result.
+/// Returns the linearly interpolated opacification at each point of the scan; bright voxels outside `lumen` (bone next
+/// to a vessel) count as tissue, voxels of value 2 (filled holes) as lumen. `lumen` and `order` must have the same
+/// geometry; all arguments must outlive the result.
 BloodFill fillOf(const Volume& volume, const AxisOrder& order, const BloodLevel& level, const VoxelMask& lumen);
 
 }   // namespace angiopose::core

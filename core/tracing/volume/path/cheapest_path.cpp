@@ -37,7 +37,7 @@ std::array<NeighborStep, 26> neighborSteps(const Eigen::Vector3d& spacingMm)
 }
 
 struct Waiting {
-    float key;   ///< distance plus half the straight distance ahead, minus half that back
+    float key;   ///< path cost plus half the minimum cost ahead, minus half the minimum cost back
     float distance;
     std::uint32_t voxel;
     bool operator>(const Waiting& other) const { return key > other.key; }
@@ -45,7 +45,7 @@ struct Waiting {
 
 using WaitingVoxels = std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>>;
 
-/// Bidirectional search over a box of voxels, counted from its first voxel.
+/// Bidirectional search within a box of voxels; indices count from the first voxel of the box.
 class PathSearch {
 public:
     PathSearch(const VolumeGeometry& box, const Eigen::Vector3i& first, const VoxelCost& cost)
@@ -114,7 +114,7 @@ private:
             }
             SearchCell& there = cells_.at(at);
             if (there.distance[side] <= next.distance) {
-                continue;   // already as near
+                continue;   // already reached from this side at lower cost
             }
             const float distance = next.distance + 0.5F * (perMm + costAt(there, at)) * steps_[n].lengthMm;
             if (distance < there.distance[side]) {
@@ -164,7 +164,7 @@ private:
     SearchCells cells_;
     std::array<Eigen::Vector3i, 2> ends_;
     std::array<WaitingVoxels, 2> waiting_;
-    float shortest_ = std::numeric_limits<float>::infinity();   ///< length of the best path so far
+    float shortest_ = std::numeric_limits<float>::infinity();   ///< cost of the best path so far
     Eigen::Vector3i meeting_ = Eigen::Vector3i::Zero();   ///< a voxel on that path
 };
 

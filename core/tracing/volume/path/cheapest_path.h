@@ -10,8 +10,8 @@
 
 namespace angiopose::core {
 
-/// Cost per millimeter through a voxel, above 0; infinite: impassable. Evaluated once for each voxel that the search
-/// reaches.
+/// Cost per millimeter through a voxel: positive, or infinite if impassable. Evaluated once for each voxel that the
+/// search reaches.
 struct VoxelCost {
     std::function<double(const Eigen::Vector3i& voxel)> perMm;
     double minPerMm = 0.0;   ///< lower bound of all costs; a tight bound speeds up the search
@@ -19,16 +19,16 @@ struct VoxelCost {
 
 /// Result of a path search.
 struct CheapestPath {
-    std::vector<Eigen::Vector3i> voxels;   ///< both ends included; empty: no path found
+    std::vector<Eigen::Vector3i> voxels;   ///< path including both ends; empty if none was found
     bool isCutShort = false;   ///< the search limit was reached
 };
 
 /// Voxel range of the search: the box around both ends, enlarged by 15 to 40 mm.
 VoxelRange searchedRange(const VolumeGeometry& grid, const Eigen::Vector3i& from, const Eigen::Vector3i& to);
 
-/// The cheapest path between two voxels within `searchedRange`, by bidirectional search that prefers a short straight
-/// distance ahead (Dijkstra 1959; Ikeda et al. 1994). None if stopped, if all paths are closed, or if `maxSettled`
-/// voxels were searched in vain.
+/// Finds the cheapest path between two voxels within `searchedRange` by bidirectional search with the straight-line
+/// distance as heuristic (Dijkstra 1959; Ikeda et al. 1994). Empty when stopped, if every path is blocked, or if
+/// `maxSettled` voxels were searched without success.
 CheapestPath cheapestPath(const VolumeGeometry& grid, const Eigen::Vector3i& from, const Eigen::Vector3i& to,
                           const VoxelCost& cost, std::size_t maxSettled, TracingProgress& progress);
 

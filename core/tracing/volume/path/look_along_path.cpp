@@ -11,19 +11,19 @@ namespace angiopose::core {
 namespace {
 
 constexpr double lookEveryMm = 2.0;
-constexpr std::ptrdiff_t steadyReach = 7;   // positions before and after; stents, plaque and gaps do not count
-constexpr double bloodRank = 0.75;   // quantile of these; blurring dims thin stretches
-constexpr double besideInShells = 1.5;   // distance from the axis at which the surroundings begin
-constexpr double clearlyDarker = 0.5;   // share of the vessel's contrast; excludes adjacent vessels
-constexpr double withinBlood = 0.5;   // share of the typical contrast; below, all surroundings are blood
-constexpr double otherVessel = 0.4;   // share of the contrast; brighter values are blurred with another vessel
-constexpr double rankBeside = 0.75;   // quantile of the darker values
+constexpr std::ptrdiff_t steadyReach = 7;   // smoothing positions before and after; suppresses stents, plaque and gaps
+constexpr double bloodRank = 0.75;   // quantile for the lumen level; blurring dims thin segments
+constexpr double besideInShells = 1.5;   // in shell radii: distance from the axis at which the surroundings begin
+constexpr double clearlyDarker = 0.5;   // minimum drop, fraction of the vessel's contrast; excludes adjacent vessels
+constexpr double withinBlood = 0.5;   // fraction of the typical contrast; below, the shell contains only lumen
+constexpr double otherVessel = 0.4;   // minimum drop, as a fraction of the contrast; excludes blur from another vessel
+constexpr double rankBeside = 0.75;   // quantile for the brighter part of the surroundings
 constexpr double maxFillBeside = 0.35;
-constexpr std::size_t minAround = 6;   // out of 26 positions
+constexpr std::size_t minAround = 6;   // minimum samples out of 26
 
-/// Refines the tissue value from the immediate surroundings of the vessel, if enough of them are darker than it;
-/// otherwise keeps the wider surroundings. Next to lung or fat, the remaining surroundings must not look half like
-/// blood.
+/// Refines the tissue level from the immediate surroundings of the vessel if enough samples are darker than the vessel;
+/// otherwise keeps the level of the wider surroundings. Raises it next to lung or fat, where the rest of the
+/// surroundings would otherwise appear half opacified.
 VesselLook lookBeside(const PathGround& ground, const Eigen::Vector3i& voxel, VesselLook look)
 {
     const double heightOfBlood = look.blood - look.tissue;
@@ -126,7 +126,7 @@ BloodFill LookAlongPath::quickFill() const
     };
 }
 
-/// Smooths each look by those around it.
+/// Smooths the appearance along the path.
 void LookAlongPath::steady()
 {
     const std::vector<VesselLook> found = looks_;

@@ -7,14 +7,14 @@
 
 namespace angiopose::core {
 
-/// Appearance of a vessel along its path, where the brightness of the vessel (contrast timing, coil) and of its
-/// surroundings changes. The volume must outlive it.
+/// Appearance of a vessel along its path; follows changes in the intensity of the vessel (contrast timing, coil) and of
+/// its surroundings. The volume must outlive this object.
 class LookAlongPath {
 public:
-    /// Measures the look at points in mm along the grid's axes.
+    /// Measures the appearance at points in mm along the grid's axes.
     LookAlongPath(const PathGround& ground, const std::vector<Eigen::Vector3d>& pointsMm);
 
-    /// Fraction of blood near the path: 0 as in the surroundings, 1 as in the vessel.
+    /// Returns the opacification near the path: 0 as in the surroundings, 1 as in the vessel.
     double fill(const Eigen::Vector3d& pointMm) const;
 
     /// Faster variant of `fill` that looks up the vessel's appearance once for all points within a millimeter. Not

@@ -5,14 +5,14 @@
 
 namespace angiopose::core {
 
-/// End of a path, where the user pointed at a vessel.
+/// End of a path, at a point that the user picked on a vessel.
 struct PathEnd {
     Eigen::Vector3i voxel = Eigen::Vector3i::Zero();   ///< most likely vessel voxel nearby
     VesselLook look;
 };
 
-/// Finds the vessel voxel for a point. Fails if the point lies outside the scan or in nothing brighter than its
-/// surroundings.
+/// Finds the vessel voxel for a picked point. Fails if the point lies outside the scan or not in a structure brighter
+/// than its surroundings.
 Result<PathEnd> pathEnd(const PathGround& ground, const Eigen::Vector3d& placeInPatient);
 
 }   // namespace angiopose::core

@@ -7,16 +7,16 @@
 namespace angiopose::core {
 namespace {
 
-// Radii from coronary branches to the aorta, each just beyond the wall.
+// Shell radii just beyond the wall, for vessels from coronary branches to the aorta.
 constexpr std::array shellRadiiMm{1.2, 1.8, 2.6, 3.6, 5.0, 7.0, 10.0, 14.0};
 constexpr double shellBeyondWall = 1.2;
-constexpr double clearDrop = 0.4;   // drop beside the voxel, relative to its contrast to tissue
+constexpr double clearDrop = 0.4;   // minimum drop beside the voxel, relative to its contrast to tissue
 // In a straight tube, about 9 of 13 directions lead out of it; in a sheet-like wall 4, in a homogeneous region 0.
 constexpr double minShareOfTube = 0.35;
 constexpr double shareOfTube = 0.65;
 constexpr int directions = 13;
 constexpr double tissueReachMm = 6.0;
-constexpr double tissueRank = 0.3;   // quantile of the surrounding values; the vessels fill less than the rest
+constexpr double tissueRank = 0.3;   // quantile of the surrounding values; vessels occupy the smaller part
 
 /// Steps in half of the 26 directions, no two of them opposite.
 std::vector<Eigen::Vector3i> halfShell(double radiusMm, const Eigen::Vector3d& spacingMm)
@@ -30,7 +30,7 @@ std::vector<Eigen::Vector3i> halfShell(double radiusMm, const Eigen::Vector3d& s
     return steps;
 }
 
-/// Share 0…1 to which a voxel is the middle of a tube, from the number of opposite pairs that are darker than it.
+/// Returns how tube-like the surroundings of a voxel are (0…1), from the number of opposite pairs that are both darker.
 double shareOfPairs(int darker)
 {
     const double share = static_cast<double>(darker) / directions;

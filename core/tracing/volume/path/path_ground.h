@@ -8,42 +8,42 @@
 
 namespace angiopose::core {
 
-/// Appearance of vessels in a scan, in its own values.
+/// Appearance of a vessel in a scan, as intensity levels of the scan.
 struct VesselLook {
-    double blood = 1.0;   ///< value of the scan
-    double tissue = 0.0;   ///< value of the surroundings; below `blood`
+    double blood = 1.0;   ///< level of the lumen
+    double tissue = 0.0;   ///< level of the surroundings; below `blood`
 };
 
-/// Resemblance of a voxel to the middle of a tube.
+/// Resemblance of a voxel to the center of a tube.
 struct TubeLook {
-    double share = 0.0;   ///< 0…1: share of directions darker on both sides, at the best distance
-    double shellMm = 0.0;   ///< that distance: the wall lies within it
+    double share = 0.0;   ///< 0…1, from the directions darker on both sides, at the best distance
+    double shellMm = 0.0;   ///< best distance; the wall lies within it
 };
 
-/// Measures how much the voxels of a scan look like the inside of a vessel. The volume must outlive it.
+/// Measures how much the voxels of a scan resemble the inside of a vessel. The volume must outlive this object.
 class PathGround {
 public:
-    /// Ignores tubes wider than the radius.
+    /// Ignores tubes wider than `widestRadiusMm`.
     explicit PathGround(const Volume& volume, double widestRadiusMm = 13.0);
 
     const Volume& volume() const { return volume_; }
 
-    /// The most likely vessel voxel within `reachMm` of a position.
+    /// Returns the most likely vessel voxel within `reachMm` of a position.
     Eigen::Vector3i likeliestNear(const Eigen::Vector3i& voxel, double reachMm) const;
 
-    /// Appearance at a voxel: blood from its own value, tissue from its surroundings.
+    /// Returns the appearance at a voxel: lumen level from the voxel's own value, tissue level from its surroundings.
     VesselLook lookAt(const Eigen::Vector3i& voxel) const;
 
-    /// Computes how much a voxel resembles the middle of a tube; low in chambers and in walls.
+    /// Computes how much a voxel resembles the center of a tube; low in chambers and in walls.
     TubeLook tube(const Eigen::Vector3i& voxel, double tissue) const;
 
-    /// Only the share of `tube`, which is faster to compute.
+    /// Returns only `TubeLook::share`, which is faster to compute.
     double tubeShare(const Eigen::Vector3i& voxel, double tissue) const;
 
     /// Values in 26 directions at the given distance.
     std::vector<double> valuesAround(const Eigen::Vector3i& voxel, double distanceMm) const;
 
-    double valueAt(const Eigen::Vector3i& voxel) const;   ///< edge values are repeated beyond the rim
+    double valueAt(const Eigen::Vector3i& voxel) const;   ///< edge values are repeated beyond the boundary
 
 private:
     /// Opposite pairs of positions at one distance.

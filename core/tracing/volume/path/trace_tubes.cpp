@@ -14,7 +14,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double maxWidening = 1.4;   // relative to the vessel that a branch leaves
+constexpr double maxWidening = 1.4;   // maximum width relative to the parent vessel
 constexpr double radiusNoiseMm = 0.3;
 
 /// The voxels inside the branches, in the scan's axis order.
@@ -29,7 +29,7 @@ VoxelMask lumenOf(const VesselTree& tree, const VolumeGeometry& grid)
     return lumen;
 }
 
-/// Whether a branch is wider than its parent at its origin: such a branch is a vein that touches an artery.
+/// Returns whether a branch is wider than its parent at the takeoff; such a branch is a vein that touches an artery.
 bool widens(const VesselBranch& branch, const VesselBranch& parent)
 {
     const Eigen::Vector3d& start = branch.pointsInPatient.front();
@@ -42,7 +42,7 @@ bool widens(const VesselBranch& branch, const VesselBranch& parent)
     return medianOf(branch.radiusMm) > maxWidening * parent.radiusMm[nearest] + radiusNoiseMm;
 }
 
-/// Removes branches that widen and their descendants; `paths` in the same order as the branches.
+/// Removes branches wider than their parent, and their descendants; `paths` in the same order as the branches.
 VesselTree withoutWidening(const VesselTree& tree, const std::vector<BranchPath>& paths)
 {
     VesselTree kept;

@@ -13,19 +13,19 @@
 namespace angiopose::core {
 namespace {
 
-// Cost per millimeter (see `costOfVoxel`) up to which a voxel counts as tube, corresponding to 0.7 of the blood's
-// contrast and half a tube; a higher cost adds to the path's debt.
+// Maximum cost per millimeter (see `costOfVoxel`) of a tube voxel, corresponding to 0.7 of the lumen contrast and half
+// a tube; a higher cost adds to the path's debt.
 constexpr double tubeCost = 3.3;
-constexpr double maxDebt = 9.0;   // about 3 mm of a chamber or a quarter of a mm of tissue
-constexpr double paidBack = 0.5;   // share of the cost saved in tube voxels that reduces the debt
-constexpr double memoryMm = 12.0;   // length over which the expected look adapts to the path
+constexpr double maxDebt = 9.0;   // maximum; about 3 mm of a chamber or a quarter of a mm of tissue
+constexpr double paidBack = 0.5;   // fraction of the cost saved in tube voxels that reduces the debt
+constexpr double memoryMm = 12.0;   // length over which the expected appearance adapts to the path
 constexpr double fadingMm = 100.0;   // length over which the contrast of an artery fades
-constexpr double minOfFull = 0.6;   // a later-opacified vein has less
+constexpr double minOfFull = 0.6;   // minimum relative contrast; a later-opacified vein has less
 constexpr double radiusInShell = 0.35;   // lower limit of the radius, relative to the shell
 constexpr double blurInVoxels = 1.0;
 constexpr std::size_t maxGrown = 2'000'000;
 constexpr std::size_t grownPerReport = 4096;
-constexpr double radiusOfShell = 0.75;   // the wall lies within the darker shell
+constexpr double radiusOfShell = 0.75;   // assumed radius relative to the darker shell, which lies outside the wall
 constexpr int noBranch = -1;
 
 /// State of a path at a voxel.
@@ -34,13 +34,13 @@ struct ReachedVoxel {
     double wayMm = 0.0;   ///< distance from the seed
     double debt = 0.0;
     VesselLook look;
-    double fullBlood = 0.0;   ///< blood value of the vessel where thinness does not dim it
+    double fullBlood = 0.0;   ///< lumen level of the vessel without dimming by blurring
     std::size_t before = 0;   ///< previous voxel; for a seed the voxel itself
     bool isTube = false;
     bool isSettled = false;
     int branch = noBranch;   ///< branch whose lumen contains the voxel
     std::size_t axis = 0;   ///< nearest axis voxel of that branch
-    bool isTooShort = false;   ///< a path to here was checked and is too short for a branch
+    bool isTooShort = false;   ///< a path through this voxel was too short for a branch
 };
 
 struct WaitingWay {
@@ -83,7 +83,7 @@ public:
 
     bool isCutShort() const { return settled_ >= maxGrown; }
 
-    /// Builds branches from the tube ends, those with the longest path first.
+    /// Builds branches from the ends of tubes, longest path first.
     std::vector<BranchPath> branches()
     {
         std::vector<std::size_t> ends;
@@ -177,13 +177,13 @@ private:
         waiting_.push({cost, indexOf(voxel)});
     }
 
-    /// Follows the path back from an end to a branch or seed, and adds it if it is long enough for a branch.
+    /// Traces the path back from an end to a branch or seed, and adds the path if it is long enough for a branch.
     void addBranch(std::size_t end, std::vector<BranchPath>& paths)
     {
         std::vector<std::size_t> way{end};
         while (reached_.at(way.back()).branch == noBranch && reached_.at(way.back()).before != way.back()) {
             if (reached_.at(way.back()).isTooShort) {
-                return;   // already too short from farther away
+                return;   // a longer path through this voxel was already too short
             }
             way.push_back(reached_.at(way.back()).before);
         }
@@ -199,7 +199,7 @@ private:
         path.parent = start.branch;
         path.generation = start.branch == noBranch ? 0 : paths[static_cast<std::size_t>(start.branch)].generation + 1;
         if (start.branch != noBranch) {
-            way.back() = start.axis;   // only its own tube is claimed, not the axis it leaves
+            way.back() = start.axis;   // starts on the axis of the parent branch
         }
         std::ranges::reverse(way);
         for (const std::size_t voxel : way) {

@@ -14,7 +14,7 @@ inline constexpr double widestTubeMm = 5.0;
 /// Tubes grown from seeds.
 struct GrownTubes {
     std::vector<BranchPath> paths;   ///< parents before children; mm along the grid's axes, radii assumed
-    VesselLook look;   ///< median over all tubes
+    VesselLook look;   ///< median appearance of all tubes
     bool isCutShort = false;   ///< the search limit was reached
 };
 
@@ -23,7 +23,7 @@ struct TubeLimits {
     double assumedRadiusMm = 1.5;
 };
 
-/// Grows tubes from seed voxels along tube middles (ALGORITHMS §9.13): a path may cross a few mm of other material,
+/// Grows tubes from seed voxels along tube centers (ALGORITHMS §9.13): a path may cross a few mm of other material,
 /// which incurs a debt that tube voxels pay back. Every branch is the cheapest path to its end. Empty when stopped.
 GrownTubes growTubes(const PathGround& ground, const std::vector<Eigen::Vector3i>& seeds, const TubeLimits& limits,
                      TracingProgress& progress);

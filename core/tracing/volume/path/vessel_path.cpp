@@ -22,13 +22,13 @@ namespace {
 std::vector<Eigen::Vector3i> wayBetween(const PathGround& ground, const PathEnd& from, const PathEnd& to,
                                         TracingProgress& progress);
 
-constexpr std::size_t soonSettled = 30'000;   // enough for a path through thin vessels only
+constexpr std::size_t soonSettled = 30'000;   // voxels settled before switching to blocks; thin vessels need fewer
 constexpr std::size_t maxSettled = 3'000'000;
 constexpr double coarsestMm = 3.2;   // maximum side of the blocks
-constexpr double nearInBlocks = 2.5;   // search distance around the path over blocks
+constexpr double nearInBlocks = 2.5;   // search radius around the coarse path
 constexpr double minNearMm = 4.0;
 
-/// Expected look of the vessels between both ends, linearly interpolated.
+/// Expected appearance of the vessels between both ends, linearly interpolated.
 class LookOnTheWay {
 public:
     LookOnTheWay(const Eigen::Vector3d& fromMm, const VesselLook& from, const Eigen::Vector3d& toMm,
@@ -77,7 +77,7 @@ PathEnd endInBlocks(const PathGround& blocks, const Eigen::Vector3i& voxel)
     return end;
 }
 
-/// Blocks near the path over blocks.
+/// Marks the blocks near the coarse path.
 VoxelMask nearWay(const std::vector<Eigen::Vector3i>& way, const VolumeGeometry& blocks)
 {
     VoxelMask near(blocks);
@@ -117,9 +117,9 @@ std::vector<Eigen::Vector3i> wayByBlocks(const PathGround& ground, const PathEnd
     return cheapestPath(grid, from.voxel, to.voxel, nearby, maxSettled, progress).voxels;
 }
 
-/// The cheapest path between both ends, inclusive, through voxels that look like them (ALGORITHMS §9.12). If it is not
-/// found quickly, searches blocks of voxels first and then the voxels near that path. Empty if stopped or if there is
-/// no path.
+/// Finds the cheapest path between both ends, inclusive, through voxels that look like the ends (ALGORITHMS §9.12). If
+/// a limited search fails, searches a coarse path over blocks of voxels first and then the voxels near that path. Empty
+/// if stopped or if there is no path.
 std::vector<Eigen::Vector3i> wayBetween(const PathGround& ground, const PathEnd& from, const PathEnd& to,
                                         TracingProgress& progress)
 {
@@ -130,7 +130,7 @@ std::vector<Eigen::Vector3i> wayBetween(const PathGround& ground, const PathEnd&
     return path.isCutShort && !isCoarsest ? wayByBlocks(ground, from, to, cost, progress) : std::move(path.voxels);
 }
 
-constexpr double outsideFill = 0.35;   // lower values: no vessel
+constexpr double outsideFill = 0.35;   // minimum opacification of a vessel
 constexpr double sayOutsideMm = 2.0;
 constexpr double assumedRadiusMm = 1.5;   // radius assumed for the first cross-sections
 constexpr double pointSpacingMm = 1.0;
@@ -146,7 +146,7 @@ std::vector<Eigen::Vector3d> placesOf(const std::vector<Eigen::Vector3i>& path, 
 
 /// Converts the path to a smooth, centered curve with radii.
 VesselBranch centeredBranch(const std::vector<Eigen::Vector3d>& placesMm, const VolumeGeometry& grid,
-                           const LookAlongPath& look, TracingProgress& progress)
+                            const LookAlongPath& look, TracingProgress& progress)
 {
     BranchPath way;
     way.pointsMm = placesMm;
@@ -159,7 +159,7 @@ VesselBranch centeredBranch(const std::vector<Eigen::Vector3d>& placesMm, const 
     return branch;
 }
 
-/// Length of the path outside any vessel.
+/// Returns the length of the path outside any vessel.
 double lengthOutside(const std::vector<Eigen::Vector3d>& placesMm, const LookAlongPath& look)
 {
     double outsideMm = 0.0;

@@ -6,9 +6,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double farAboveBlood = 1.4;   // bone, plaque and metal: relative to blood's contrast to tissue
-constexpr double dimming = 3.0;   // decay rate of the likeness above that
-constexpr double shareWithoutTube = 0.15;   // weight of a voxel as bright as a vessel but not in a tube
+constexpr double farAboveBlood = 1.4;   // relative to the lumen contrast; bone, plaque and metal are brighter
+constexpr double dimming = 3.0;   // decay rate of the likeness above `farAboveBlood`
+constexpr double shareWithoutTube = 0.15;   // weight of a voxel with the intensity of a vessel but not in a tube
 
 /// 0…1 between tissue and blood; decreases again for values far brighter than blood.
 double likeness(double value, const VesselLook& look)

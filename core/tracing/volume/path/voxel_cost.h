@@ -4,15 +4,15 @@
 
 namespace angiopose::core {
 
-/// Cost per millimeter in tissue and in the middle of a vessel: the highest and the lowest possible.
+/// Cost per millimeter in tissue (the highest possible) and in the center of a vessel (the lowest).
 inline constexpr double dearestPerMm = 40.0;
 inline constexpr double cheapestPerMm = 1.0 / (1.0 / dearestPerMm + 1.0);
 
-/// Cost per millimeter through a voxel: about 1 in the middle of a vessel of that look, 40 in tissue (ALGORITHMS
-/// §9.12).
+/// Returns the cost per millimeter through a voxel: about 1 in the center of a vessel of that appearance, 40 in tissue
+/// (ALGORITHMS §9.12).
 double costOfVoxel(const PathGround& ground, const Eigen::Vector3i& voxel, const VesselLook& look);
 
-/// Same as `costOfVoxel` for a value with a known tube share.
+/// Same as `costOfVoxel` for a value with a known tube resemblance.
 double costOfTube(double value, double share, const VesselLook& look);
 
 }   // namespace angiopose::core

@@ -12,22 +12,22 @@
 
 namespace angiopose::core {
 
-/// Wires of stents in wide vessels.
+/// Struts of stents in wide vessels.
 struct StentWires {
     std::vector<VoxelPiece> pieces;
-    std::function<bool(int i, int j, int k)> isBeside;   ///< near the wires and possibly lumen (not bone)
+    std::function<bool(int i, int j, int k)> isBeside;   ///< near the struts and possibly lumen (not bone)
 };
 
-/// Voxel data around stents, and the labels of lumen components there. Positions are counted from the low corner of a
-/// box around the stents. The constructor arguments must outlive it.
+/// Voxel data and labels of lumen components in a box around stents. Positions count from the low corner of the box.
+/// The constructor arguments must outlive this object.
 class StentSite {
 public:
     using Label = std::uint32_t;
 
-    /// Fractions of blood in a lumen component, excluding wires.
+    /// Opacification values in a lumen component, excluding struts.
     struct Fills {
         std::vector<double> all;
-        std::vector<double> inner;   ///< voxels with a lumen value above 1
+        std::vector<double> inner;   ///< values of voxels with a lumen value above 1
     };
 
     /// Covers the stents with a margin of `aroundMm` on all sides; nothing is labeled yet.
@@ -67,7 +67,7 @@ public:
         }
     }
 
-    VoxelGrid<Label> labels;   ///< 0: no label
+    VoxelGrid<Label> labels;   ///< 0 if unlabeled
 
 private:
     const VoxelMask& lumen_;

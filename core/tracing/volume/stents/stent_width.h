@@ -8,9 +8,9 @@
 
 namespace angiopose::core {
 
-/// Whether a stented vessel is so wide that its blood is separate from the blur of the wires: voxels with `core` set in
-/// `flags` lie well away from the wires, but not far. Only then can the wires be distinguished from the blood and form
-/// its wall.
+/// Returns whether a stented vessel is wide enough for its lumen to be separate from the blur of the struts: voxels
+/// with `core` set in `flags` lie well away from the struts, but not far. Only then can the struts be distinguished
+/// from the lumen and form its wall.
 bool isWideStent(const VoxelPiece& wires, const VoxelMask& flags, std::uint8_t core, int threads,
                  TracingProgress& progress);
 

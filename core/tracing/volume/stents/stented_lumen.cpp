@@ -12,14 +12,14 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minFillBetweenWires = 0.5;   ///< above: wall between wires
-constexpr double minBlood = 0.8;   ///< fill of blood visible between wires
-constexpr double minNeckWithin = 0.45;   ///< relative to the thinner lumen's radius, within one vessel
-constexpr double minOpenShare = 0.5;   ///< open share of a contact area within one vessel
-constexpr double maxOpeningInRadii = 4.0;   ///< span of a branch opening; the lumens of a dissection meet over more
-constexpr double besideOpeningMm = 10.0;   ///< around an opening, for comparing the blood
+constexpr double minFillBetweenWires = 0.5;   ///< minimum opacification for growing between struts
+constexpr double minBlood = 0.8;   ///< minimum opacification of lumen visible between struts
+constexpr double minNeckWithin = 0.45;   ///< minimum neck within one vessel, relative to the thinner lumen's radius
+constexpr double minOpenShare = 0.5;   ///< minimum open fraction of a contact area within one vessel
+constexpr double maxOpeningInRadii = 4.0;   ///< maximum span of a branch opening; dissection lumens meet over more
+constexpr double besideOpeningMm = 10.0;   ///< radius around an opening for comparing the opacification
 constexpr std::size_t minInnerOfLumen = 12;   ///< minimum voxels for the comparison
-constexpr double maxDifference = 0.15;   ///< between blood of the same vessel
+constexpr double maxDifference = 0.15;   ///< maximum difference of opacification within one vessel
 
 using Label = StentSite::Label;
 using Pair = std::pair<Label, Label>;
@@ -27,7 +27,7 @@ using Pair = std::pair<Label, Label>;
 /// Contact area of two components.
 struct Contact {
     std::vector<Eigen::Vector3i> places;
-    std::vector<Eigen::Vector3i> open;   ///< positions where blood is visible
+    std::vector<Eigen::Vector3i> open;   ///< positions where opacified lumen is visible
 
     VoxelBox box() const
     {
@@ -64,7 +64,7 @@ public:
         shore_.swap(next);
     }
 
-    /// Fills the gaps between components of one vessel, unless yet another component is adjacent.
+    /// Fills the gaps between components of the same vessel, except next to other vessels.
     void join()
     {
         std::map<Label, Label> vessels = piecesToVessels();
@@ -94,8 +94,8 @@ private:
         site_.labels.at(at.x(), at.y(), at.z()) = label;
     }
 
-    /// Labels components that are connected by paths about as wide as themselves; a tear in a dissection flap is narrow
-    /// compared with the lumens.
+    /// Labels lumen components; parts connected by paths about as wide as themselves get the same label. A tear in a
+    /// dissection flap is narrow compared with the lumens.
     void labelPieces(TracingProgress& progress)
     {
         VoxelMask part(site_.geometry());
@@ -113,7 +113,7 @@ private:
         }
     }
 
-    /// Whether growth may continue: up to the crest of a wire, or between wires.
+    /// Returns whether growth may continue: up to the brightest line of a strut, or between struts.
     bool leads(const Eigen::Vector3i& from, const Eigen::Vector3i& to) const
     {
         const double fill = site_.fillAt(to);
@@ -125,7 +125,7 @@ private:
     bool isParting(const Eigen::Vector3i& at, Label label)
     {
         const bool isBlood = !site_.isWire(at) && site_.fillAt(at) >= minBlood;
-        std::map<Label, bool> others;   // whether blood is visible on the way
+        std::map<Label, bool> others;   // whether lumen is visible in between
         site_.eachLabelAround(at, [&](Label its, const Eigen::Vector3i& beside) {
             if (its != label) {
                 others[its] = others[its] || (isBlood && !site_.isWire(beside));
@@ -175,7 +175,7 @@ private:
         return site_.geometry().spacingMm.cwiseProduct((box.high - box.low).cast<double>()).norm();
     }
 
-    /// Whether both components have the same blood, or one is too thin to decide.
+    /// Returns whether both components have the same opacification, or one is too thin to decide.
     bool isSameBlood(const Pair& pair, const Contact& contact) const
     {
         const VoxelBox box = contact.box();
@@ -189,10 +189,10 @@ private:
         return std::abs(medianOf(first.inner) - medianOf(second.inner)) <= maxDifference;
     }
 
-    StentSite site_;   ///< labeled with the components
+    StentSite site_;   ///< box around the stents, labeled with the components
     std::vector<Eigen::Vector3i> shore_;   ///< most recently added voxels
-    VoxelPiece taken_;   ///< in indices of the whole scan
-    std::map<Label, double> radiusMm_;   ///< maximum radius of the components
+    VoxelPiece taken_;   ///< added voxels, as indices of the whole scan
+    std::map<Label, double> radiusMm_;   ///< maximum radius of each component
     std::map<Pair, Contact> contacts_;   ///< by pair of adjacent components
 };
 

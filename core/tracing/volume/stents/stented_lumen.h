@@ -8,11 +8,11 @@
 
 namespace angiopose::core {
 
-/// Lumen beside stent wires, from which the segmentation kept clear: up to the crest of each wire, where its middle and
-/// the vessel's wall lie, and between wires as far as blood is visible, within at most `steps` voxels. Lumens separated
-/// by wires stay separate, as those of an aortic dissection. Two parts become one if their blood is the same (voxels
-/// above 1 are inner ones) or a vessel is too thin to decide, and if blood is visible over most of their contact area
-/// or in an area no larger than a branch. Incomplete when stopped.
+/// Returns the lumen beside stent struts that segmentation left out: up to the brightest line of each strut, where the
+/// vessel wall lies, and between struts as far as opacified lumen is visible, within at most `steps` voxels. Lumens
+/// separated by struts stay separate, like those of an aortic dissection. Two parts are merged if their opacification
+/// is the same (measured in voxels above 1) or a vessel is too thin to decide, and if lumen is visible over most of
+/// their contact area or in an area no larger than a branch. Incomplete when stopped.
 VoxelPiece lumenBesideWires(const VoxelMask& lumen, const StentWires& wires, const VoxelFill& fill, int steps,
                             TracingProgress& progress);
 

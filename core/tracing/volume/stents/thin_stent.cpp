@@ -9,12 +9,12 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minFillOfStent = 0.7;   ///< fraction of blood, as in a large vessel
+constexpr double minFillOfStent = 0.7;   ///< minimum opacification, as in a large vessel
 constexpr double maxFillOfStent = 1.6;
-constexpr double minSlendernessOfStent = 1.6;   ///< spread along over spread across; a tube twice as long as wide
-constexpr double maxAcrossMm = 3.5;   ///< spread across a tube of 8 mm with its blur
-constexpr double endShare = 0.25;   ///< relative to half the length
-constexpr double beyondMm = 2.0;   ///< from a tip to the center of the blood search
+constexpr double minSlendernessOfStent = 1.6;   ///< minimum axial / transverse spread; a tube twice as long as wide
+constexpr double maxAcrossMm = 3.5;   ///< maximum transverse spread: a tube of 8 mm with its blur
+constexpr double endShare = 0.25;   ///< length of an end section, relative to half the length
+constexpr double beyondMm = 2.0;   ///< distance from a tip to the center of the lumen search
 constexpr double aroundMm = 3.0;
 
 /// End of a long thin component, and its outward direction.
@@ -23,7 +23,7 @@ struct PieceEnd {
     Eigen::Vector3d outwards;
 };
 
-/// End of a component on one side of its middle, along its longest axis.
+/// Returns the end of a component on one side of its center, along its longest axis.
 PieceEnd endOf(const std::vector<Eigen::Vector3d>& pointsMm, const Eigen::Vector3d& middleMm,
                const Eigen::Vector3d& towards)
 {
@@ -51,7 +51,7 @@ PieceEnd endOf(const std::vector<Eigen::Vector3d>& pointsMm, const Eigen::Vector
     return {outer + (0.5 * endShare * farthest) * outwards, outwards};
 }
 
-/// A tube too thin to show blood inside its wires, with a vessel beyond both ends.
+/// Tube too thin to show lumen inside its struts, with a vessel beyond both ends.
 class ThinTube {
 public:
     ThinTube(const VoxelPiece& piece, const VolumeGeometry& grid, const VoxelFill& fill) : grid_(grid), fill_(fill)
@@ -77,7 +77,7 @@ public:
     }
 
 private:
-    /// Whether there is homogeneous blood close beyond the tip; the vessel may curve there.
+    /// Returns whether homogeneous opacified lumen lies close beyond the tip; the vessel may curve there.
     bool isBloodBeyond(const PieceEnd& end) const
     {
         const Eigen::Array3d middle =
@@ -97,7 +97,7 @@ private:
         return false;
     }
 
-    /// Whether the voxel and its six neighbors are as bright as blood.
+    /// Returns whether the voxel and its six neighbors have the intensity of the lumen.
     bool isBloodAt(const Eigen::Vector3i& voxel) const
     {
         const auto isBlood = [this](const Eigen::Vector3i& at) {
@@ -117,7 +117,7 @@ private:
     std::vector<Eigen::Vector3d> pointsMm_;
     Eigen::Vector3d middleMm_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d axis_ = Eigen::Vector3d::UnitZ();
-    double acrossMm_ = 0.0;   ///< standard deviation of the points; `alongMm_` too
+    double acrossMm_ = 0.0;   ///< standard deviation of the points across the axis; `alongMm_` along it
     double alongMm_ = 0.0;
 };
 

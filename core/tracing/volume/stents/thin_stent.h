@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// Whether a metal component is a tube too thin to show blood inside or beside it, with a vessel beyond both ends:
-/// wires in bone and clips have none, a lead or catheter only at one end.
+/// Returns whether a metal component is a stent too thin to show lumen inside or beside it, with a vessel beyond both
+/// ends; wires in bone and clips have none, leads and catheters only at one end.
 bool isThinStent(const VoxelPiece& piece, const VolumeGeometry& grid, const VoxelFill& fill);
 
 }   // namespace angiopose::core

@@ -16,8 +16,8 @@ struct VoxelBox {
     bool operator==(const VoxelBox&) const = default;
 };
 
-/// Maps voxels counted along the patient's axes (i to the left, j to the back, k to the head, as closely as the stored
-/// axes allow) to the stored order, so results do not depend on how a scan is stored.
+/// Maps voxels counted along the patient's axes (i left, j posterior, k superior, as closely as the stored axes allow)
+/// to the stored order, so results do not depend on how a scan is stored.
 struct AxisOrder {
     VolumeGeometry geometry;   ///< geometry of the reordered voxels
     std::ptrdiff_t first = 0;   ///< stored index of voxel (0, 0, 0)

@@ -12,9 +12,9 @@ namespace angiopose::core {
 namespace {
 
 constexpr double seedReachMm = 3.0;
-constexpr double farSeedReachMm = 10.0;   ///< to the core of a wide vessel, which starts two voxels inside its wall
+constexpr double farSeedReachMm = 10.0;   ///< maximum to the core of a wide vessel (two voxels inside its wall)
 
-/// The nearest voxel of at least `minValue` within `reachMm`.
+/// Returns the nearest voxel of at least `minValue` within `reachMm`.
 std::optional<std::uint32_t> nearestVoxel(const VoxelMask& mask, const Eigen::Vector3d& placeInPatient, double reachMm,
                                           std::uint8_t minValue)
 {
@@ -108,7 +108,7 @@ Result<std::set<std::size_t>> chosenOf(const VoxelMask& mask, const std::vector<
 
 Message placeInMessage(const Eigen::Vector3d& point)
 {
-    const auto tenth = [](double value) { return Quantity{std::round(10.0 * value) / 10.0 + 0.0, 1}; };   // no -0.0
+    const auto tenth = [](double value) { return Quantity{std::round(10.0 * value) / 10.0 + 0.0, 1}; };   // avoids -0.0
     return messages::place(tenth(point.x()), tenth(point.y()), tenth(point.z()));
 }
 

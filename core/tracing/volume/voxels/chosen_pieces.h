@@ -17,28 +17,28 @@ namespace angiopose::core {
 /// Formats a point as "(x, y, z)" in mm for a message.
 Message placeInMessage(const Eigen::Vector3d& point);
 
-/// The nearest set voxel within 3 mm of a point in the patient (LPS mm); nothing if there is none.
+/// Returns the nearest set voxel within 3 mm of a point in the patient (LPS, mm); nullopt if there is none.
 std::optional<std::uint32_t> voxelNear(const VoxelMask& mask, const Eigen::Vector3d& seedInPatient);
 
-/// Seeds, moved into the lumen they were meant for.
+/// Seeds, moved into the intended lumen where necessary.
 struct SeedsInLumen {
     std::vector<Eigen::Vector3d> inPatient;
-    Messages warnings;   ///< about seeds that were moved far
+    Messages warnings;   ///< warnings about seeds that were moved far
 };
 
-/// Keeps seeds up to 3 mm beside the lumen in place, and moves others to the middle of a wide vessel (voxels above 1)
+/// Keeps seeds up to 3 mm beside the lumen in place, and moves others to the center of a wide vessel (voxels above 1)
 /// within 10 mm, because unopacified parts such as thrombus and calcified plaque belong to the vessel too. Fails,
-/// naming the seed, if there is neither.
+/// naming the seed, if no lumen is close enough.
 Result<SeedsInLumen> seedsInLumen(const VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient);
 
-/// Restricts a mask to the requested connected components: those that contain the seeds (LPS mm, within 3 mm), or
-/// without seeds all or the largest, i.e. the one with the most voxels above 1 (cores of vessels), in a tie the one
-/// with the most voxels. Returns the others, the largest first. Fails for a seed in no component (naming it), for an
-/// empty mask, and when stopped.
+/// Restricts a mask to the requested connected components: those that contain the seeds (LPS, mm; within 3 mm), or
+/// without seeds all components or the largest, i.e. the one with the most voxels above 1 (cores of vessels), in a tie
+/// the one with the most voxels. Returns the excluded components, largest first. Fails for a seed outside all
+/// components (naming the seed), for an empty mask, and when stopped.
 Result<std::vector<TracedPiece>> keepChosenPieces(VoxelMask& mask, const std::vector<Eigen::Vector3d>& seedsInPatient,
                                                   TracedPieces withoutSeeds, TracingProgress& progress);
 
-/// Size of a component, and its voxel nearest to its middle.
+/// Measures the size of a component and finds its voxel nearest to the center.
 TracedPiece pieceOf(const VoxelPiece& voxels, const VolumeGeometry& grid);
 
 Stopped stoppedTracing();

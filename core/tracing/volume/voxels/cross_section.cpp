@@ -14,11 +14,11 @@ namespace {
 
 constexpr std::size_t rayCount = 24;
 constexpr double stepInVoxels = 0.25;
-constexpr double thinInVoxels = 2.2;   ///< below this radius, the area is integrated instead of measured
+constexpr double thinInVoxels = 2.2;   ///< below this radius, the area follows from the integrated opacification
 constexpr double brighterThanBlood = 1.6;
-constexpr double maxBlood = 1.3;   ///< upper limit of the fill in that integration
-constexpr double blurInVoxels = 0.8;   ///< from the middle of a thin structure to half its brightness
-constexpr double minFillOfCenter = 0.15;   ///< at the center, to count as a vessel
+constexpr double maxBlood = 1.3;   ///< cap on the opacification in that integration
+constexpr double blurInVoxels = 0.8;   ///< distance from the center of a thin structure to half its brightness
+constexpr double minFillOfCenter = 0.15;   ///< minimum opacification at the center of a vessel
 
 struct Ray {
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();
@@ -40,8 +40,8 @@ std::array<Ray, rayCount> raysAcross(const Eigen::Vector3d& tangent)
     return rays;
 }
 
-/// Finds the wall, where the fill falls below the level. Wires and calcified plaque on the wall blur far beyond it;
-/// then the wall is at their brightest point, or inside their edge by the extent of the blurring.
+/// Finds the wall, where the opacification falls below `level`. Stent struts and calcified plaque blur far beyond the
+/// wall; there, the wall is taken at their brightest point, or inside their edge by the extent of the blurring.
 void findWall(Ray& ray, const SectionPlane& plane, const BloodFill& fill, double level, double reachMm)
 {
     const double step = stepInVoxels * plane.voxelMm;
@@ -100,7 +100,7 @@ double weighedRadius(const std::array<Ray, rayCount>& rays, const Eigen::Vector3
         for (const Ray& ray : rays) {
             ring += std::min(fill(center + away * ray.direction), maxBlood) - background;
         }
-        blood += ring / rayCount * 2.0 * away * step;   // divided by π
+        blood += ring / rayCount * 2.0 * away * step;   // area integral divided by π
     }
     return std::sqrt(std::max(0.0, blood / (1.0 - background)));
 }

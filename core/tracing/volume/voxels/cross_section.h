@@ -8,12 +8,12 @@ namespace angiopose::core {
 /// Degree of opacification at a point: 0 tissue, 1 blood, 0.5 at the wall. Points in mm along the grid's axes.
 using BloodFill = std::function<double(const Eigen::Vector3d& pointMm)>;
 
-/// Shape of the lumen across a vessel.
+/// Cross-section of a vessel lumen.
 struct CrossSection {
     Eigen::Vector3d centerMm = Eigen::Vector3d::Zero();   ///< centroid of the area within the wall
     double radiusMm = 0.0;   ///< radius of a disc of equal area
-    double closed = 0.0;   ///< share of rays that meet a wall, including a flattened vessel's far one
-    double trust = 0.0;   ///< 0: no section found; near 1: wall found all around and round
+    double closed = 0.0;   ///< fraction of rays that meet a wall, including the far one of a flattened vessel
+    double trust = 0.0;   ///< confidence: 0 if no section was found, near 1 for a round section with walls all around
 };
 
 /// Position, orientation and resolution of a cross-section.
@@ -24,9 +24,9 @@ struct SectionPlane {
     double voxelMm = 1.0;
 };
 
-/// Casts rays across the vessel to its wall, located with subvoxel accuracy where the fill passes one half (or half the
-/// maximum of a vessel thinner than the scanner's resolution). The width of such a thin vessel follows from the total
-/// blood in its section, which blurring preserves.
+/// Casts rays across the vessel and locates the wall with subvoxel accuracy where the opacification passes one half (or
+/// half the maximum of a vessel thinner than the scanner's resolution). The width of such a thin vessel follows from
+/// the integrated opacification of its section, which blurring preserves.
 CrossSection crossSection(const SectionPlane& plane, const BloodFill& fill);
 
 }   // namespace angiopose::core

@@ -17,10 +17,10 @@ std::uint16_t inUnits(double value)
     return static_cast<std::uint16_t>(std::min(std::round(value), static_cast<double>(farthest)));
 }
 
-/// Distance along one row to the nearest clear voxel in that row.
+/// Computes the distance along one row to the nearest clear voxel in that row.
 void measureRow(const std::uint8_t* mask, std::uint16_t* units, int count, double step)
 {
-    int last = -count - 1;   // nearest clear voxel behind
+    int last = -count - 1;   // last clear voxel passed
     const auto distance = [&](int voxels) { return voxels > count ? farthest : inUnits(step * voxels); };
     for (int i = 0; i < count; ++i) {
         last = mask[i] == 0 ? i : last;

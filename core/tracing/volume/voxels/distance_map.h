@@ -8,8 +8,8 @@
 
 namespace angiopose::core {
 
-/// Distance from each voxel of a mask to the nearest voxel outside it, in mm between centers. The space beyond the
-/// grid's rim does not count as outside, so a vessel cut off there keeps its width.
+/// Distance from each voxel of a mask to the nearest voxel outside the mask, in mm between centers. Space beyond the
+/// grid does not count as outside, so a vessel cut off at the boundary keeps its width.
 struct DistanceMap {
     VolumeGeometry geometry;
     double unitMm = 1.0;   ///< 1/256 of the smallest spacing: 2 bytes per voxel, exact to 1/200 voxel

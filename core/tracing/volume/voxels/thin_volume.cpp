@@ -53,7 +53,7 @@ constexpr Adjacency makeAdjacency()
 
 constexpr Adjacency adjacency = makeAdjacency();
 
-/// The part of `places` that is connected to `seed`.
+/// Returns the part of `places` that is connected to `seed`.
 unsigned flooded(unsigned seed, unsigned places, const std::array<unsigned, 27>& touching)
 {
     unsigned reached = seed;
@@ -74,8 +74,8 @@ constexpr unsigned lowestBit(unsigned bits)
     return bits & (~bits + 1U);
 }
 
-/// Whether the center can be deleted without changing the topology (Bertrand and Malandain 1994): one object component
-/// around it, and one background component that it shares a face with.
+/// Returns whether the center can be deleted without changing the topology (Bertrand and Malandain 1994): it has one
+/// adjacent object component, and one background component that shares a face with it.
 bool isSimple(unsigned neighborhood)
 {
     const unsigned object = neighborhood & ~centerBit;
@@ -97,8 +97,8 @@ bool isDeletable(unsigned neighborhood)
     return !isEndOfLine(neighborhood) && isSimple(neighborhood);
 }
 
-/// Peels a mask with a clear rim, in which every voxel has all its neighbors; keeps its border voxels in ascending
-/// order.
+/// Thins a mask with a clear border, where every voxel has all its neighbors; keeps the border voxels of the mask in
+/// ascending order.
 class VoxelPeeler {
 public:
     explicit VoxelPeeler(VoxelMask rimmed)
@@ -192,9 +192,9 @@ private:
         return gone;
     }
 
-    /// A band two voxels wide and one thick is open to one side over its whole length: processed in order of position,
-    /// each voxel in turn would be the free tip of the rest until nothing is left (as in Lee's thinning). At most six
-    /// tips in a row are therefore deleted per pass.
+    /// Returns whether a line tip must be kept in this pass. A band two voxels wide and one thick is open to one side
+    /// over its whole length: processed in order of position, each voxel in turn would become the free tip of the rest
+    /// until nothing is left (as in Lee's thinning), so at most six tips in a row are deleted per pass.
     bool isEatenUp(std::size_t p, unsigned around)
     {
         if (std::popcount(around & ~centerBit) > 3) {
@@ -241,7 +241,7 @@ private:
     std::vector<std::uint8_t> state_;
     std::array<std::ptrdiff_t, 6> sides_;
     std::vector<std::size_t> border_;
-    std::unordered_map<std::size_t, int> eaten_;   ///< deleted tips of this pass, with their count in the row
+    std::unordered_map<std::size_t, int> eaten_;   ///< tips deleted in this pass, with their count in the row
 };
 
 }   // namespace

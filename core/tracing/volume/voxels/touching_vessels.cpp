@@ -10,10 +10,10 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::uint16_t touch = 269;   ///< 1.05 voxels in distance units: a voxel at the wall
-constexpr std::uint16_t inner = 486;   ///< 1.9 voxels: free of wall blurring
-constexpr std::size_t minInnerOfTrunk = 12;   ///< minimum voxels for measuring the blood level
-constexpr double minDifference = 0.15;   ///< relative to the contrast; along one aorta it varies by 0.1
+constexpr std::uint16_t touch = 269;   ///< 1.05 voxels in distance units: maximum for a voxel at the wall
+constexpr std::uint16_t inner = 486;   ///< 1.9 voxels in distance units: minimum for no blurring from the wall
+constexpr std::size_t minInnerOfTrunk = 12;   ///< minimum voxels for measuring the lumen level
+constexpr double minDifference = 0.15;   ///< minimum difference of opacification; along one aorta it varies by 0.1
 
 double fillOf(std::uint32_t voxel, const VolumeGeometry& grid, const VoxelFill& fill)
 {

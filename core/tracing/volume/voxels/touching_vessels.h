@@ -9,7 +9,7 @@
 
 namespace angiopose::core {
 
-/// Fraction of blood in a voxel: 0 tissue, 1 the vessels' blood.
+/// Opacification of a voxel: 0 in tissue, 1 in the vessel lumen.
 using VoxelFill = std::function<double(int i, int j, int k)>;
 
 /// Inner voxels of vessels that only touch those of the seeds and contain other blood: every path to them leads through

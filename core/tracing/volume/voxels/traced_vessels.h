@@ -13,7 +13,7 @@ namespace angiopose::core {
 
 /// A traced vessel tree with its lumen, components and warnings.
 struct TracedVessels {
-    VesselTree tree;   ///< by component, each root first, then by generation; ids 1, 2, …; radii, patient LPS
+    VesselTree tree;   ///< patient LPS, with radii; by component, root first, then by generation; IDs 1, 2, …
     VoxelMask lumen;   ///< traced voxels, in the geometry of the input
     double threshold = 0.0;   ///< lower limit of the lumen; 0.5 for masks
     std::optional<Eigen::Vector3d>

@@ -31,7 +31,7 @@ public:
         report(0.0);
     }
 
-    /// Reports that `share` of the stage is done; false: stop as soon as possible.
+    /// Reports the completed fraction `share` of the stage; returns false to request a stop as soon as possible.
     bool advance(double share)
     {
         if (!stopped_ && std::chrono::steady_clock::now() >= due_) {

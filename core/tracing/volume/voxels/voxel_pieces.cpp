@@ -5,7 +5,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t listenEvery = 0x3FFF;   ///< mask: progress is reported every 16384 voxels
+constexpr std::size_t listenEvery = 0x3FFF;   ///< bit mask; progress is reported every 16384 voxels
 
 bool isStopRequested(TracingProgress* progress, std::size_t done)
 {

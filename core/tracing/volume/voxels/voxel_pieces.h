@@ -12,7 +12,7 @@ namespace angiopose::core {
 /// Voxel indices of one connected component, ascending.
 using VoxelPiece = std::vector<std::uint32_t>;
 
-/// The 26-connected components of at least `minVoxels`, the largest first (in a tie, the one with the lowest voxel
+/// Returns the 26-connected components of at least `minVoxels`, largest first (in a tie, the one with the lowest voxel
 /// index first). Incomplete if `progress`, where given, requests a stop.
 std::vector<VoxelPiece> piecesOf(const VoxelMask& mask, std::size_t minVoxels = 1, TracingProgress* progress = nullptr);
 

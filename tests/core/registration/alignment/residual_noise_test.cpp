@@ -59,7 +59,8 @@ TEST(ResidualNoise, NoticesBranchesThatAreOff)
     const ResidualNoise noise = residualNoise(rowsWith(0.0, [](int branch) { return branch % 2 == 0 ? 0.6 : -0.6; }));
     EXPECT_TRUE(noise.hasOffsets());
     EXPECT_NEAR(noise.scatterPx, 0.3, 0.03);
-    EXPECT_NEAR(noise.offsetPx, 0.6 * 1.4826, 0.05);   // a robust estimate takes two values for the quartiles of a Gaussian
+    EXPECT_NEAR(noise.offsetPx, 0.6 * 1.4826,
+                0.05);   // a robust estimate takes two values for the quartiles of a Gaussian
 }
 
 TEST(ResidualNoise, OfHardlyAnyMatchesIsLarge)

@@ -91,7 +91,8 @@ TEST(CurveCrossings, AreAllFoundAlongLinesOfAnySlope)
         for (const auto& line : lines) {
             Eigen::Matrix2d system;
             system << query.normal, line[0] - line[1];
-            const Eigen::Vector2d at = system.inverse() * (line[0] - query.placePx);   // parameters along the query and along the line
+            const Eigen::Vector2d at =
+                system.inverse() * (line[0] - query.placePx);   // parameters along the query and along the line
             if (std::abs(at[0]) < query.reachPx && at[1] > 0.0 && at[1] < 1.0) {
                 wanted.push_back(at[0]);
             }

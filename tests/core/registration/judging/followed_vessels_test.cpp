@@ -23,7 +23,8 @@ struct FollowedVesselsTest : ::testing::Test {
 TEST_F(FollowedVesselsTest, AllAreAtTheTruth)
 {
     const FollowedVessels followed = at(clean.truth);
-    EXPECT_GT(followed.share(), 0.9);   // not all: where two vessels cross, the nearer curve may belong to the other one
+    EXPECT_GT(followed.share(),
+              0.9);   // not all: where two vessels cross, the nearer curve may belong to the other one
     EXPECT_GT(followed.branchesInView, 15);
     EXPECT_GE(followed.branchesFollowed, followed.branchesInView - 1);
 }

@@ -61,7 +61,8 @@ TEST(PoseUncertainty, IsAboutTheCentroidOfTheWholeTree)
     const CentroidPose pose = aboutCentroid(problem.start, problem.tree.centroid);
     const StartPrior prior = startPrior(pose, {});
     const Matrix6d aboutUsed = poseInformation(problem, lines, pose, prior).inverse();
-    Eigen::Matrix<double, 3, 6> motion;   // Jacobian from steps about the centroid of the used points to steps about that of the whole tree
+    Eigen::Matrix<double, 3, 6>
+        motion;   // Jacobian from steps about the centroid of the used points to steps about that of the whole tree
     motion << -skew(arm), Eigen::Matrix3d::Identity();
     const Eigen::Matrix3d expected = motion * aboutUsed * motion.transpose();
     const PoseUncertainty reported = poseKnowledge(problem, lines, problem.start, prior).uncertainty;

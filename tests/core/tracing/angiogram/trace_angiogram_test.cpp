@@ -121,7 +121,8 @@ TEST(TraceAngiogram, CrossingVesselsStayTwoStraightCurves)
         EXPECT_GT(curve.lengthPx(), 175.0);
         const bool rises = (curve.pointsPx.front() - curve.pointsPx.back()).prod() < 0.0;
         for (const Eigen::Vector2d& point : curve.pointsPx) {
-            EXPECT_LT(test::distanceTo(longer(rises ? rising : falling), point), 1.5);   // least accurate in the rounded ends
+            EXPECT_LT(test::distanceTo(longer(rises ? rising : falling), point),
+                      1.5);   // least accurate in the rounded ends
         }
     }
 }

@@ -15,8 +15,8 @@ constexpr int sidePx = 256;
 
 bool isKnown(const AngiogramTrace& trace)
 {
-    return std::ranges::any_of(trace.warnings,
-                               [](const Message& warning) { return warning.id() == messages::frameWithLittleContrast.id; });
+    return std::ranges::any_of(
+        trace.warnings, [](const Message& warning) { return warning.id() == messages::frameWithLittleContrast.id; });
 }
 
 /// A path that sways like a vessel, unlike the straight line or single arc of a device.

@@ -40,7 +40,8 @@ TEST(SteadyFrame, AveragesWhatStandsStill)
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
         run.push_back(noisyFrame(seed));
     }
-    EXPECT_NEAR(rmsBetween(core::steadyFrame(run, 6), clean), noiseSigma / 3.0, 0.05 * noiseSigma);   // mean of nine frames
+    EXPECT_NEAR(rmsBetween(core::steadyFrame(run, 6), clean), noiseSigma / 3.0,
+                0.05 * noiseSigma);   // mean of nine frames
     EXPECT_NEAR(rmsBetween(core::steadyFrame(run, 0), clean), noiseSigma / std::sqrt(5.0), 0.05 * noiseSigma);
 }
 

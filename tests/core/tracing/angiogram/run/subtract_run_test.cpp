@@ -75,7 +75,8 @@ std::vector<ImageF> steps(int count)
 float differenceAt(const core::SubtractedRun& subtracted, const std::vector<ImageF>& frames, int frame)
 {
     const auto i = static_cast<std::size_t>(frame);
-    return subtracted.frames[i].pixels.front() - frames[i].pixels.front();   // the middle gray value of the frame is added back
+    return subtracted.frames[i].pixels.front() -
+           frames[i].pixels.front();   // the middle gray value of the frame is added back
 }
 
 TEST(SubtractRun, AnIntervalTakesTheFrameBefore)
