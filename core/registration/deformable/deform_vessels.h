@@ -48,8 +48,8 @@ struct BranchMotion {
 struct RigidOffset {
     Vector6d step = Vector6d::Zero();   ///< to the pose nearest to the deformed tree, about the centroid; rad, mm
     Matrix6d covariance = Matrix6d::Zero();   ///< covariance of that step
-    /// Distance between the points of the rigid tree and the deformed one, in the image plane for one view, otherwise
-    /// in space: overall mean, and mean over the branch with the largest mean.
+    /// Distance between the points of the rigid tree and the deformed one, in space if several views measure the depth
+    /// (geometryMm <= posePriorMm), otherwise in the image plane: overall, and for the branch with the largest mean.
     double meanMm = 0.0;
     double farthestMm = 0.0;
     int farthestBranchId = 0;

@@ -63,10 +63,16 @@ LinearBelief beliefAboutStep(const DeformationProblem& problem, const Deformatio
                                     problem.startStep);   // the nearest step to a rigid step is that step
 }
 
-/// Returns the shift between two points: in the image plane at their depth for a single view, otherwise in space.
-double shiftMm(const DeformationProblem& problem, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
+/// Whether the views measure the depth: only several whose relative shift is known better than the shift of the pose.
+bool isDepthMeasured(const DeformationProblem& problem)
 {
-    return problem.views.size() > 1 ? (to - from).norm() : (to.head<2>() - to.z() / from.z() * from.head<2>()).norm();
+    return problem.views.size() > 1 && problem.prior.geometry(5, 5) <= problem.prior.pose(5, 5);
+}
+
+/// Returns the shift between two points: in space if the depth is measured, otherwise in the image plane at their depth.
+double shiftMm(bool inSpace, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
+{
+    return inSpace ? (to - from).norm() : (to.head<2>() - to.z() / from.z() * from.head<2>()).norm();
 }
 
 /// Computes the mean and largest distance between the knots at the rigid pose and at their actual positions.
@@ -74,13 +80,14 @@ void measureShifts(const VesselTree& tree, const DeformationProblem& problem, co
                    const KnotPlaces& to, RigidOffset& offset)
 {
     const TreeKnots& knots = problem.knots;
+    const bool inSpace = isDepthMeasured(problem);
     double sum = 0.0;
     double total = 0.0;
     for (std::size_t b = 0; b + 1 < knots.firstOfBranch.size(); ++b) {
         double ofBranch = 0.0;
         double lengthMm = 0.0;
         for (std::size_t k = knots.firstOfBranch[b]; k < knots.firstOfBranch[b + 1]; ++k) {
-            ofBranch += knots.lengthMm[k] * shiftMm(problem, from[k], to[k]);
+            ofBranch += knots.lengthMm[k] * shiftMm(inSpace, from[k], to[k]);
             lengthMm += knots.lengthMm[k];
         }
         if (lengthMm >= minBranchMm && ofBranch / lengthMm > offset.farthestMm) {
