@@ -1,11 +1,11 @@
-# What `cmake --install` puts where, beside the library and the Python module, by component: runtime, doc.
+# Install rules of the components `runtime` and `doc`; the library and the Python module have their own.
 include(GNUInstallDirs)
 set(share ${CMAKE_INSTALL_DATAROOTDIR})
 set(packaging ${CMAKE_SOURCE_DIR}/packaging/linux)
 
 install(TARGETS angiopose angiopose-cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
 
-# The desktop knows the program and its files by these.
+# Desktop integration: application entry, MIME types, AppStream metadata and thumbnailer.
 install(FILES ${packaging}/org.angiopose.AngioPose.desktop DESTINATION ${share}/applications COMPONENT runtime)
 install(FILES ${packaging}/org.angiopose.AngioPose.mime.xml DESTINATION ${share}/mime/packages COMPONENT runtime)
 install(FILES ${packaging}/org.angiopose.AngioPose.metainfo.xml DESTINATION ${share}/metainfo COMPONENT runtime)
@@ -27,7 +27,7 @@ foreach(size ${icon_sizes})
     COMPONENT runtime)
 endforeach()
 
-# Man page and completions of the command line, by the table that --help shows.
+# Man page and shell completions of the command line, generated from the same definitions as --help.
 set(described ${CMAKE_CURRENT_BINARY_DIR}/description)
 file(MAKE_DIRECTORY ${described})
 foreach(kind man bash zsh fish)
@@ -52,11 +52,11 @@ install(FILES ${completion}/angiopose.fish DESTINATION ${share}/fish/vendor_comp
 install(FILES ${described}/cli.fish DESTINATION ${share}/fish/vendor_completions.d RENAME angiopose-cli.fish
   COMPONENT runtime)
 
-# Modules for 3D Slicer, to be named in its settings.
+# Modules for 3D Slicer; the user adds this folder to the module paths in the Slicer settings.
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/resources/slicer DESTINATION ${share}/angiopose COMPONENT runtime
   PATTERN __pycache__ EXCLUDE)
 
-# Documents lie as they do in the source, so that their links to each other and to the examples hold.
+# The installed documents keep the folder layout of the source tree, so that relative links remain valid.
 foreach(document README CHANGELOG CONTRIBUTING KNOWN_ISSUES SECURITY THIRD_PARTY_NOTICES)
   install(FILES ${CMAKE_SOURCE_DIR}/${document}.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc)
 endforeach()

@@ -36,7 +36,7 @@ public:
     void show();
 
 signals:
-    void wentTo(ui::Step step);   ///< emitted when the user selects a step, before its part of the window is shown
+    void wentTo(ui::Step step);   ///< emitted on selection by the user, before its part of the window is shown
 
 private:
     void goTo(ui::Step step);

@@ -14,7 +14,6 @@ namespace {
 using ui::StepMark;
 using ui::StepState;
 
-/// Translation context of this file.
 struct StepWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::StepStates)
 };

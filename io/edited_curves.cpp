@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// The owner of the curves: the case itself or one of its other views.
+/// Owner of the curves: the shown view, which is stored in the case itself, or another view.
 struct Owner {
     fs::path casePath;
     std::optional<std::size_t> otherView;
@@ -29,7 +29,7 @@ Json viewIn(const Json& root, std::optional<std::size_t> otherView)
     return views.is_array() && *otherView < views.size() ? views[*otherView] : Json();
 }
 
-/// The curve file that the case file on disk names as its own; empty if there is none.
+/// Returns the curve file that the case file on disk names; empty if there is none.
 fs::path ownCurves(const Owner& owner)
 {
     const fs::path& casePath = owner.casePath;

@@ -9,9 +9,9 @@
 
 namespace angiopose::io {
 
-/// Writes a case's edited 2-D curves to `<case>.curves.csv` beside it, unless already there, and returns the file with
-/// its hash. Replaces the file of an earlier save of the same case; another existing file stays, and the name gets a
-/// number. `otherView`: writes `<case>.view-2.curves.csv` and so on for that view.
+/// Writes a case's edited 2-D curves to `<case>.curves.csv` next to the case, unless up to date, and returns the file
+/// with its hash. Overwrites the file of an earlier save of the same case; if another file of that name exists, appends
+/// a number to the name. If `otherView` is set, the file is `<case>.view-2.curves.csv` and so on.
 core::Result<core::InputFile> keepEditedCurves(const core::GivenTarget& target, const std::string& casePath,
                                                std::optional<std::size_t> otherView = std::nullopt);
 

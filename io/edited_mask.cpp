@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// The mask file that the case file on disk names as its own; empty if there is none.
+/// Returns the mask file that the case file on disk names; empty if there is none.
 fs::path ownMask(const fs::path& casePath)
 {
     const auto input = openInput(casePath.string());

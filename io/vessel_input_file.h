@@ -34,7 +34,7 @@ std::shared_ptr<const core::VoxelMask> sharedLumen(LoadedVessels& vessels);
 core::Result<core::VesselInputKind> vesselInputKindOf(const std::string& path);
 
 /// Reads centerlines, or reads and traces a segmentation, surface or volume. A volume whose values prove to be labels
-/// is traced as a segmentation, with a warning. Fails with file, problem and remedy, or when stopped.
+/// is traced as a segmentation, with a warning. Errors name file, problem and remedy. Can be canceled.
 core::Result<LoadedVessels> readVessels(const std::string& path, const core::VesselInput& input,
                                         const ReadObserver& observe = {});
 

@@ -9,7 +9,7 @@
 namespace angiopose::io {
 
 struct VesselTreeReadOptions {
-    double unitMm = 0.0;   ///< length of one unit; 0: as the file states, otherwise 1 mm. Slicer curves keep their own
+    double unitMm = 0.0;   ///< length of one unit; if 0, as stated in the file or 1 mm. Ignored for Slicer curves
 };
 
 /// Reads a centerline tree from VTP/VTU, legacy VTK (PolyData or UnstructuredGrid), CSV, SWC or Slicer curves (FORMATS

@@ -54,7 +54,7 @@ std::string niftiHeader(const core::VolumeGeometry& geometry, double slope, doub
     std::string header(352, '\0');
     put<std::int32_t>(header, 0, 348);
     const std::array<int, 8> dim = {3, geometry.size.x(), geometry.size.y(), geometry.size.z(), 1, 1, 1, 1};
-    const Eigen::Matrix3d axes = lpsFromRas(Eigen::Matrix3d(geometry.direction));   // the conversion is its own inverse
+    const Eigen::Matrix3d axes = lpsFromRas(Eigen::Matrix3d(geometry.direction));   // same conversion from LPS to RAS
     const double handedness = axes.determinant() < 0.0 ? -1.0 : 1.0;
     const std::array<double, 4> pixdim = {handedness, geometry.spacingMm.x(), geometry.spacingMm.y(),
                                           geometry.spacingMm.z()};
@@ -237,7 +237,7 @@ core::Status writeNrrd(const core::VolumeGeometry& geometry, const Encoding& enc
     return packInto(encoding.bytes, 15 + 16, [&](Bytes bytes) { return file.write(bytes); });
 }
 
-/// MetaImage stores the packed size before the data: compresses once to count and once to write.
+/// Compresses the data twice, because MetaImage stores the compressed size before the data.
 core::Status writeMetaImage(const core::VolumeGeometry& geometry, const Encoding& encoding, AtomicFile& file)
 {
     std::size_t packedBytes = 0;

@@ -99,7 +99,7 @@ MainWindow::MainWindow(QWidget* parent)
         showWith(mode, marks_);
     }
     connect(geometry_, &Section::foldedChanged, this, [this](bool folded) {
-        if (!folded) {   // unfolded by the user, or because values are missing: scrolls to the fields
+        if (!folded) {   // scrolls to the fields of the expanded section
             QTimer::singleShot(0, this, [this] { rightPanels_->ensureWidgetVisible(geometry_); });
         }
     });
@@ -185,7 +185,7 @@ QWidget* MainWindow::makeRightColumn()
     layout->addWidget(pose_);
     layout->addWidget(registration_);
     layout->addWidget(result_);
-    auto* verdict = static_cast<QVBoxLayout*>(result_->layout());   // snapshots belong to the result: above the plots
+    auto* verdict = static_cast<QVBoxLayout*>(result_->layout());   // places the snapshots above the plots
     verdict->insertWidget(verdict->indexOf(&result_->solutions()) + 1, snapshots_);
     layout->addWidget(landmarks_);
     layout->addWidget(measure_);
@@ -240,7 +240,7 @@ void MainWindow::showInRightColumn(QWidget* panel)
 {
     if (rightColumn_->isFolded()) {
         rightColumn_->setFolded(false);
-        QTimer::singleShot(0, this, [this, panel] { rightPanels_->ensureWidgetVisible(panel); });   // after layout
+        QTimer::singleShot(0, this, [this, panel] { rightPanels_->ensureWidgetVisible(panel); });   // after the layout
     } else {
         rightPanels_->ensureWidgetVisible(panel);
     }

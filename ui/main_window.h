@@ -46,7 +46,7 @@ class ViewFrame;
 /// Views that can fill the window or be popped out.
 enum class MovableView { Image, Corner, Slices };
 
-/// Lays out views and panels. Does not know the case; the owner of the window connects both.
+/// Main window with all views and panels. Independent of the case; its owner connects the two.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 public:

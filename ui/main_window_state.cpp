@@ -66,7 +66,7 @@ QByteArray MainWindow::layoutState() const
     stream << saveGeometry() << (alone_ ? columnsBefore_ : columns_->saveState())
            << (alone_ ? leftBefore_ : leftSplitter_->saveState()) << foldedSections(*this);
     for (const ViewFrame* frame : {imageFrame_, cornerFrame_, slicesFrame_}) {
-        stream << frame->windowPlace() << (frame->isOut() && frame != slicesFrame_);   // slices need a scan
+        stream << frame->windowPlace() << (frame->isOut() && frame != slicesFrame_);   // slices require a scan
     }
     const ColumnLayout now = columns();
     stream << now.isLeftFolded << now.isRightFolded << now.leftWidth << now.rightWidth;

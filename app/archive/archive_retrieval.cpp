@@ -187,7 +187,7 @@ ArchiveCache::ArchiveCache(ArchiveList& list, const Ui& ui, QObject* parent)
 {
     connect(&list_, &ArchiveList::changed, this, &ArchiveCache::measure);
     connect(&ui_.line, &ui::CacheLine::limitChosen, this, &ArchiveCache::limit,
-            Qt::QueuedConnection);   // the Return key that commits the limit must not answer the question that follows
+            Qt::QueuedConnection);   // the Return key that commits the limit must not also confirm the next dialog
     connect(&ui_.line, &ui::CacheLine::emptyRequested, this, &ArchiveCache::askEmptying);
 }
 

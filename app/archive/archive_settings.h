@@ -16,7 +16,7 @@ inline const Setting<QString> receiveCallers{"archive/receiveCallers",
 inline const Setting<QString> receiveHosts{"archive/receiveHosts", {}};   ///< accepted addresses, as typed; empty: any
 inline const Setting<bool> receiveTls{"archive/receiveTls", false};
 inline const Setting<QString> receiveCertificate{"archive/receiveCertificate",
-                                                 {}};   ///< file path; so are the next two settings
+                                                 {}};   ///< file path, like the next two settings
 inline const Setting<QString> receiveKey{"archive/receiveKey", {}};
 inline const Setting<QString> receiveAuthorities{"archive/receiveAuthorities",
                                                  {}};   ///< empty: the certificate authorities of the system

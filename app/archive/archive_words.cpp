@@ -13,7 +13,6 @@
 namespace angiopose::app {
 namespace {
 
-/// Translation context of this file.
 struct ArchiveWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::ArchiveWords)
 };

@@ -32,7 +32,7 @@ std::vector<std::string> valuesOf(const CLI::App& command, const auto& names)
     return values;
 }
 
-/// Only what is there: hashes are of files.
+/// Removes paths that do not exist, because the audit file stores a hash of each file.
 std::vector<std::string> existing(std::vector<std::string> paths)
 {
     std::erase_if(paths, [](const std::string& path) {

@@ -124,7 +124,7 @@ struct TraceAngiogramArguments {
     std::optional<int> frame;
     std::string outputPath;
     std::string maskPath;
-    std::string apartPath;   ///< output for possible catheters, guidewires and bone edges; empty: with the other curves
+    std::string apartPath;   ///< output for possible devices and bone edges; empty: with the other curves
     double sensitivity = 1.0;
     std::optional<bool> subtract;   ///< mask of the file, or the best one; empty: only if the file names its mask
     std::vector<int> maskFrames;   ///< mask frames, from 1; if empty, the file's, or those before contrast arrival
@@ -142,7 +142,7 @@ struct EvaluateArguments {
     std::uint64_t seed = 1;
     std::optional<int> threads;   ///< if empty, one per core
     std::string shard = "1/1";
-    std::vector<std::string> mergedFolders;   ///< not empty: nothing is run, the runs in these folders are merged
+    std::vector<std::string> mergedFolders;   ///< if not empty, nothing is run; the runs in these folders are merged
     std::string outputFolder;
 };
 int runEvaluate(const EvaluateArguments& arguments);
@@ -156,7 +156,7 @@ struct BatchArguments {
     bool isWithoutPictures = false;
     std::vector<std::string> settings;   ///< "name=value" pairs common to all rows
     std::vector<std::string>
-        mergedFolders;   ///< not empty: nothing is run, the tables of the outcomes in these folders are written
+        mergedFolders;   ///< if not empty, nothing is run; the tables of the outcomes in these folders are written
     std::string outputFolder;
 };
 int runBatch(const BatchArguments& arguments);

@@ -28,7 +28,7 @@
 namespace angiopose::app {
 namespace {
 
-/// ByHeader: writes no initial pose; it follows from the header's geometry.
+/// Initial pose of a simulated case: stored in the case file, or derived from the header geometry.
 enum class SimulatedStart { Written, ByHeader };
 
 namespace fs = std::filesystem;

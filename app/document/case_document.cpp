@@ -76,7 +76,7 @@ void CaseDocument::beginTrial(std::unique_ptr<QUndoCommand> edit)
     if (isInTrial() || locked_) {
         return;
     }
-    undoFloor_ = undoStack_.index() + 1;   // set before the signals of the push let anyone read the changed case
+    undoFloor_ = undoStack_.index() + 1;   // set before push() emits signals, whose receivers read it
     undoStack_.push(edit.release());
     emit stateChanged();
 }
@@ -87,7 +87,7 @@ void CaseDocument::endTrial()
         return;
     }
     {
-        const QSignalBlocker quiet(this);   // suppresses the signals of the single steps
+        const QSignalBlocker quiet(this);   // suppresses the signals of the individual steps
         undoStack_.setIndex(std::exchange(undoFloor_, 0) - 1);
     }
     auto nothing = std::make_unique<QUndoCommand>();

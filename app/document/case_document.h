@@ -57,9 +57,9 @@ public:
     void beginTrial(std::unique_ptr<QUndoCommand> edit);
     void endTrial();
     bool isInTrial() const { return undoFloor_ > 0; }
-    int trialEdits() const { return undoStack_.index() - undoFloor_; }   ///< number of undo steps since the trial began
+    int trialEdits() const { return undoStack_.index() - undoFloor_; }   ///< undo steps since the trial began
 
-    void noteChange() { emit changed(); }   ///< change of data outside the case that belong to it, such as a mask draft
+    void noteChange() { emit changed(); }   ///< for data outside the case that belong to it, e.g. a mask draft
 
 signals:
     void aboutToStep();   ///< emitted before undo or redo; receivers finish any mouse interaction

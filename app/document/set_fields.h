@@ -66,7 +66,7 @@ public:
     void undo() override { swapWithDocument(); }
     int id() const override { return burst_; }
 
-    /// Merges without copying: the document already has the later values, and `others_` those from before the burst.
+    /// Merges without copying: the document has the later values, and `others_` those from before the burst.
     bool mergeWith(const QUndoCommand* later) override { return dynamic_cast<const SetFields*>(later) != nullptr; }
 
 private:

@@ -53,7 +53,7 @@ private:
     SharedCenterline shownCurves_;
     SharedCenterline shownDevices_;
     std::vector<int> shownAccepted_;
-    std::optional<TraceRequest> grounded_;   ///< request for which the data of the tool are available or being computed
+    std::optional<TraceRequest> grounded_;   ///< request whose edge data are available or being computed
     QFutureWatcher<std::shared_ptr<ui::CurveGround>> ground_;
 };
 

@@ -17,7 +17,7 @@ namespace angiopose::app {
 
 /// Manages subtraction, the peak-opacification image and the meaning of the pixel values. A worker computes the new
 /// run, which then enters the case as one undo step. During a manual pixel shift, the displayed frame updates
-/// immediately and the run once the mouse rests.
+/// immediately and the run when the mouse stops.
 class SubtractionController : public QObject {
     Q_OBJECT
 public:

@@ -27,7 +27,7 @@ public:
     void cutSelected();   ///< cuts the branch at the point of `setPlace`
     void joinSelected();   ///< joins two branches at their nearest ends
     void smoothSelected();
-    void rootAtSelected();   ///< sets the root at the end of the selected branch nearest to the point of `setPlace`
+    void rootAtSelected();   ///< sets the root at the end of the selected branch nearest to that point
     void toggleHiddenSelected();
     void showAll();
     void prune(double minLengthMm, double minRadiusMm);

@@ -65,7 +65,7 @@ private:
 };
 
 /// Coordinates access to the file of the open case with other windows and programs: locks it, informs the user who else
-/// has it open, and knows which content a save may overwrite. Accesses files in the save queue, in its order.
+/// has it open, and determines which content a save may overwrite. All file access runs in the save queue.
 class CaseKeeper : public QObject {
     Q_OBJECT
 public:
@@ -86,7 +86,7 @@ private:
     /// Accessed only by jobs of the queue.
     struct Kept {
         std::string path;
-        std::string sha256;   ///< hash of the file when last opened or saved here
+        std::string sha256;   ///< hash of the file at the last opening or saving here
         io::CaseLock lock;
     };
     void follow();

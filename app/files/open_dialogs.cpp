@@ -23,7 +23,6 @@
 namespace angiopose::app {
 namespace {
 
-/// Translation context of this file.
 struct KindWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::InputKind)
 };
@@ -49,8 +48,8 @@ struct LengthUnit {
     double mm;
 };
 
-/// Returns the units that give a plausible vessel size, most likely first, with millimeters, which have become
-/// doubtful, at the end. Returns all units if none fits.
+/// Returns the units that give a plausible vessel size, most likely first; millimeters come last because they gave an
+/// implausible size. Returns all units if none fits.
 std::vector<LengthUnit> unitsFor(double unitsAcross)
 {
     constexpr double smallestMm = 10.0, usualMm = 200.0, largestMm = 2000.0;

@@ -27,7 +27,7 @@ namespace angiopose::app {
 namespace {
 
 constexpr int pollMs = 33;
-constexpr auto graceAtEnd = std::chrono::milliseconds(200);   // for threads that are about to finish
+constexpr auto graceAtEnd = std::chrono::milliseconds(200);   // wait for threads that are about to finish
 constexpr std::uintmax_t maxPictureBytes = 1 << 20;
 
 struct Asked {

@@ -98,7 +98,7 @@ void SaveController::offerVessels(const std::function<void()>& whenSaved)
     question->open();
 }
 
-/// Refuses, before asking for a name, if the case cannot be saved.
+/// Rejects a case that cannot be saved before asking for a file name.
 bool SaveController::refusesToSave(const std::function<void()>& whenSaved)
 {
     if (savable() == Savable::Vessels) {

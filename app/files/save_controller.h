@@ -32,7 +32,7 @@ public:
                 CaseKeeper::Replaced replaced = CaseKeeper::Replaced::KnownContent);
     bool isSaving() const { return files_.isBusy(); }
     void offerRecovery();
-    void keepWork() { givenUp_.reset(); }   ///< the file that was to replace the work could not be opened
+    void keepWork() { givenUp_.reset(); }   ///< call if the file that should replace the case was not opened
     void noteOpened(const QString& copy);   ///< call when another case is open; `copy` is the recovered copy, or empty
     void autosaveSoon() { autosave_.saveSoon(); }
     void discardAutosave() { autosave_.discard(); }
@@ -44,7 +44,7 @@ signals:
     void saved();
     void autosaveFailed(const QString& reason);   ///< emitted when autosave fails; autosave keeps trying
     void openElsewhere(const QString& words);   ///< emitted if the open case is also open in another window or program
-    void reloadWanted(const QString& path);   ///< instead of overwriting changes made elsewhere
+    void reloadWanted(const QString& path);   ///< emitted to load changes made elsewhere instead of overwriting them
     void recoveryWanted(const app::Leftover& copy);
     void vesselsRecovered(const QString& path);   ///< vessels without an angiogram and their new file
 
@@ -66,7 +66,7 @@ private:
     std::optional<CaseState> givenUp_;   ///< state that the user agreed to discard in favor of the saved file
     QString recoveredVessels_;   ///< path of the recovered vessels
     std::optional<Leftover> wanted_;   ///< recovered copy that is being opened
-    std::optional<Leftover> recovered_;   ///< recovered copy that is open; removed once this session has its own copy
+    std::optional<Leftover> recovered_;   ///< recovered copy that is open; removed after the next autosave
 };
 
 }   // namespace angiopose::app

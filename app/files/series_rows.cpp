@@ -11,7 +11,6 @@
 namespace angiopose::app {
 namespace {
 
-/// Translation context of this file.
 struct SeriesWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::SeriesRows)
 };

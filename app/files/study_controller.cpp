@@ -151,7 +151,7 @@ void StudyController::follow(const io::StudyProgress& progress)
     }
     browser_->showProgress(static_cast<qsizetype>(progress.read), static_cast<qsizetype>(progress.found));
     const bool isDue =
-        !shown_.isValid() || shown_.elapsed() > restShare * showingMs_;   // long lists are updated less often
+        !shown_.isValid() || shown_.elapsed() > restShare * showingMs_;   // updates long lists less often
     if (progress.tree && progress.tree != tree_ && reach_ == io::StudyReach::Listed && isDue) {
         QElapsedTimer took;
         took.start();

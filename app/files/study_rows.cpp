@@ -8,7 +8,6 @@
 namespace angiopose::app {
 namespace {
 
-/// Translation context of this file.
 struct StudyWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::StudyRows)
 };

@@ -24,7 +24,7 @@ namespace angiopose::app {
 
 using SharedTexts = std::shared_ptr<const std::vector<io::SupportText>>;
 
-/// Support bundle: collects what the program knows about itself, removes the identity of all patients of the session,
+/// Support bundle: collects diagnostic data about the program, removes the identity of all patients of the session,
 /// shows the result and writes it to a file that the user chooses. Reports the crash that ended the last session.
 class SupportController : public QObject {
     Q_OBJECT

@@ -15,7 +15,7 @@ namespace angiopose::app {
 class DrrSource;
 
 /// Computes DRRs of the vessels (from the CTA inside them, or from tubes) off the GUI thread, always for the newest
-/// pose: a request made during a computation replaces the pending one.
+/// pose: a request during a computation replaces the pending one.
 class DrrJob : public QObject {
     Q_OBJECT
 public:

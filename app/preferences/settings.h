@@ -38,7 +38,7 @@ struct Setting {
 /// All preferences that persist between sessions. Poses and registration options are stored in the case instead.
 namespace settings {
 inline const Setting<QString> lastFolder{"files/lastFolder", {}, Informative::OfCases};
-inline const Setting<QString> saveFolder{"files/saveFolder", {}, Informative::OfCases};   ///< for exports and new cases
+inline const Setting<QString> saveFolder{"files/saveFolder", {}, Informative::OfCases};   ///< exports, new cases
 inline const Setting<QStringList> recentCases{"files/recentCases", {}, Informative::OfCases};
 inline const Setting<QStringList> pinnedCases{
     "files/pinnedCases", {}, Informative::OfCases};   ///< pinned cases, a subset of the recent ones
@@ -90,7 +90,7 @@ inline const Setting<QString> reportTemplate{
     "export/reportTemplate", {}, Informative::OfCases};   ///< file path; if empty, the built-in template is used
 inline const Setting<bool> privateMode{"privacy/private", false};   ///< see app/preferences/private_mode.h
 inline const Setting<QString> auditFile{"privacy/auditFile", {}};   ///< empty if there is no audit log
-inline const Setting<QString> seenFault{"support/seenFault", {}};   ///< name of the last crash dump shown to the user
+inline const Setting<QString> seenFault{"support/seenFault", {}};   ///< last crash dump shown to the user
 inline const Setting<bool> movieIsGif{"export/movieIsGif", false};   ///< if false, movies are MP4
 inline const Setting<int> movieWidthPx{"export/movieWidthPx", 1024};
 inline const Setting<bool> exportResiduals{"export/residuals", true};

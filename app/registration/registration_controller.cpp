@@ -81,7 +81,7 @@ void RegistrationController::continueAfterTracing()
         return;
     }
     phase_ = Phase::Solving;
-    using Views = core::RegistrationPlan::Views;   // the view strip marks views whose image is missing
+    using Views = core::RegistrationPlan::Views;   // `Loaded` skips views whose image is missing, which the view strip marks
     job_.start(document_.current(), {.views = allViews_ ? Views::Loaded : Views::Shown,
                                      .shownTarget = *target_.current(),
                                      .author = observerName().toStdString(),

@@ -6,7 +6,7 @@
 namespace angiopose::app {
 namespace {
 
-constexpr std::size_t rememberedBytes = 16U << 20U;   // of masks, which dominate: 64 frames of 512 × 512
+constexpr std::size_t rememberedBytes = 16U << 20U;   // cache size, dominated by the masks: 64 frames of 512 × 512
 
 std::size_t bytesOf(const SharedTrace& trace)
 {

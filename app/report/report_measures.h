@@ -15,7 +15,7 @@ using ReportRows = std::vector<std::pair<QString, QString>>;
 /// Returns the measurements in the image of the shown view, each with its value and basis.
 ReportRows measuredRows(const core::Case& session);
 
-/// Returns the target points with their errors and the uncertainty claimed by the pose, and the rings, for the shown
+/// Returns the target points with their errors and the stated uncertainty of the pose, and the rings, for the shown
 /// view and for all views together.
 ReportRows checkedRows(const core::Case& session);
 

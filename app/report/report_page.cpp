@@ -23,7 +23,7 @@ namespace {
 
 constexpr int shownWidth = 680;   // full width between the margins
 constexpr int shownWidthOfOne =
-    340;   // width of a single image, the same as that of one of two images, so that the rest fits on the page
+    340;   // width of a single image: the same as in a pair, so that everything fits on one page
 constexpr int markWidth = 36;
 
 using namespace report;

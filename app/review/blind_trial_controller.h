@@ -30,7 +30,7 @@ public:
     struct Ui {
         ui::WindowActions& actions;
         ui::TrialBar& bar;
-        std::vector<QWidget*> informative;   ///< widgets that show how good a pose is; they are hidden during a trial
+        std::vector<QWidget*> informative;   ///< widgets that show how good a pose is; hidden during a trial
         QWidget& dialogParent;
     };
     BlindTrialController(CaseDocument& document, TargetProvider& target, const Ui& ui, QObject* parent = nullptr);

@@ -39,7 +39,7 @@ std::optional<core::DisplayRange> automaticRange(const core::View& view)
     return core::displayRange(run.frames[static_cast<std::size_t>(peak)]);
 }
 
-/// Not in private mode: with the image at hand, its hash would reveal that it was opened here.
+/// Does nothing in private mode, because anyone with the image could recognize its hash in the settings.
 void storeBrightness(const QStringList& remembered)
 {
     if (!isPrivate()) {
@@ -72,7 +72,7 @@ void BrightnessMemory::followDocument()
     if (document_.current().shown().angiogram != shown_) {
         shown_ = document_.current().shown().angiogram;
         series_.clear();   // automatic window/level of a new image is not the user's choice
-        QMetaObject::invokeMethod(this, &BrightnessMemory::recall, Qt::QueuedConnection);   // after the image is shown
+        QMetaObject::invokeMethod(this, &BrightnessMemory::recall, Qt::QueuedConnection);   // when the image is shown
     }
 }
 

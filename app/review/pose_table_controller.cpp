@@ -19,7 +19,7 @@ namespace {
 constexpr int seriesBursts =
     1 << 22;   ///< offset that separates the undo-merge ids of method series from those of poses and frames
 
-/// Default methods for a fair comparison: the program's own, a classic one, and the usual reference of the literature.
+/// Default methods of the comparison: that of AngioPose, a classic one, and the standard reference in the literature.
 const std::vector<std::string> usualMethods{"angiopose", "dt-icp", "iterative-pnp"};
 
 }   // namespace

@@ -31,7 +31,7 @@ public:
     SliceController(CaseDocument& document, BranchController& branches, const Ui& ui, QObject* parent = nullptr);
 
 signals:
-    void largeShown(bool large);   ///< in place of the image, or in a window of their own
+    void largeShown(bool large);   ///< emitted when large slices (in place of the image or in a window) are shown or hidden
 
 private:
     void connectView(ui::SliceView& view);

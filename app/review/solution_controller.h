@@ -26,7 +26,7 @@ public:
     void showCurrent(std::size_t index);   ///< highlights the solution currently shown
 
 signals:
-    void solutionWanted(std::size_t index);   ///< emitted when the user selects a solution; index 0 is the pose itself
+    void solutionWanted(std::size_t index);   ///< emitted on selection by the user; index 0 is the pose itself
     void takeWanted(std::size_t index);
 
 private:

@@ -91,7 +91,7 @@ void StepLayoutController::follow()
         return;
     }
     if (!isQuiet()) {
-        if (!registration_.isRunning()) {   // at the end of a registration, this function is called again
+        if (!registration_.isRunning()) {   // called again at the end of a registration
             later_.start();
         }
         return;

@@ -9,7 +9,6 @@
 namespace angiopose::app {
 namespace {
 
-/// Translation context of this file.
 struct PatientWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::PatientController)
 };

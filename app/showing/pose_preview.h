@@ -18,7 +18,7 @@ enum class PreviewOf { Drag, Run, Start, Replay, Swing, Solution, Snapshot, Fram
 enum class ResidualColors { Kept, Hidden };
 
 /// Currently shown pose (that of the document or a temporary preview) and shape of the vessels. Only one preview exists
-/// at a time: a new one replaces the previous one, whose owner is notified. An owner can end only its own preview.
+/// at a time: a new one replaces the previous one and notifies its owner. An owner can end only its own preview.
 class PosePreview : public QObject {
     Q_OBJECT
 public:

@@ -17,8 +17,8 @@ struct DicomGround {
     DicomObserver shouldContinue;   ///< called with the completed fraction while an object is created
 };
 
-/// Returns the bytes of one object; `ground` must contain vessels and an image. Adds remarks to `notes` on content that
-/// the object cannot represent.
+/// Returns the bytes of one object; `ground` must contain vessels and an image. Adds remarks to `notes` on content
+/// that the object cannot represent.
 core::Result<std::string> dicomObject(DicomKind kind, const DicomGround& ground, core::Messages& notes);
 
 /// DICOM references of the scan that the vessels come from; empty if it is not DICOM or is no longer available.

@@ -26,7 +26,7 @@ struct MoviePlan {
 
 /// Returns the acquisition rate of the cine run, frames per second; 15 if the file does not state one.
 double framesPerSecondOf(const core::Angiogram& run);
-inline constexpr double convergencePerSecond = 12.0;   ///< poses per second, the same as in the replay of the window
+inline constexpr double convergencePerSecond = 12.0;   ///< one pose per frame, as in the replay of the window
 inline constexpr double turnPerSecond = 20.0;
 
 /// Number of frames and duration of a movie.

@@ -235,7 +235,7 @@ std::vector<OtherView*> SideBySideController::shown() const
 {
     std::vector<OtherView*> shown;
     for (std::size_t i = 0; i < ui_.images.paneCount(); ++i) {
-        if (others_[i]->place() < on_.document.current().views.size()) {   // otherwise the view has just been removed
+        if (others_[i]->place() < on_.document.current().views.size()) {   // otherwise the view was just removed
             shown.push_back(others_[i].get());
         }
     }

@@ -45,7 +45,7 @@ public:
     SideBySideController(const Parts& parts, const Ui& ui, QObject* parent = nullptr);
 
 signals:
-    void reported(const QString& what);   ///< for example, why no other view can be shown next to the image
+    void reported(const QString& what);   ///< emits a note, e.g. why no other view can be shown
 
 private:
     void connectCase();

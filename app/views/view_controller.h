@@ -43,7 +43,7 @@ public:
     void showNext();
     void openMenu(int line, const QPoint& at);   ///< opens the menu with the commands for this view
     void askName(int line);
-    void remove(int line);   ///< removes a view; if it was the shown view, the next one takes its place
+    void remove(int line);   ///< removes a view; if it was the shown view, shows the next one instead
 
 signals:
     void refused(const QString& reason);

@@ -12,7 +12,6 @@
 namespace angiopose::app {
 namespace {
 
-/// Translation context of this file.
 struct MarkWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::MarkWords)
 };
@@ -41,7 +40,7 @@ bool isFarther(double mm, const std::optional<double>& claimedMm)
     return claimedMm && mm > manySigmas * *claimedMm;
 }
 
-/// Returns whether the error exceeds twice the uncertainty claimed by the pose, in the shown view or in 3-D.
+/// Returns whether the error exceeds twice the stated uncertainty of the pose, in the shown view or in 3-D.
 bool isMoreThanClaimed(const core::CheckedPoint& checked, std::size_t shownView)
 {
     const auto shown = std::ranges::find(checked.views, shownView, &core::CheckedView::view);

@@ -5,7 +5,6 @@
 namespace angiopose::app {
 namespace {
 
-/// Translation context of this file.
 struct PatientLineWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::PatientController)
 };

@@ -16,7 +16,7 @@ struct CurvesApart {
 /// without a curve.
 CurvesApart takenApart(const Centerline2d& curves, const std::vector<int>& deviceIds);
 
-/// Joins both lists: the vessels, then the devices.
+/// Returns all curves: the vessels, then the devices.
 Centerline2d together(const CurvesApart& apart);
 
 /// Returns the device ids after an edit: the remaining devices and the segments split off from a device.

@@ -18,14 +18,14 @@ struct FollowedFrame {
     std::optional<Message> problem;   ///< why no vessel was traced; empty if the frame was traced
     /// Deformation of the vessels in this frame, relative to the pose in `tracked`; null if none was found.
     std::shared_ptr<const DeformableResult> deformed{};
-    std::optional<int> deformedAsInFrame{};   ///< nearest frame with a deformation, where this frame has none
+    std::optional<int> deformedAsInFrame{};   ///< frame from which the deformation was taken, if this frame had none
 };
 
 /// Result of tracking the vessels through the cine run of a view (workflow/follow_frames).
 struct FollowedRun {
     std::shared_ptr<const std::vector<FollowedFrame>> frames;   ///< in frame order; null if the run was not tracked
     int fromFrame = 0;   ///< frame with the given pose, from which tracking started
-    InputFile deformationsFile;   ///< file that the case names for the deformations; no path: they come from no file
+    InputFile deformationsFile;   ///< file from which the deformations were read; its path is empty if there is none
 };
 
 FollowedRun followedFrom(int frame, std::vector<FollowedFrame> frames);

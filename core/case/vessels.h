@@ -26,8 +26,8 @@ struct Vessels {
     StudyIdentity scanIdentity;   ///< patient data of the scan, if it is DICOM
     std::shared_ptr<const VoxelMask> lumen;   ///< voxels from which the tree was traced; may be null
     std::shared_ptr<const VesselTree> tree;   ///< null until loaded
-    bool isLumenEdited = false;   ///< edited manually: `file` is that mask, kept next to the case; no path: unsaved
-    bool isTreeEdited = false;   ///< edited manually: differs from the file, so the case stores the tree itself
+    bool isLumenEdited = false;   ///< whether `file` is a manually edited mask next to the case (no path: unsaved)
+    bool isTreeEdited = false;   ///< whether the tree was edited manually; the case then stores the tree itself
     std::vector<int> auxiliaryBranchIds;
     std::vector<int> excludedBranchIds;
     std::vector<int> hiddenBranchIds;   ///< branches that are registered but not displayed

@@ -42,13 +42,13 @@ struct ViewGeometry {
 /// One angiogram of the vessels with all its data. It is small enough to copy for undo and for worker threads: the
 /// images are shared and never change after loading.
 struct View {
-    InputFile caseFile;   ///< case file that contains the view unchanged; no path: this case stores the view itself
+    InputFile caseFile;   ///< case file that contains the view unchanged; empty path if this case stores the view
 
     std::string name;   ///< name given by the user; if empty, the view is labeled by its angles
     bool isSamePatient = false;   ///< whether the user confirmed the patient identity despite contradictory headers
     InputFile imageFile;
     std::shared_ptr<const Angiogram> angiogram;   ///< the run as displayed and traced; null until loaded
-    std::shared_ptr<const Angiogram> storedRun;   ///< as stored, while `treatment` changes it; otherwise null
+    std::shared_ptr<const Angiogram> storedRun;   ///< the run as stored, if `treatment` changes it; otherwise null
     SubtractionPlan headerPlan;   ///< mask subtraction described in the header
     RunTreatment treatment;   ///< how `angiogram` is derived from the stored run
     int frame = 0;
@@ -57,7 +57,7 @@ struct View {
 
     ViewGeometry geometry;
 
-    std::optional<RigidTransform> initialCameraFromPatient;   ///< none: the initial pose follows from the angles
+    std::optional<RigidTransform> initialCameraFromPatient;   ///< if not set, the initial pose follows from the angles
     RigidTransform cameraFromPatient;   ///< current pose of the tree
     std::vector<Landmark> landmarks;   ///< landmark pairs from which the initial pose can be computed
     std::vector<ImageMeasurement> measurements;   ///< measurements drawn on the frames of the view

@@ -70,7 +70,7 @@ bool isIsocenterKnown(const CArm& first, const CArm& view)
     return !isAssumed || std::abs(*a.value - *b.value) <= sameDistanceMm;
 }
 
-/// Rotation between the gantries, with the vessels placed where the view's own initial pose puts them.
+/// Returns the rotation of `step` with a translation that puts the vessels where the initial pose of `view` does.
 RigidTransform turnedInPlace(const RigidTransform& step, const View& first, const View& view, const Vessels& vessels)
 {
     const auto start = initialPoseOf(view, vessels);

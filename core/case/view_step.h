@@ -13,11 +13,11 @@ struct ViewStep {
     Messages notes{};   ///< unknown parts of the geometry, for the user
 };
 
-/// Computes the step from distances and angles of both gantries about the isocenter. The table moves the isocenter
-/// through the patient by its tags, and not at all between the planes of a biplane acquisition or frames of one run. If
-/// the table position or the isocenter is unknown, only the rotation comes from the gantries and the position of the
-/// vessels from each view's initial pose. If a view lacks angles, the step leads from initial pose to initial pose
-/// (ALGORITHMS §5.5). Fails if a view has neither.
+/// Computes the step from the distances and angles of both gantries about the isocenter. The isocenter moves in the
+/// patient with the table position in the headers, but stays fixed between the planes of a biplane acquisition and
+/// between frames of one run. If the table position or the isocenter is unknown, only the rotation comes from the
+/// gantries and the position of the vessels from each view's initial pose. If a view lacks angles, the step connects
+/// the initial poses (ALGORITHMS §5.5). Fails if a view has neither.
 Result<ViewStep> stepToView(const View& first, const View& view, const Vessels& vessels);
 
 }   // namespace angiopose::core

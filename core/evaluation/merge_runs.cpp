@@ -18,8 +18,7 @@ std::size_t conditionIndex(const Protocol& protocol, const std::string& id)
     return static_cast<std::size_t>(found - protocol.conditions.begin());
 }
 
-/// Whether two records are equal except for their times. Values are compared bitwise, so two unknown (NaN) measures
-/// agree.
+/// Whether two records are equal except for their times. Two unknown (NaN) values count as equal.
 bool agree(const RunRecord& a, const RunRecord& b)
 {
     return std::all_of(runFields().begin(), runFields().end(), [&](const RunField& field) {

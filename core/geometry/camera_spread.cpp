@@ -28,7 +28,7 @@ struct OriginShares {
 
 constexpr OriginShares ofDistance{0.025, 0.03, 0.025, 0.05};   // standard deviations of the source-to-detector distance
 constexpr OriginShares ofSpacing{0.015, 0.025, 0.015, 0.05};
-// Principal point over focal length: the angle by which the central ray misses its pixel.
+// Error of the principal point divided by the focal length, that is, the angular error of the central ray.
 constexpr OriginShares ofCentralRay{0.004, 0.004, 0.003, 0.004};
 
 }   // namespace

@@ -32,18 +32,18 @@ struct StudyIdentity {
     std::string sopInstanceUid;
 };
 
-/// One X-ray run: frames of equal size, stored values as float, with the geometry its header gives.
+/// An X-ray run: frames of equal size with the stored values as float, and the geometry from the header.
 struct Angiogram {
     std::vector<ImageF> frames;
     Polarity polarity = Polarity::VesselsDark;
-    double frameTimeMs = 0.0;   ///< 0 when unknown or a single frame
-    std::vector<int> rWaveFrames;   ///< those at the R waves of the ECG, ascending; empty when the header has none
-    int suggestedFrame = 0;   ///< peak-opacification frame: most vessel-like pixels
+    double frameTimeMs = 0.0;   ///< 0 if unknown or for a single frame
+    std::vector<int> rWaveFrames;   ///< frames at the R waves of the ECG, ascending; empty if the header gives none
+    int suggestedFrame = 0;   ///< peak-opacification frame: the frame with the most vessel-like pixels
     CArm cArm;
     GantryHeader gantry;
     StudyIdentity identity;
-    Mask2d shutter;   ///< 255 inside the display shutter of the header, (0018,1600); empty: it has none
-    Messages warnings;   ///< e.g. that a colour image was converted to grey
+    Mask2d shutter;   ///< 255 inside the display shutter of the header, (0018,1600); empty if there is none
+    Messages warnings;   ///< for example that a color image was converted to gray
 
     int width() const { return frames.empty() ? 0 : frames.front().width; }
     int height() const { return frames.empty() ? 0 : frames.front().height; }

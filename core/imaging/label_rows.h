@@ -8,7 +8,7 @@ namespace angiopose::core {
 
 /// A label image for display that needs half the memory (8 bit).
 struct LabelRows {
-    VoxelMask rows;   ///< 1 + index of the voxel's label in the list; all from the 255th label on share 255
+    VoxelMask rows;   ///< 1 + index of the voxel's label in the list; the 255th and later labels share 255
     std::vector<Eigen::Vector3d> middlesInPatient;   ///< per label: the voxel nearest to the mean of its voxels
 };
 

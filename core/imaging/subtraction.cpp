@@ -86,7 +86,7 @@ Eigen::Vector2d shiftStep(const std::vector<Sample>& samples)
         const double weight = std::exp(-0.5 * ratio * ratio);
         const Eigen::Vector2d slope(sample.slopeX, sample.slopeY);
         normal += weight * slope * slope.transpose();
-        right -= weight * slope * static_cast<double>(sample.residual);   // a right shift takes the mask's left value
+        right -= weight * slope * static_cast<double>(sample.residual);   // a right shift samples the mask farther left
     }
     const Axes<2> axes = axesOf(normal);
     if (axes.values[0] <= 1e-6 * axes.values[1] || axes.values[1] <= 0.0) {

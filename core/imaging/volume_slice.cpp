@@ -80,7 +80,7 @@ bool isWhole(const Eigen::Vector3d& value, double tolerance)
     return (value - value.array().round().matrix()).cwiseAbs().maxCoeff() < tolerance;
 }
 
-/// Whether every pixel coincides with the center of a voxel of its own.
+/// Whether every pixel coincides with the center of a different voxel.
 bool meetsVoxels(const VoxelWalk& walk, const SliceGrid& grid)
 {
     return isWhole(walk.at(0, 0), voxelTolerance) && isWhole(walk.at(grid.width - 1, 0), voxelTolerance) &&

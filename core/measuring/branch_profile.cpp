@@ -151,7 +151,7 @@ double narrowness(const ProfileSample& sample)
     return sample.diameterMm / sample.referenceMm;
 }
 
-/// Returns the stenosis at the narrowest sample relative to its reference; at least one sample must have a reference.
+/// Returns the stenosis at the narrowest sample relative to its reference; requires a sample with a reference.
 StenosisMeasure narrowestOf(const std::vector<ProfileSample>& samples)
 {
     std::size_t least = 0;

@@ -81,7 +81,7 @@ using PoseOfView = std::function<RigidTransform(std::size_t view)>;
 std::vector<CheckedPoint> checkedPoints(const Case& session, const PoseOfView& poseOf);
 std::vector<CheckedPoint> checkedPoints(const Case& session);   ///< uses the poses stored in the case
 
-/// Returns a short list label, such as "1.2 mm off, 0.6 mm claimed", for the shown view or else for the 3-D error;
+/// Returns a short list label, such as "1.2 mm off, 0.6 mm predicted", for the shown view or else for the 3-D error;
 /// nothing if neither is known.
 std::optional<Message> labelOf(const CheckedPoint& checked, std::size_t shownView);
 

@@ -8,21 +8,21 @@
 
 namespace angiopose::core {
 
-/// Rigid pose with the problem and target from which it was found.
+/// Rigid pose together with the problem and the target lines to which it was registered.
 struct RigidFit {
     const RegistrationProblem& problem;
     const TargetLines& target;
     const RigidTransform& cameraFromPatient;
 };
 
-/// Tests quickly whether the vessels appear deformed relative to a rigid fit (ALGORITHMS §11.5), to decide whether to
-/// run the deformable model. A rigid tree rarely triggers it.
+/// Quick test of whether the vessels appear deformed relative to a rigid fit (ALGORITHMS §11.5), used to decide whether
+/// to run the deformable registration. Rarely true for a rigid tree.
 bool looksDeformed(const RigidFit& fit);
 
-/// Whether the deformation displaces the rigid overlay so far that it is not reliable.
+/// Whether the deformation displaces the vessels so far that the rigid overlay is unreliable.
 bool putsOverlayOff(const DeformableResult& deformed);
 
-/// Whether a message lowers the confidence, whatever the deformation.
+/// Whether a message lowers the confidence regardless of the deformation.
 bool speaksAgainstTrust(const Message& said);
 
 /// Assessment of a rigid pose, to be updated by the deformable registration.

@@ -12,7 +12,7 @@ namespace angiopose::core {
 struct TrackedVessels {
     TrackedFrame tracked;
     std::shared_ptr<const DeformableResult>
-        deformed;   ///< null if not deformed, not determined, or if rigid vessels are tracked
+        deformed;   ///< null if the vessels are tracked as rigid or the deformation is undetermined or zero
 };
 
 /// Tracks rigid or deformed vessels through the frames of one view. For deformed vessels, the rigid step uses the
@@ -20,7 +20,7 @@ struct TrackedVessels {
 class RunFollower {
 public:
     /// `input` holds the target of the frame before the first tracked one and, as initial pose, that frame's pose.
-    /// `deformed` is the deformation found there, in this view only, or null. Fails on unusable input.
+    /// `deformed` is the deformation in that frame, from this view only, or null. Fails on unusable input.
     static Result<RunFollower> from(const RegistrationInput& input,
                                     const std::shared_ptr<const DeformableResult>& deformed,
                                     const RegistrationOptions& options);

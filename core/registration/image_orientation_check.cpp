@@ -24,7 +24,7 @@ struct FrameReading {
     int quarterTurns = 0;   ///< rotations by 90° about the camera's z axis
 };
 
-/// Problem under that reading: the image stays, its camera and the initial pose change.
+/// Returns the problem for this orientation: keeps the image and changes its camera and the initial pose.
 RegistrationProblem readAs(const FrameReading& reading, const RegistrationProblem& problem)
 {
     RegistrationProblem other = problem;
@@ -46,7 +46,7 @@ RegistrationProblem readAs(const TableReading& reading, const RegistrationProble
     return other;
 }
 
-/// Agreement of tree and image, 0…1, under this reading with a search around the initial pose; 0 if stopped.
+/// Returns the agreement of tree and image, 0…1, after a search around the initial pose; 0 if stopped.
 double agreementOf(const RegistrationProblem& problem, const RegistrationOptions& options,
                    const SearchObserver& observe)
 {

@@ -11,7 +11,7 @@ namespace angiopose::core {
 /// Origin of a snapshot: saved by the user, or created by a registration.
 enum class SnapshotKind { Kept, Run };
 
-/// Fit of a snapshot's pose to its frame, computed when the snapshot was taken.
+/// Quality of fit of a snapshot's pose in its frame, computed when the snapshot was taken.
 struct SnapshotMetrics {
     double medianPx = 0.0;
     double medianMm = 0.0;
@@ -34,8 +34,8 @@ struct PoseSnapshot {
     int frame = 0;   ///< frame of the angiogram, counting from 0
     RigidTransform cameraFromPatient;
     std::optional<SnapshotMetrics> metrics;   ///< nullopt if not computed
-    double runMs = 0.0;   ///< duration of the registration; 0 if the pose is from another source
-    std::string extraKeys{};   ///< JSON object with keys of the case file that this version does not know
+    double runMs = 0.0;   ///< duration of the registration; 0 if the pose does not come from a registration
+    std::string extraKeys{};   ///< JSON object with the keys of the case file unknown to this program version
 };
 
 /// Returns the metrics of an assessed pose that a snapshot stores.

@@ -25,7 +25,7 @@ constexpr double minReportedProbability = 0.05;   // minimum probability of an a
 constexpr double minFollowed = 0.7;   // minimum fraction of the wire that follows the tree
 constexpr double maxGaps = 0.2;
 constexpr double maxExpectedErrorMm = 2.2;   // errors have an RMS of 0.85 times this; below it, 5 % exceed 3 mm
-constexpr double observedShare = 0.5;   // relative to the prior
+constexpr double observedShare = 0.5;   // maximum σ of an observed parameter, relative to the prior
 
 Quantity percent(double share)
 {

@@ -169,7 +169,7 @@ public:
                 const MultiViewOptions& multiView, JointProgress& progress)
         : solve_(solve), inputs_(inputs), ofOneView_(options), multiView_(multiView), progress_(progress)
     {
-        ofOneView_.geometry.otherFrames = false;   // all views together decide this
+        ofOneView_.geometry.otherFrames = false;   // decided from all views together
         ofOneView_.deformation = Deformation::Off;
         best_.pose = {solve.inFirst(inputs.front().initialCameraFromPatient, 0),
                       std::vector<Vector6d>(inputs.size(), Vector6d::Zero())};
@@ -240,7 +240,7 @@ private:
         }
     }
 
-    /// Refines jointly with every view starting at its own pose, as far as the relative geometry allows. Needed if the
+    /// Refines jointly from the separate poses of the views, as far as the relative geometry allows. Needed if the
     /// geometry is uncertain, because the pose of one view then does not fit the image of another.
     void refineTogether()
     {
@@ -276,8 +276,8 @@ private:
         return Done{};
     }
 
-    /// Returns the best joint pose, or the one with each view at its own pose if that fits clearly better. The geometry
-    /// is then wrong, and the large corrections reveal the contradiction.
+    /// Returns the best joint pose or, if it fits clearly better, the joint pose that combines the separate poses of
+    /// the views. The geometry is then wrong, as the large corrections show.
     JointPose orEachAtItsOwn()
     {
         std::vector<RigidTransform> own;

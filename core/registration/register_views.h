@@ -9,7 +9,7 @@
 namespace angiopose::core {
 
 /// 1-σ uncertainty per axis of the transform from the first view to another (ALGORITHMS §5.5). The defaults apply to
-/// simultaneously acquired planes with rounded header values and gantry sag.
+/// simultaneously acquired planes and cover rounded header values and gantry sag.
 struct StepSpread {
     double rotationDeg = 0.5;
     Eigen::Vector3d shiftMm =
@@ -20,7 +20,7 @@ struct StepSpread {
 };
 
 struct MultiViewOptions {
-    std::vector<StepSpread> steps{};   ///< one per view; that of the first is unused. Empty: simultaneous acquisition
+    std::vector<StepSpread> steps{};   ///< one per view, the first unused; empty for simultaneous acquisition
     std::vector<std::size_t> numbers{};   ///< view numbers for messages; empty for 1, 2, … in the given order
 
     StepSpread stepTo(std::size_t index) const { return index < steps.size() ? steps[index] : StepSpread(); }

@@ -23,7 +23,7 @@ struct Band {
 constexpr Band breathing{2.0, 10.0};
 constexpr Band beating{0.4, 1.5};
 
-using Signal = Eigen::Matrix<double, Eigen::Dynamic, 2>;   // position across the rays, mm, one row per pose
+using Signal = Eigen::Matrix<double, Eigen::Dynamic, 2>;   // position perpendicular to the rays, mm, one row per pose
 
 /// Returns the regression columns for a constant, a linear drift and, at a nonzero frequency, a wave.
 Eigen::MatrixXd waves(const Eigen::VectorXd& seconds, double frequencyHz)
@@ -80,12 +80,12 @@ std::optional<PeriodicMotion> takeOut(const Band& band, const Eigen::VectorXd& s
             bestHz = hz;
         }
     }
-    if (bestHz <= slowest) {   // a maximum at the lower limit is a slope, not a peak
+    if (bestHz <= slowest) {   // a maximum at the lower limit is not a peak
         return std::nullopt;
     }
     const double share = 1.0 - best / before;
-    // For noise, the explained fraction has a beta distribution with the 4 degrees of freedom of both waves against the
-    // remaining ones. The number of independent frequencies is the number that fits between the limits.
+    // For noise, the explained fraction has a beta distribution: 4 degrees of freedom (sine and cosine of two
+    // coordinates) against the rest. The number of independent frequencies is the number that fits between the limits.
     const double half = static_cast<double>(seconds.size()) - 4.0;
     const double tried = std::max(1.0, (fastest - slowest) * duration);
     const double chance = tried * std::pow(1.0 - share, half) * (1.0 + half * share);

@@ -10,8 +10,8 @@
 
 namespace angiopose::core {
 
-/// Tracks the vessels through one cine run (ALGORITHMS §6.11). Each frame starts at the pose predicted from the
-/// previous motion, which also serves as prior; a search runs only if the fit is clearly worse than in the previous
+/// Tracks the vessels through one cine run (ALGORITHMS §6.11). The pose predicted from the previous motion is the
+/// starting point and the prior of each frame; a search runs only if the fit is clearly worse than in the previous
 /// frames.
 class FrameTracker {
 public:

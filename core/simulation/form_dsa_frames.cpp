@@ -200,7 +200,7 @@ ImageF withContrast(ImageF attenuation, const ImageF& thicknessMm)
     return attenuation;
 }
 
-/// Returns the noise-free change of the gray values of a subtracted frame that is due to the contrast agent.
+/// Returns the noise-free change of the gray values of a DSA frame that is due to the contrast agent.
 ImageF noiselessContrast(const ImageF& attenuation, const ImageF& thicknessMm, double photonCount)
 {
     ImageF contrast = blurred(expectedCounts(attenuation, photonCount), screenSigmaPx);

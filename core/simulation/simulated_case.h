@@ -45,7 +45,7 @@ struct DsaOptions {
     double nonRigidStdMm = 0.0;   ///< smooth deformation of the true vessels, standard deviation per axis
     double catheterProbability = 0.5;
     double maskMotionPx = 1.0;   ///< maximum shift between mask and contrast frames
-    double shutterProbability = 0.5;   ///< of a black, octagonal or round border, as exported with the display shutter
+    double shutterProbability = 0.5;   ///< probability of a black octagonal or round border, like a display shutter
     ContrastTiming timing{};
 };
 

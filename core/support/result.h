@@ -7,7 +7,7 @@
 
 namespace angiopose::core {
 
-/// Outcome of work that the user canceled before it finished; nothing to fix. States what was left undone.
+/// Outcome of an operation that the user canceled; the message states what was left undone.
 struct Stopped {
     Message message;
 };

@@ -54,7 +54,7 @@ std::vector<Joint> jointsWithin(const ImagePoints& points, const std::vector<std
     return joints;
 }
 
-/// Distance from the point at `place` of `order` to its nearest neighbor; infinite if there is none.
+/// Returns the distance from the point at `place` of `order` to its nearest neighbor; infinite if there is none.
 double distanceToNearest(const ImagePoints& points, const std::vector<std::size_t>& order, std::size_t place)
 {
     double nearest = std::numeric_limits<double>::infinity();

@@ -53,7 +53,7 @@ double meanRadius(const VesselBranch& branch)
            static_cast<double>(branch.radiusMm.size());
 }
 
-/// Whether no other branch begins on this branch beyond its first points.
+/// Returns whether no other branch begins on this branch beyond its first points.
 bool isEndBranch(const VesselTree& tree, const VesselBranch& branch)
 {
     return std::none_of(tree.branches.begin(), tree.branches.end(), [&](const VesselBranch& other) {

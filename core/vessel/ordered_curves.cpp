@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t minReported = 8;   // minimum number of points for checking the order of a curve
 constexpr std::size_t askedPoints = 48;
 constexpr std::size_t firstAskedPoints = 16;   // if all but one of these are in order, the curve counts as ordered
-constexpr double minInOrder = 0.8;   // nearly 1 for curves, 0.4 to 0.7 for pixels row by row
+constexpr double minInOrder = 0.8;   // nearly 1 for curves, 0.4 to 0.7 for pixels listed row by row
 constexpr double nearlyNearest = 1.5;   // maximum ratio to the nearest distance; steps along the pixel grid are 1 or √2
 constexpr std::size_t minLonePoints = 20;
 
@@ -55,7 +55,7 @@ bool isUnordered(const Curve2d& curve)
     return static_cast<double>(countInOrder(curve.pointsPx, asked)) < minInOrder * static_cast<double>(asked);
 }
 
-/// Whether most curves are single points.
+/// Returns whether most curves are single points.
 bool comesInSinglePoints(const Centerline2d& given)
 {
     const auto single = static_cast<std::size_t>(

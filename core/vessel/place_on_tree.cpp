@@ -31,7 +31,7 @@ struct Nearest {
 
 constexpr double chordMm = 3.0;
 
-/// Returns the point of a branch `wayMm` of arc length further on, or its end.
+/// Returns the branch point at arc length `wayMm` from a position (negative: backward), or the end of the branch.
 Eigen::Vector3d pointFurther(const VesselTree& tree, TreePlace place, double wayMm)
 {
     const std::vector<Eigen::Vector3d>& points = tree.branches[place.branch].pointsInPatient;

@@ -23,9 +23,9 @@ Eigen::Vector3d pointAt(const VesselTree& tree, const TreePlace& place);   ///< 
 /// Returns the direction of the branch at this position: the unit vector of the chord over 3 mm.
 Eigen::Vector3d directionAt(const VesselTree& tree, const TreePlace& place);
 
-std::optional<double> radiusAt(const VesselTree& tree, const TreePlace& place);   ///< in mm; nothing without radii
+std::optional<double> radiusAt(const VesselTree& tree, const TreePlace& place);   ///< mm; nothing without radii
 
-/// Returns the same position as a 3-D point.
+/// Returns the point on the tree nearest to a 3-D point; nothing for an empty tree.
 std::optional<Eigen::Vector3d> nearestOnTree(const VesselTree& tree, const Eigen::Vector3d& pointInPatient);
 
 /// Returns the point on the tree that projects nearest to a pixel; nothing if it is farther than `reachPx`.

@@ -112,7 +112,7 @@ std::vector<TreeGap> findGaps(const VesselTree& tree, double longestMm)
                     continue;
                 }
                 const TreeGap gap = gapBetween(tree.branches[a], atBack, tree.branches[b]);
-                for (const std::size_t which : {piece[a], piece[b]}) {   // a gap counts for both components
+                for (const std::size_t which : {piece[a], piece[b]}) {   // each gap counts for both components
                     std::optional<TreeGap>& known = best[which];
                     if (gap.distanceMm <= longestMm && (!known || worthOf(gap) > worthOf(*known))) {
                         known = gap;

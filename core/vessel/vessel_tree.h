@@ -53,14 +53,14 @@ VesselTree resampled(const VesselTree& tree, double spacingMm);
 
 VesselTree without(const VesselTree& tree, const std::vector<int>& excludedIds);
 
-/// Whether the total length of all branches is at most twice the greatest width, which suggests a ball or block rather
-/// than vessels. False without radii.
+/// Returns whether the total length of all branches is at most twice the greatest width, which suggests a ball or block
+/// rather than vessels. False without radii.
 bool isCompact(const VesselTree& tree);
 
 /// Returns the diagonal of the bounding box.
 double acrossMm(const VesselTree& tree);
 
-/// Whether size and width are typical of vessels in CT; if not, the coordinates may have another unit.
+/// Returns whether size and width are typical of vessels in CT; if not, the coordinates may have another unit.
 bool isUsualSize(const VesselTree& tree);
 
 /// Returns the reason why a tree is unusable (no branch, one point, NaN, …); nothing if it is valid.

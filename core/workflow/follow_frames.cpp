@@ -61,8 +61,8 @@ private:
         return traceFrame(*view.angiogram, view.frame, traceOptionsOf(view));
     }
 
-    /// Stationary lines agree with a pose in every frame, even without contrast, so they are not a target; except if
-    /// the start frame shows nothing else either, as with a phantom.
+    /// Returns the target of the current frame. Stationary lines match a pose in every frame, even without contrast,
+    /// and are not used, unless the start frame shows nothing else, as with a phantom.
     Result<Centerline2d> targetHere() const
     {
         if (const auto given = givenTargetOf(case_.shown())) {
@@ -82,8 +82,8 @@ private:
     bool startsStill_ = false;
 };
 
-/// Returns the deformation to continue, only if it was found in a single view: a deformation from several views is
-/// known in 3-D, and a single run does not determine its further course.
+/// Returns the deformation to continue, if it was found in a single view; a single run does not determine how a 3-D
+/// deformation found in several views continues.
 std::shared_ptr<const DeformableResult> deformationToFollow(const Case& session)
 {
     const auto deformed = knownDeformation(session.shown(), session.vessels, session.shown().cameraFromPatient);

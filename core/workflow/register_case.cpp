@@ -18,7 +18,7 @@ namespace {
 
 constexpr double tracingShare = 0.1;   // fraction of the progress for tracing, if any view must be traced
 constexpr int maxEstimates = 3;   // maximum number of geometry estimates; most cases converge by the second
-constexpr double firstShare = 0.7;   // share of the rest for the first registration, often the only one
+constexpr double firstShare = 0.7;   // share of the remaining progress for the first registration, often the only one
 
 Result<std::vector<std::size_t>> plannedViews(const Case& session, RegistrationPlan::Views views)
 {
@@ -122,7 +122,7 @@ struct RunNotes {
     }
 };
 
-/// `spreads`: uncertainties of the cameras, if no longer given by the origin of their values.
+/// Registers a single view. `spreads` replaces the camera uncertainties that follow from the origins; may be empty.
 Status registerOne(RegisteredCase& run, const RunNotes& notes, std::span<const CameraSpread> spreads,
                    const IterationObserver& observe)
 {

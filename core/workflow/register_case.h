@@ -17,8 +17,8 @@ struct RegistrationPlan {
     enum class Views { All, Loaded, Shown };
 
     Views views = Views::All;
-    std::optional<Centerline2d> shownTarget{};   ///< known target of the shown view; if not set, the view is traced.
-                                                 /// Ignored by the method `wire` if devices are marked (see targetOf).
+    std::optional<Centerline2d> shownTarget{};   ///< target of the shown view; if not set, the view is traced.
+                                                 /// The method `wire` ignores it if devices are marked (see targetOf).
     double readMs = StageTimes::notMeasured;   ///< time for reading the case; stored with the result
     std::string author{};   ///< person who requested the registration; stored with the result
     std::string time{};   ///< time of the request, ISO 8601, UTC; stored with the result

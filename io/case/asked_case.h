@@ -18,8 +18,8 @@ std::string askedCaseText(const core::RegisteredCase& registered);
 /// Reduces a case to the shown view, which has a result, and the views registered together with it.
 core::Case viewsOfItsRun(core::Case session);
 
-/// The input of the registration that produced the results of such a case, as far as it is still known. Empty if no
-/// initial pose is stored (older versions) or the registration changed the geometry.
+/// Returns the input of the registration that produced the results of a case from `viewsOfItsRun`, as far as known.
+/// Empty if no initial pose is stored (older versions) or the registration changed the geometry.
 std::string askedCaseTextOfRun(core::Case ofOneRun);
 
 }   // namespace angiopose::io

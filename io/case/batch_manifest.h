@@ -12,7 +12,7 @@ namespace angiopose::io {
 /// One registration of a batch: a case, or a vessel file and an angiogram file.
 struct BatchEntry {
     int row = 0;   ///< row number in the manifest, starting at 1
-    std::string caseCell;   ///< as written in the manifest; empty: the entry names vessels and angiogram
+    std::string caseCell;   ///< as written in the manifest; empty if the entry names vessels and an angiogram
     std::string vesselsCell;
     std::string angiogramCell;
     std::string casePath;   ///< resolved path: absolute, or relative to the manifest's folder

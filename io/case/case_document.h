@@ -13,7 +13,7 @@ namespace angiopose::io {
 /// The content of a case file before its inputs are loaded.
 struct CaseDocument {
     core::Case values;   ///< values of the file; paths as written, C-arms without values from image headers
-    std::vector<ViewNotes> notes;   ///< for each of `values.views`; empty for views with a case file of their own
+    std::vector<ViewNotes> notes;   ///< for each of `values.views`; empty for views stored in separate case files
     std::size_t shownPlace = 0;   ///< index of the shown view (`values.views.front()`) in the order of the views
     core::Messages problems;   ///< invalid values, each with key and remedy
 };

@@ -23,8 +23,8 @@ core::Result<core::Case> loadCase(const std::string& path, core::Messages& warni
 /// Validates schema and values without loading the inputs. Returns all problems; empty if the case is valid.
 core::Result<core::Messages> validateCase(const std::string& path);
 
-/// Checks a case's geometry together with the header of its image, which is read. Returns warnings about missing or
-/// implausible values, none of which prevents loading. Fails if the case or the image cannot be read.
+/// Checks a case's geometry against the header of its image. Returns warnings about missing or implausible values,
+/// none of which prevents loading. Fails if the case or the image cannot be read.
 core::Result<core::Messages> doubtsOfCase(const std::string& path);
 
 /// Explains why the case cannot be saved to a file that can be reopened; returns nothing if it can.

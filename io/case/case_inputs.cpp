@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using core::Case;
 using core::Vessels;
 
-/// Reads the scan that belongs to vessels of another origin. Optional: a failure is only a warning.
+/// Reads the scan shown with vessels from another file. The scan is optional, so a failure only causes a warning.
 void readScan(Vessels& vessels, core::Messages& warnings)
 {
     if (vessels.scanFile.path.empty()) {

@@ -9,9 +9,9 @@ namespace angiopose::io {
 /// Options for loading a case outside the GUI.
 struct CaseRequest {
     CaseSettings settings;   ///< settings that override the values of the file, including tracing settings
-    PeakFrame peak = PeakFrame::Sought;   ///< for cine runs whose frame the case gives
+    PeakFrame peak = PeakFrame::Sought;   ///< applies to cine runs whose frame the case specifies
     std::optional<std::string> text =
-        std::nullopt;   ///< if set, replaces the content of the file, which then need not be a case
+        std::nullopt;   ///< if set, used instead of the content of the file, which then need not be a case
 };
 
 /// Loads a case like loadCase, with the options of `request`.

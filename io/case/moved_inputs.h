@@ -30,7 +30,7 @@ core::Result<std::vector<MissingInput>> missingInputs(const std::string& casePat
 MovedInputs findMovedInputs(const std::vector<MissingInput>& missing, const std::vector<std::string>& folders,
                             const ReadObserver& observe = {});
 
-/// Whether a file or folder can replace a missing input: same content, or anything if the content is unknown.
+/// Whether a file or folder can replace a missing input. The contents must match unless the original one is unknown.
 bool isFeasibleFor(const MissingInput& missing, const std::string& path);
 
 }   // namespace angiopose::io

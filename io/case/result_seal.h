@@ -8,8 +8,8 @@
 
 namespace angiopose::io {
 
-/// Adds to every stored result and tracking result in a case's JSON the digests of everything on which it depends
-/// (FORMATS §2.9): vessels, image, curves, geometry, initial pose, locks, method and options.
+/// Adds to every result and tracking result in a case's JSON the digests of the data on which it depends (FORMATS
+/// §2.9): vessels, image, curves, geometry, initial pose, locks, method and options.
 std::string withSealedResults(std::string_view caseJson);
 
 /// Names of the parts that changed in the file since a result was saved. Empty if nothing changed or the file has no

@@ -88,7 +88,7 @@ core::Result<VtkLines> readXmlVtk(std::string_view content, const std::string& p
     }
     auto lines = readByVtk(isGrid ? "xml_unstructured_grid" : "xml_polydata", path, observe,
                            [](const std::string&) { return messages::vtkXmlDamaged(); });
-    const bool isDead = !lines && lines.error().message.is(messages::decoderDied);   // the file is then damaged
+    const bool isDead = !lines && lines.error().message.is(messages::decoderDied);   // so the file is damaged
     return isDead ? fileError(path, messages::vtkXmlDamaged()) : std::move(lines);
 }
 

@@ -149,7 +149,7 @@ void addPlaces(const DicomDataset& data, const std::string& path, const Replacem
     }
 }
 
-/// The patient, and what must be there though nothing is known.
+/// Adds the patient, and required elements with unknown values.
 void addPatient(const DicomDataset& data, const std::string& patient, DicomItem& root)
 {
     root.text(0x00080005, "CS", "ISO_IR 192");
@@ -163,7 +163,7 @@ void addPatient(const DicomDataset& data, const std::string& patient, DicomItem&
     }
 }
 
-/// Present in objects that are no images, as their modules demand.
+/// Adds the elements that the modules of objects other than images require.
 void addObjectParts(FreedClass freed, DicomItem& root)
 {
     root.textWhereAbsent(0x00181000, "LO", "none");
@@ -177,7 +177,7 @@ void addObjectParts(FreedClass freed, DicomItem& root)
     }
 }
 
-/// Pixels or voxels, where there are any.
+/// Copies the pixels or voxels, if the object has any.
 core::Status copyBulk(FreedClass freed, const DicomFile& file, const std::string& path, DrawnLetters letters,
                       NamelessDicom& nameless, DicomItem& root)
 {

@@ -25,8 +25,8 @@ struct NamelessDicom {
 
 /// De-identifies the image, segmentation, report, presentation state or spatial registration of a DICOM file by the
 /// Basic Application Level Confidentiality Profile (PS3.15 annex E): `copyKept`, `copyPixels`, pseudonyms for patient
-/// and study, and the applied methods as codes of the standard. Fails, naming the file, if it holds no image that can
-/// be stored again, or parts that cannot be cleared reliably.
+/// and study, and the applied methods as codes of the standard. Fails and names the file if it contains no image
+/// that can be stored again, or parts that cannot be cleared reliably.
 core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::string& path,
                                             const Deidentification& requested, const Pseudonyms& pseudonyms);
 

@@ -209,7 +209,7 @@ bool isProgramWithVersion(std::string_view text)
            text.find_first_not_of("0123456789.", programWord.size()) == std::string_view::npos;
 }
 
-/// "DCMR", "1500".
+/// Whether `text` is a template identifier or mapping resource, for example "1500" or "DCMR".
 bool isTemplate(std::string_view text)
 {
     return text == "DCMR" ||
@@ -259,7 +259,7 @@ std::string KeptContent::insteadOf(DicomTag tag, const std::vector<std::string>&
         case Name:
             ++cleared_;
             return "Removed";
-        case Unverified:   // whoever verified it is not named any more
+        case Unverified:   // because the name of the verifying observer is removed
             return "UNVERIFIED";
         case Template:
             return isTemplate(text) ? text : "0";

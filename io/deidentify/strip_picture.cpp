@@ -23,7 +23,7 @@ std::string bigEndian(std::size_t value)
             static_cast<char>(value)};
 }
 
-/// Without it a picture that was mirrored for its tag would not be any more.
+/// Returns an EXIF chunk with the orientation, without which the image would be displayed rotated or mirrored.
 std::string orientationChunk(int orientation)
 {
     const std::string chunk = "eXIf" + exifOf(orientation);
@@ -31,7 +31,7 @@ std::string orientationChunk(int orientation)
     return bigEndian(chunk.size() - 4) + chunk + bigEndian(sum);
 }
 
-/// Chunks of length, name, content and check sum (ISO/IEC 15948, 5.3).
+/// Copies only the required chunks of a PNG: length, name, content, checksum (ISO/IEC 15948, 5.3).
 std::optional<std::string> strippedPng(std::string_view rest)
 {
     const int orientation = exifOrientation(rest);
@@ -62,14 +62,14 @@ constexpr unsigned char endOfImage = 0xd9;
 constexpr unsigned char jfif = 0xe0;
 constexpr unsigned char adobe = 0xee;
 constexpr unsigned char comment = 0xfe;
-constexpr std::size_t jfifBytes = 18;   ///< with its marker, without a thumbnail
+constexpr std::size_t jfifBytes = 18;   ///< size of the JFIF segment with its marker, without a thumbnail
 
 bool isApplication(unsigned char marker)
 {
     return (marker & 0xf0U) == 0xe0;
 }
 
-/// Where the coded data of a scan ends: at the next marker that is neither a stuffed byte nor a restart.
+/// Returns the end of the coded data of a scan: the next marker that is neither a stuffed byte nor a restart marker.
 std::size_t endOfScan(std::string_view bytes)
 {
     for (std::size_t at = 0; at + 1 < bytes.size(); ++at) {
@@ -82,7 +82,7 @@ std::size_t endOfScan(std::string_view bytes)
     return bytes.size();
 }
 
-/// JFIF says how large a pixel is in print, and can hold a thumbnail behind that.
+/// Returns a JFIF segment with the print resolution but without the thumbnail that may follow.
 std::string withoutThumbnail(std::string_view segment)
 {
     std::string kept(segment.substr(0, jfifBytes));
@@ -92,7 +92,7 @@ std::string withoutThumbnail(std::string_view segment)
     return kept;
 }
 
-/// Segments of marker, length and content (ITU-T T.81, annex B).
+/// Copies only the required segments of a JPEG: marker, length, content (ITU-T T.81, annex B).
 std::optional<std::string> strippedJpeg(std::string_view rest)
 {
     std::string kept("\xff\xd8");
@@ -103,7 +103,7 @@ std::optional<std::string> strippedJpeg(std::string_view rest)
     rest.remove_prefix(2);
     while (rest.size() >= 4 && static_cast<unsigned char>(rest[0]) == 0xff) {
         const auto marker = static_cast<unsigned char>(rest[1]);
-        if (marker == 0xff) {   // padding
+        if (marker == 0xff) {   // skip a fill byte
             rest.remove_prefix(1);
             continue;
         }

@@ -24,8 +24,8 @@ namespace {
 
 constexpr std::string_view rleSyntax = "1.2.840.10008.1.2.5";
 
-/// Whether the stream declares the image of the header; the decoders trust the stream, so others are rejected. libjpeg
-/// converts color to gray itself.
+/// Whether the stream declares the image that the header describes. A mismatch is rejected, because the decoders trust
+/// the stream; libjpeg converts color to gray.
 bool isTheImageExpected(const StreamHead& head, const PixelLayout& layout)
 {
     return head.columns == layout.columns && head.rows == layout.rows &&

@@ -49,7 +49,7 @@ private:
 struct DecodedRun {
     std::vector<core::ImageF> frames;
     std::vector<int> flawedFrames;   ///< indices of partly damaged frames
-    std::vector<int> lostFrames;   ///< undecodable frames, replaced by copies of a neighboring frame
+    std::vector<int> lostFrames;   ///< frames that cannot be decoded, replaced by copies of a neighboring frame
 };
 
 /// Decodes all frames; fails if none can be decoded.

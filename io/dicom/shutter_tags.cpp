@@ -135,11 +135,11 @@ std::string shutterValues(const DicomDataset& data, const std::vector<DicomTag>&
     return values;
 }
 
-/// Closes what a shutter hides; a shape that makes no sense is left out and said.
+/// Closes the area that a shutter hides; skips an implausible shape with a warning.
 void close(Mask2d& field, const DicomDataset& shutter, core::Messages& warnings)
 {
     const int columns = field.width, rows = field.height;
-    for (std::size_t i = 0; i < shutterShapes().size(); ++i) {   // at most one of each
+    for (std::size_t i = 0; i < shutterShapes().size(); ++i) {   // at most one shape of each kind
         const auto shape = std::ranges::find(shutterShapes(), shutter.text(shapeTag, i), &ShutterShape::name);
         if (shape == shutterShapes().end()) {
             continue;

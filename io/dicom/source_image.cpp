@@ -45,7 +45,7 @@ bool isAllDigits(std::string_view text)
     return std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Whether the standard permits a value; devices also write others, which readers reject, so these become empty.
+/// Whether the standard permits a value. Readers reject other values, which some devices write; they are left empty.
 bool isAllowed(const TakenOver& element, std::string_view value)
 {
     const std::string_view vr = element.vr;

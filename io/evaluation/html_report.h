@@ -8,7 +8,7 @@
 
 namespace angiopose::io {
 
-/// All tables and plots as one self-contained page: no scripts, no external resources, prints as displayed.
+/// Returns all tables and plots as one self-contained page without scripts that prints as displayed.
 std::string htmlReport(const std::string& title, const std::vector<core::ResultTable>& tables,
                        const std::vector<core::Plot>& plots);
 

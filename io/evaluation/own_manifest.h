@@ -17,7 +17,7 @@ core::Result<std::vector<Eigen::Vector3d>> readLandmarks(const std::string& path
 /// first pixel).
 core::Result<std::vector<core::PointPair>> readPointPairs(const std::string& path);
 
-/// The user's own case with its reference data. Paths are absolute, or resolved relative to the manifest's folder;
+/// User-supplied case with its reference data. Paths are absolute, or resolved relative to the manifest's folder;
 /// empty if not specified.
 struct OwnEntry {
     int line = 0;   ///< line number in the manifest

@@ -10,7 +10,7 @@ namespace angiopose::io {
 /// Formats title, table and notes as Markdown (GitHub tables); published rows are in italics.
 std::string toMarkdown(const core::ResultTable& table);
 
-/// The table as LaTeX for \input (packages booktabs and graphicx); first column left-aligned, numbers right-aligned.
+/// Formats a table as LaTeX for \input (packages booktabs, graphicx); first column left-aligned, numbers right-aligned.
 std::string toLatex(const core::ResultTable& table);
 
 /// Formats the table as plain text with aligned columns, for a terminal.

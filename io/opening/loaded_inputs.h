@@ -51,12 +51,12 @@ enum class ScanUse { Trace, TraceOrShow, Beside, Ask };
 
 /// Options for opening files, in addition to their paths.
 struct OpenHints {
-    std::string seriesId;   ///< series of a DICOM folder among them; empty: several series are offered for choice
+    std::string seriesId;   ///< series to read from a DICOM folder; if empty, several series are offered to choose from
     MovedInputs moved;   ///< current locations of the inputs of a case
     std::vector<std::string> searchFolders;   ///< folders to search for missing inputs of a case
-    ScanUse scanUse = ScanUse::Trace;   ///< with `Ask`, a scan is reported instead of read
+    ScanUse scanUse = ScanUse::Trace;   ///< with `Ask`, a scan is only reported, not read
     std::optional<double> unitMm =
-        std::nullopt;   ///< unit of vessels among them; not set: mm if that is plausible, otherwise reported
+        std::nullopt;   ///< unit of the vessel files; if not set, mm if plausible, otherwise see `askedUnitsAcross`
     /// Settings for reading and tracing vessel files; if not set, the content decides.
     std::optional<core::VesselInput> vessels = std::nullopt;
     bool offersStudies =

@@ -39,8 +39,8 @@ core::Result<core::View> viewFrom(const core::Case& session, const LoadedInputs&
     core::View view = viewWithImage(session, inputs);
     if (const auto fromShown = core::stepToView(shown, view, session.vessels)) {
         view.cameraFromPatient = fromShown.value().viewFromFirst * shown.cameraFromPatient;
-        if (shown.initialCameraFromPatient) {   // without this, the initial pose would ignore that the vessels may have
-                                                // their own axes, unrelated to the gantry angles
+        if (shown.initialCameraFromPatient) {   // the axes of the vessels may be unrelated to the gantry
+                                                // angles from which the initial pose was computed
             view.initialCameraFromPatient = fromShown.value().viewFromFirst * *shown.initialCameraFromPatient;
         }
     }

@@ -22,7 +22,7 @@ const Names rotationNames{"R", "rotation", "rotation_matrix", "rvec"};
 const Names translationNames{"t", "T", "tvec", "translation"};
 const Names distortionNames{"distortion_coefficients", "dist_coeffs", "distCoeffs", "distortion", "D"};
 
-/// Numbers of nested arrays in their order; false where something else is among them.
+/// Appends the numbers of nested arrays in order; returns false if the arrays contain anything else.
 bool appendNumbers(const MatrixJson& json, std::vector<double>& values)
 {
     if (json.is_number() && values.size() < maxValues) {
@@ -33,7 +33,7 @@ bool appendNumbers(const MatrixJson& json, std::vector<double>& values)
            std::ranges::all_of(json, [&values](const MatrixJson& part) { return appendNumbers(part, values); });
 }
 
-/// Null where none of them is there with one of the sizes.
+/// Returns the first matrix with one of the names and one of the sizes; null if there is none.
 const std::vector<double>* find(const NamedMatrices& matrices, Names names, std::initializer_list<std::size_t> sizes)
 {
     for (const std::string_view name : names) {

@@ -83,7 +83,7 @@ NamedMatrices matricesOfYaml(std::string_view text)
 {
     NamedMatrices matrices;
     std::string name;
-    std::ptrdiff_t depth = 0;   // brackets that are open: the list goes on in the next line
+    std::ptrdiff_t depth = 0;   // number of open brackets; above 0, the list continues on the next line
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         const std::string_view raw = text.substr(begin, end - begin);

@@ -14,7 +14,7 @@ constexpr std::size_t maxPixels = 100'000'000;
 constexpr JDIMENSION minSide = 8;
 constexpr int extraneousBytes = JWRN_EXTRANEOUS_DATA;
 
-/// libjpeg leaves a function on error by longjmp: nothing with a destructor may live in the functions it leaves.
+/// State of libjpeg, which exits by longjmp: functions that it may leave must not own objects with destructors.
 struct JpegState {
     jpeg_decompress_struct decoder;
     jpeg_error_mgr errors;

@@ -14,7 +14,7 @@ enum class JpegColors {
 };
 
 /// Decodes a gray or color JPEG; nullopt if it is too large, of another kind, or less than half of its rows can be
-/// decoded. `isFlawed` reports that the decoder complained: parts may be wrong, and missing rows have the frame's mean.
+/// decoded. Sets `isFlawed` if the decoder reports damage: parts may be wrong; missing rows have the mean gray level.
 std::optional<Raster> readJpeg(std::string_view content, JpegColors colors = JpegColors::AsMarked);
 
 }   // namespace angiopose::io

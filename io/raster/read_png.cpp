@@ -16,7 +16,7 @@ constexpr std::size_t maxBytes = std::size_t{800} << 20;   // decoded samples pl
 constexpr std::size_t maxSide = 32'768;
 constexpr std::size_t minSide = 8;
 
-/// libpng leaves a function on error by longjmp: nothing with a destructor may live in the functions it leaves.
+/// Error callback of libpng, which exits by longjmp: functions that it may leave must not own objects with destructors.
 void leave(png_struct* png, const char*)
 {
     png_longjmp(png, 1);

@@ -20,7 +20,7 @@ std::string resultJson(const core::Case& session, const core::RegistrationResult
 /// Returns the result of a registration that has just finished, for the view at index `place` of its case.
 std::string resultJson(const core::RegisteredCase& registered, std::size_t place, ResultNames names);
 
-/// Returns the result of the shown view, with the inputs of its registration as far as the case still contains them.
+/// Returns the result of the shown view, with those inputs of its registration that the case still contains.
 std::string keptResultJson(const core::Case& session, ResultNames names);
 
 /// Atomically writes the result of the shown view.

@@ -37,7 +37,7 @@ public:
     AuditBatch(std::string auditPath, AuditRecord about);
 
     void add(const std::string& path);
-    /// Writes a line if enough files are waiting or the first one has waited long enough. Must be called periodically.
+    /// Writes a line if enough files are pending or the first one is old enough. Must be called periodically.
     void noteWhenDue();
     void noteAll();
 

@@ -45,7 +45,7 @@ void eachWordOf(std::string_view text, const Visit& visit)
     }
 }
 
-/// The words that the program itself uses. In a text composed of its own sentences and of input, only these words pass.
+/// Words of the program's own messages; all other words are removed from texts that combine messages with user input.
 class KnownWords {
 public:
     void add(std::string_view sentence);

@@ -41,7 +41,7 @@ core::Message reasonWithoutImage(const std::string& modality)
                             : core::Message(messages::studyNoImage(modality));
 }
 
-/// The deepest folder that holds both.
+/// Returns the deepest folder that contains both paths.
 fs::path commonFolder(const fs::path& a, const fs::path& b)
 {
     fs::path common;
@@ -57,7 +57,7 @@ std::string wholeSeriesOf(const DicomSeries& series)
     return series.id.substr(0, series.id.find('#'));
 }
 
-/// Volumes open from the folder that holds all parts of their series, so that the parts keep their numbers there.
+/// Sets the path to open. For a volume, this is the folder with all parts of the series, so that part numbers agree.
 void findPlaces(std::vector<StudySeries>& all)
 {
     std::map<std::string, fs::path> folders;
@@ -86,7 +86,7 @@ std::string studyKey(const core::StudyIdentity& identity)
     return identity.studyUid.empty() ? identity.studyDate + "|" + identity.accessionNumber : identity.studyUid;
 }
 
-/// The element for which `isIt` holds, else a new one.
+/// Returns the element for which `isIt` is true; appends a new one if there is none.
 template <class T, class Test>
 T& findOrAdd(std::vector<T>& all, const Test& isIt, const core::StudyIdentity& identity)
 {
@@ -109,7 +109,7 @@ void StudyCollector::add(StudyFile file)
                          file.frames,
                          file.samples,
                          file.frameTimeMs};
-    if (file.images.slices.empty()) {   // what is no image still says where it lies
+    if (file.images.slices.empty()) {   // keep the path of objects without an image
         file.images.slices.emplace_back().path = file.path;
         withoutImage_.push_back(std::move(file.images));
         return;
@@ -187,7 +187,7 @@ std::vector<StudySeries> StudyCollector::seriesWithoutImages() const
     return all;
 }
 
-/// Files that a DICOMDIR lists and that are not there count for their series; a series without any is listed for it.
+/// Counts the missing files of a DICOMDIR per series; adds a series of which all files are missing.
 void StudyCollector::noteMissing(std::vector<StudySeries>& all) const
 {
     for (const ListedFile& file : missing_) {

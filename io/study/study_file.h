@@ -17,11 +17,11 @@ struct StudyFile {
     std::string imageType;   ///< "ORIGINAL\PRIMARY\LOCALIZER"
     std::string transferSyntax;
     int frames = 1;
-    int samples = 1;   ///< of a pixel: 3 in colour
+    int samples = 1;   ///< samples per pixel: 1 (grayscale) or 3 (color)
     double frameTimeMs = 0.0;
 };
 
-/// Reads only as far as the pixels. Nothing for a file that is no DICOM; fails on one that is and cannot be read.
+/// Reads a file up to its pixels. Returns nullopt if it is not DICOM; fails if it is DICOM but cannot be read.
 core::Result<std::optional<StudyFile>> readStudyFile(const std::string& path);
 
 }   // namespace angiopose::io

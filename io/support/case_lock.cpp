@@ -16,7 +16,7 @@ constexpr auto longestTurnWait = std::chrono::seconds(2);
 
 CaseLock::CaseLock(const std::string& casePath) : path_(lockPathOf(casePath))
 {
-    constexpr int tries = 3;   // each attempt fails only if another program removes its lock at that moment
+    constexpr int tries = 3;   // an attempt fails only if another program removes its lock at that moment
     for (int i = 0; i < tries && !file_.isOpen(); ++i) {
         HeldFile file(path_, HeldFile::Way::Write);
         if (!file.isOpen() || file.holdAlone() != HeldFile::Held::Mine) {
@@ -43,7 +43,7 @@ CaseLock::~CaseLock()
     if (file_.isOpen()) {
         std::error_code ignored;
         std::filesystem::remove(
-            path_, ignored);   // removed while still held, so that nobody takes over a file about to vanish
+            path_, ignored);   // removed while still locked, so that no other process locks a deleted file
     }
 }
 

@@ -11,8 +11,8 @@
 
 namespace angiopose::io {
 
-/// Iterates over the trimmed lines of a text, skipping empty lines and comments (`#`) but counting all of them. for
-/// (TextLines lines(text); lines.next();) use(lines.line(), lines.number());
+/// Iterates over the trimmed lines of a text; skips empty lines and comments (`#`) but counts them. Usage:
+/// `for (TextLines lines(text); lines.next();) { use(lines.line(), lines.number()); }`
 class TextLines {
 public:
     explicit TextLines(std::string_view text) : rest_(text) {}

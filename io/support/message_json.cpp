@@ -98,7 +98,7 @@ core::Severity severityOf(const std::string& text)
     return core::Severity::Warning;
 }
 
-/// Restores a message; one that this version does not have, or has with other arguments, keeps its English sentence.
+/// Restores a message. If this version lacks it or expects other arguments, keeps only its English sentence.
 core::Message messageOf(const MessageJson& json)
 {
     const core::Severity severity = severityOf(json.value("severity", std::string()));

@@ -102,7 +102,7 @@ std::string temporaryPatternFor(const std::string& target)
 std::string lockPathOf(const std::string& casePath)
 {
     std::error_code unresolved;
-    fs::path path = fs::weakly_canonical(casePath, unresolved);   // one lock for the case, whichever link opens it
+    fs::path path = fs::weakly_canonical(casePath, unresolved);   // links to the same case share one lock
     path = unresolved ? fs::path(casePath) : path;
     return (path.parent_path() / ("." + path.filename().string() + std::string(lockEnding))).string();
 }

@@ -14,9 +14,9 @@ struct NameBeside {
     std::string extension;   ///< extension without dot, for example "csv"
 };
 
-/// Returns the path of such a file: `<case>.<kind>.<extension>`, for another view `<case>.view-2.<kind>.<extension>`
-/// and so on, with a number appended if that file belongs to somebody else. `own`: the path that the case already
-/// names; it is overwritten only if it has such a name, since a case file may name any file.
+/// Returns the path of such a file: `<case>.<kind>.<extension>`, or `<case>.view-2.<kind>.<extension>` and so on for
+/// another view. If a file of that name exists and is not `own`, the file that the case names so far, appends a number
+/// to the name.
 std::filesystem::path pathBeside(const std::filesystem::path& casePath, const NameBeside& name,
                                  const std::filesystem::path& own);
 

@@ -8,7 +8,7 @@ namespace angiopose::io {
 namespace {
 
 /// Returns the point index of a face vertex: "12/3/4" is point 12 (counted from 1), "-1" the last point so far. An
-/// index out of range is detected later.
+/// invalid index is detected later.
 std::size_t pointIndex(std::string_view word, std::size_t pointCount)
 {
     const int index = parseInteger(word.substr(0, word.find('/'))).value_or(0);

@@ -7,7 +7,7 @@
 
 namespace angiopose::io {
 
-// Project parsers that never allocate for a count larger than the rest of the file can hold. Indices are checked later.
+// Parsers that never allocate more than the rest of the file can contain. Indices are checked later.
 core::Result<VtkLines> parseStl(std::string_view content, const std::string& path);
 core::Result<VtkLines> parseObj(std::string_view content, const std::string& path);
 

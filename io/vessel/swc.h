@@ -11,7 +11,7 @@ namespace angiopose::io {
 core::Result<LineSet> parseSwc(std::string_view text, const std::string& path);
 
 /// Returns a tree as SWC rows, in mm, with type 5 where branches meet and otherwise 0 (undefined). SWC stores only
-/// parents: a branch whose first or last point lies within 1.5 mm of a row already written is attached to that row; if
+/// parents: a branch whose first or last point lies within 1.5 mm of an existing row is attached to that row; if
 /// branches start at a point that no other branch reaches, the nearest free branch end within 10 mm is extended to that
 /// point; other branches become roots. IDs and names are lost. Unknown radii are 0.
 std::string swcText(const core::VesselTree& tree);

@@ -11,7 +11,7 @@
 
 namespace angiopose::io {
 
-/// Point indices; an index out of range in the file is also out of range here.
+/// Point indices as in the file; they may be out of range.
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Splits a polygon into triangles that share its first corner.

@@ -44,7 +44,7 @@ bool eachCell(vtkCellArray* array, const Use& use)
     const vtkNew<vtkIdList> ids;
     for (vtkIdType i = 0; array && i < array->GetNumberOfCells(); ++i) {
         array->GetCellAtId(i, ids);
-        use(PointIds(ids->begin(), ids->end()));   // a negative id becomes out of range, to be found later
+        use(PointIds(ids->begin(), ids->end()));   // a negative ID becomes an invalid index, detected later
     }
     return true;
 }

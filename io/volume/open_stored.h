@@ -10,7 +10,7 @@ namespace angiopose::io {
 /// Whether `openStored` supports the file, based on its first bytes, decompressed if necessary.
 bool isStoredVolume(const std::string& path);
 
-/// Reads the header of a volume file with the library for its format; fails with file, problem and remedy.
+/// Reads the header of a volume file with the library for its format. Errors name file, problem and remedy.
 core::Result<StoredVolume> openStored(const std::string& path);
 
 }   // namespace angiopose::io

@@ -191,7 +191,7 @@ PlainHeader metaHeader(std::string_view content, const std::string& path)
     return header;
 }
 
-/// Takes over what one line of a VTK image says; false where it is no number.
+/// Applies one line of a VTK image header; returns false if its value is not numeric.
 bool readVtkLine(std::string_view key, TextCursor& words, PlainHeader& header)
 {
     if (key != "dimensions" && key != "spacing" && key != "aspect_ratio" && key != "origin") {
@@ -231,7 +231,7 @@ PlainHeader vtkHeader(std::string_view content, const std::string& path)
         if (key != "scalars") {
             continue;
         }
-        words.word();   // their name
+        words.word();   // array name
         const auto type = typeIn(types, lowered(words.word()));
         const std::string_view components = words.word();
         if (!type || (!components.empty() && components != "1")) {
@@ -250,7 +250,7 @@ PlainHeader vtkHeader(std::string_view content, const std::string& path)
     return unread(notRead);
 }
 
-/// The big-endian number at a place of a header.
+/// Returns the big-endian number at an offset of a header.
 template <class Number, class Bits>
 Number numberAt(std::string_view content, std::size_t at)
 {
@@ -286,7 +286,7 @@ PlainHeader giplHeader(std::string_view content, const std::string& path)
     return header;
 }
 
-/// Voxels that are written as numbers.
+/// Reads voxels that are stored as text.
 class TextVoxels : public VoxelReader {
 public:
     TextVoxels(const StoredVolume& stored, std::uint64_t offset)

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t streamBlock = std::size_t{1} << 20;
 constexpr std::size_t niftiHeadBytes = 348;
-constexpr double greatestInflation = 1100.0;   // deflate compresses at most 1032 to 1
+constexpr double greatestInflation = 1100.0;   // bound of the compression ratio; that of deflate is 1032
 
 /// Bytes of a file from `offset` on, decompressed if `isPacked` is true.
 class PackedFile {

@@ -6,7 +6,7 @@
 
 namespace angiopose::io {
 
-/// Location of the voxels: in `path` from `offset` on, unpacked if that is gzip or zlib, after skipping `skip` bytes.
+/// Location of the voxels: in `path` from `offset`, decompressed if packed (gzip, zlib), after skipping `skip` bytes.
 struct VoxelSource {
     std::string path;
     std::uint64_t offset = 0;
@@ -20,7 +20,7 @@ struct VoxelSource {
 /// report progress and be canceled.
 std::shared_ptr<const VoxelReader> voxelStream(const StoredVolume& stored, const VoxelSource& source);
 
-/// Returns up to `size` bytes from the start of a file, unpacked if it is gzip; fewer if it ends or is damaged.
+/// Returns the first `size` bytes of a file, decompressed if it is gzip; fewer if the file is shorter or damaged.
 std::string headOf(const std::string& path, std::size_t size);
 
 }   // namespace angiopose::io

@@ -17,10 +17,10 @@ void setChosenKeys(std::map<Command, QString> chosen);
 
 QString keyOf(Command command);   ///< "" if the command has no shortcut
 
-/// "Register  R": the key where the thing is.
+/// Appends the shortcut to a label, e.g. "Register  R".
 QString withKey(const QString& words, Command command);
 
-/// "Finds the pose. (R)": the key behind the sentence of a tool tip.
+/// Appends the shortcut to a tooltip, e.g. "Finds the pose. (R)".
 QString tipWithKey(const QString& sentence, Command command);
 
 /// Creates a button that switches a mode on and off, with the shortcut in its tooltip; see `follow`.

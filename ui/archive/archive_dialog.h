@@ -16,7 +16,7 @@ class ReceiveLine;
 class SearchFields;
 class TransferLine;
 
-/// Dialog that selects a PACS, queries it and retrieves series. Passive view: shows what its owner sets. Deletes itself
+/// Dialog that selects a PACS, queries it and retrieves series. Passive view: displays the given state. Deletes itself
 /// when closed.
 class ArchiveDialog : public QDialog {
     Q_OBJECT

@@ -4,11 +4,11 @@
 
 namespace angiopose::ui {
 
-/// Moves and shrinks a window to fit completely into `room`; its saved geometry may come from a larger screen or a
-/// smaller scale factor. At 200 % a screen has half as many points as at 100 %.
+/// Moves and shrinks a window to fit into the `available` area; its saved geometry may come from a larger screen or a
+/// smaller scale factor. At 200 %, a screen has half as many points as at 100 %.
 void fitInto(const QRect& room, QWidget& window);
 
-/// Resizes the window to `wanted`, at most to the screen size minus the window frame.
+/// Resizes the window to `requestedSize`, but at most to the screen size minus the window frame.
 void resizeOnScreen(QWidget& window, const QSize& wanted);
 
 }   // namespace angiopose::ui

@@ -24,7 +24,7 @@ protected:
 
 enum class Folding { Fixed, Foldable };
 
-/// Part of a column: heading, hint at its right, content below. Separated by tone and spacing, not by lines.
+/// Part of a column: heading, hint at its right, content below. Shade and spacing separate sections, not lines.
 class Section : public QWidget {
     Q_OBJECT
 public:

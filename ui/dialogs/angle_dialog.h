@@ -49,7 +49,7 @@ struct GantryReach {
 };
 
 /// Dialog that finds C-arm angles showing a branch well: angle map, best angles and a simulated view at the selected
-/// angles. Non-modal passive view: shows what its owner sets and emits signals for user actions.
+/// angles. Non-modal passive view: displays the given state and emits signals for user actions.
 class AngleDialog : public QDialog {
     Q_OBJECT
 public:

@@ -46,7 +46,7 @@ AuxiliaryDialog::AuxiliaryDialog(QWidget* parent)
     setObjectName(QStringLiteral("auxiliaryDialog"));
     setWindowTitle(tr("Auxiliary branches"));
     setAttribute(Qt::WA_DeleteOnClose);
-    resize(auxiliaryDialogWidth, 1);   // the text determines the height, see showAdvice
+    resize(auxiliaryDialogWidth, 1);   // showAdvice sets the height to fit the text
     auto* words = wrapped("hint");
     words->setText(
         tr("The alternating methods solve for these branches first: choose opacified, stationary, clearly separated "

@@ -33,8 +33,8 @@ struct AuxiliaryAdvice {
     std::optional<double> largestRadiusMm;   ///< empty if the tree has no radii
 };
 
-/// Dialog that selects the auxiliary branches and shows how well they constrain the pose. Non-modal passive view: shows
-/// what its owner sets and emits signals for user actions.
+/// Dialog that selects the auxiliary branches and shows how well they constrain the pose. Non-modal passive view:
+/// displays the given state and emits signals for user actions.
 class AuxiliaryDialog : public QDialog {
     Q_OBJECT
 public:

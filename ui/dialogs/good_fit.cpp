@@ -117,7 +117,7 @@ QWidget* GoodFit::makeCell(FitExample example)
     sentence->setWordWrap(true);
     sentence->setFixedWidth(picturePx);
     sentence->ensurePolished();
-    sentence->setMinimumHeight(sentence->heightForWidth(picturePx));   // nested layouts ignore height-for-width
+    sentence->setMinimumHeight(sentence->heightForWidth(picturePx));   // nested layouts do not support height-for-width
     auto* layout = new QVBoxLayout(cell);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(5);

@@ -136,7 +136,7 @@ void KeySheet::showMatching()
         items.append(new QTreeWidgetItem({line.keys, line.effect}));
         items.back()->setData(0, lineRole, static_cast<int>(i));
     }
-    list_->addTopLevelItems(items);   // added in one call and spanned afterwards: each step relayouts the list
+    list_->addTopLevelItems(items);   // one call, since every addition updates the layout
     for (QTreeWidgetItem* heading : headings) {
         heading->setFirstColumnSpanned(true);
     }

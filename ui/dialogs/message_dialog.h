@@ -22,8 +22,8 @@ public:
     static void show(const Message& message, QWidget* parent);
 };
 
-/// Question with verbs as answers; Enter selects the first. `answered` carries the index of the selected answer; by
-/// default, closing the dialog selects the last.
+/// Question with labeled answer buttons; Enter selects the first. `answered` carries the index of the selected answer;
+/// by default, closing the dialog selects the last.
 class QuestionDialog : public QDialog {
     Q_OBJECT
 public:

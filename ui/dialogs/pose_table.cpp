@@ -194,7 +194,7 @@ void PoseTable::fillRow(QTreeWidgetItem& item, const PoseRow& row, bool isRefere
 {
     const core::PoseSnapshot& snapshot = row.snapshot;
     item.setData(PoseName, poseIdRole, snapshot.id);
-    item.setSizeHint(PoseNote, {0, table_->fontMetrics().height() + poseRowSpacing});   // the stretching column
+    item.setSizeHint(PoseNote, {0, table_->fontMetrics().height() + poseRowSpacing});   // stretchable column
     item.setText(PoseName, snapshot.id == 0 ? tr("Current pose") : QString::fromStdString(snapshot.name));
     item.setText(PoseMethod, methodWords(snapshot.method));
     const auto& metrics = snapshot.metrics;

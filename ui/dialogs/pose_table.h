@@ -25,7 +25,7 @@ struct PoseRow {
     core::PoseDifference difference;
 };
 
-/// Table that compares poses, methods and observers. Non-modal passive view: shows what its owner sets and emits
+/// Table that compares poses, methods and observers. Non-modal passive view: displays the given state and emits
 /// signals for user actions.
 class PoseTable : public QDialog {
     Q_OBJECT

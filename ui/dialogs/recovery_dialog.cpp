@@ -67,7 +67,7 @@ void RecoveryDialog::fill(const std::vector<RecoveryRow>& rows)
     for (const RecoveryRow& row : rows) {
         const QString folder = row.folder.isEmpty() ? tr("never saved") : row.folder;
         auto* item = new QTreeWidgetItem(list_, {row.name, row.when, folder});
-        item->setSizeHint(2, {0, list_->fontMetrics().height() + recoveryRowSpacing});   // the stretching column
+        item->setSizeHint(2, {0, list_->fontMetrics().height() + recoveryRowSpacing});   // stretchable column
         item->setData(0, pathRole, row.path);
     }
     for (int column = 0; column < 2; ++column) {

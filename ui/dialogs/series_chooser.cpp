@@ -83,7 +83,7 @@ void SeriesChooser::fill()
         auto* item = new QTreeWidgetItem(
             list_, {row.description, row.modality, QString::number(row.imageCount), row.size, row.spacingMm, row.date});
         item->setData(SeriesDescription, rowRole, static_cast<int>(i));
-        item->setSizeHint(SeriesDate, {0, list_->fontMetrics().height() + seriesRowSpacing});   // the stretching column
+        item->setSizeHint(SeriesDate, {0, list_->fontMetrics().height() + seriesRowSpacing});   // stretchable column
         item->setTextAlignment(SeriesImages, Qt::AlignRight | Qt::AlignVCenter);
         item->setToolTip(SeriesDescription, row.notes.join(QLatin1Char('\n')));
         if (!row.isOpenable) {

@@ -177,7 +177,7 @@ void StudyList::fillSeries(QTreeWidgetItem& item, const StudySeriesRow& row)
     }
 }
 
-/// Removes items that are no longer listed; the key of a series can change while more of its files are found.
+/// Removes items that are no longer listed; the key of a series can change while more of its files are read.
 void StudyList::removeOthers(const std::set<QString>& kept)
 {
     const QSignalBlocker quiet(this);   // rows are inconsistent until the caller emits choiceChanged

@@ -19,7 +19,7 @@ namespace {
 constexpr int bubbleWidth = 360;
 constexpr int bubbleGap = 14;   ///< distance between bubble and target
 
-/// Returns the position of a bubble of `size`: beside the target if there is room, otherwise at its lower edge.
+/// Returns the position of a bubble of `size`: beside the target if there is space, otherwise at its lower edge.
 QPoint placeBeside(const QRect& target, const QSize& size, const QRect& room)
 {
     const int y = std::clamp(target.center().y() - size.height() / 2, room.top(), room.bottom() - size.height());

@@ -31,7 +31,7 @@ public:
 
     void showRun(const RunState& state);   ///< emits no signal
     void showWindowLevel(double window, double level);   ///< shows window and level in gray values; emits no signal
-    void showTracing(const core::TraceOptions& options, double widestPx);   ///< emits no signal; radius in use
+    void showTracing(const core::TraceOptions& options, double widestPx);   ///< `widestPx`: radius in use
 
 signals:
     void windowLevelTyped(double window, double level);

@@ -70,7 +70,7 @@ QLayout* BottomStrip::placedFrames()
     return frames;
 }
 
-/// Lays out the running task with its progress and a Stop button, whose space stays reserved while idle.
+/// Lays out the running task with its progress and a Stop button; their space remains reserved while idle.
 QLayout* BottomStrip::placedTask()
 {
     status_->setWordWrap(true);

@@ -107,7 +107,7 @@ void paintName(QPainter& painter, QRect area, const QFont& font, const QModelInd
         area.setWidth(area.width() + generationWidth - 4);
     }
     painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter,
-                     QFontMetrics(name).elidedText(text, Qt::ElideMiddle, area.width()));   // numbers come last
+                     QFontMetrics(name).elidedText(text, Qt::ElideMiddle, area.width()));   // keeps trailing numbers
     painter.setFont(font);
     if (hasGeneration) {
         const QRect behind(area.right(), area.top(), generationWidth - 4, area.height());

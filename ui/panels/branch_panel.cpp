@@ -94,7 +94,7 @@ BranchPanel::BranchPanel(QWidget* parent)
             [this](int id) { emit auxiliaryToggled(affectedBy(id)); });
     connect(delegate, &BranchDelegate::excludeClicked, this, [this](int id) { emit excludedToggled(affectedBy(id)); });
     connect(list_, &QListView::entered, this, [this](const QModelIndex& index) { emit hovered(idAt(index)); });
-    // Queued: the owner replies with a new tree, which would otherwise delete the editor while it is in use.
+    // Queued, because the owner replies with a new tree, which would delete the editor while it is in use.
     connect(model_, &BranchModel::renamed, this, &BranchPanel::renamed, Qt::QueuedConnection);
     connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &BranchPanel::reportSelection);
     connect(list_, &QWidget::customContextMenuRequested, this, &BranchPanel::showContextMenu);

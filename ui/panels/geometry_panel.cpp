@@ -178,7 +178,7 @@ void GeometryPanel::showRow(GeometryValue value)
 {
     const core::Sourced<double> sourced = shownValue(state_, value);
     const core::Origin origin = sourced.value ? sourced.origin : core::Origin::Missing;
-    const bool isOfHeader = value == GeometryValue::Sod && state_.cArm.sourceToObjectMm.value;   // fine initially
+    const bool isOfHeader = value == GeometryValue::Sod && state_.cArm.sourceToObjectMm.value;   // no check needed
     const bool isLooked = needsLook(value, origin) && !isOfHeader;
     row(value).field->showValue(sourced.value);
     row(value).field->setAsking(isLooked && state_.imageSizePx.x() > 0 && !state_.cameraOverride);

@@ -41,7 +41,7 @@ enum class GeometryValue {
     IsocenterZ
 };
 inline constexpr std::size_t geometryValueCount = 12;
-inline constexpr GeometryValue firstSeldomValue = GeometryValue::Roll;   ///< folded from here on
+inline constexpr GeometryValue firstSeldomValue = GeometryValue::Roll;   ///< first value of the collapsed section
 
 /// Label and number format of a value, and the typical value assumed while it is unknown.
 struct GeometryValueKind {

@@ -38,7 +38,7 @@ QString kindWord(core::MeasurementKind kind)
 
 QPushButton* modeButton(core::MeasurementKind kind)
 {
-    auto* button = withText(new QPushButton, [kind] { return kindWord(kind); });   // three in a row: no shortcuts
+    auto* button = withText(new QPushButton, [kind] { return kindWord(kind); });   // too narrow for shortcuts
     withTip(button, [kind] { return withKey(kindWord(kind), commandOf(kind)); });
     button->setCheckable(true);
     return button;
@@ -222,7 +222,7 @@ bool MeasurePanel::eventFilter(QObject* watched, QEvent* event)
         return Section::eventFilter(watched, event);
     }
     const int key = static_cast<QKeyEvent*>(event)->key();
-    if (event->type() == QEvent::ShortcutOverride) {   // in this list, these keys act on measurements, not branches
+    if (event->type() == QEvent::ShortcutOverride) {   // these keys act on measurements, not branches
         event->setAccepted(key == Qt::Key_Delete || key == Qt::Key_F2);
         return event->isAccepted();
     }

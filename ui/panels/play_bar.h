@@ -21,8 +21,8 @@ struct FrameTime {
     bool isAssumed = false;   ///< the DICOM header does not state the frame time
 };
 
-/// Playback controls: play/pause, speed, and whether playback loops or reverses at the end. Passive view: shows what
-/// its owner sets and emits signals for user actions.
+/// Playback controls: play/pause, speed, and whether playback loops or reverses at the end. Passive view: displays the
+/// given state and emits signals for user actions.
 class PlayBar : public QWidget {
     Q_OBJECT
 public:

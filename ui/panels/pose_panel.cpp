@@ -124,7 +124,7 @@ void PosePanel::showDepthDoubt(std::optional<double> depthSigmaMm)
     mark();
 }
 
-/// Returns the axis label, for depth with its uncertainty if that is large, e.g. "along ray ±4".
+/// Returns the axis label; a large depth uncertainty is appended, e.g. "depth ±4".
 QString PosePanel::wordsOf(PoseAxis axis) const
 {
     return axis == PoseAxis::AlongRay && depthSigmaMm_

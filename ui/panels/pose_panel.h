@@ -9,7 +9,7 @@
 namespace angiopose::ui {
 
 /// Panel for the pose relative to the initial pose, in mm and degrees, with a lock per degree of freedom. Passive view:
-/// shows what its owner sets and emits signals for user actions.
+/// displays the given state and emits signals for user actions.
 class PosePanel : public Section {
     Q_OBJECT
 public:

@@ -25,7 +25,7 @@ namespace {
 constexpr int tileSize = 44;
 constexpr int listWidth = 480;
 constexpr int rowHeight = 54;
-constexpr std::size_t seenRows = 5;   // maximum number of visible rows; the user scrolls or searches for others
+constexpr std::size_t seenRows = 5;   // further rows are reached by scrolling or searching
 
 /// Returns the central square of the thumbnail, sharp at any scale, or a tile with the program icon.
 QIcon tileOf(const QImage& picture, double ratio)

@@ -13,7 +13,7 @@ namespace angiopose::ui {
 
 class OptionForm;
 
-/// Panel with the registration method, its options, Register and Stop. Passive view: shows what its owner sets and
+/// Panel with the registration method, its options, Register and Stop. Passive view: displays the given state and
 /// emits signals for user actions.
 class RegistrationPanel : public Section {
     Q_OBJECT

@@ -29,7 +29,7 @@ QString resultNumber(double value)
     return numberText(value, value < 9.95 ? 1 : 0);
 }
 
-/// Standard deviations assuming an exact geometry; results of earlier versions contain no others.
+/// Returns the standard deviations for an exact geometry, the only ones in results of earlier versions.
 core::PoseSigmas byImage(const core::PoseUncertainty& uncertainty)
 {
     const bool isKnown = uncertainty.imageCovariance.diagonal().maxCoeff() > 0.0;

@@ -249,7 +249,7 @@ bool SnapshotPanel::eventFilter(QObject* watched, QEvent* event)
         return Section::eventFilter(watched, event);
     }
     const int key = static_cast<QKeyEvent*>(event)->key();
-    if (event->type() == QEvent::ShortcutOverride) {   // in this list, these keys act on snapshots instead of branches
+    if (event->type() == QEvent::ShortcutOverride) {   // these keys act on snapshots, not branches
         event->setAccepted(key == Qt::Key_Delete || key == Qt::Key_F2);
         return event->isAccepted();
     }

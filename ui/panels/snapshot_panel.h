@@ -22,8 +22,8 @@ struct SnapshotMarks {
     bool operator==(const SnapshotMarks&) const = default;
 };
 
-/// Panel with the list of snapshots and, in a collapsed group below, the registration results. Passive view: shows what
-/// its owner sets and emits signals for user actions.
+/// Panel with the list of snapshots and, in a collapsed group below, the registration results. Passive view: displays
+/// the given state and emits signals for user actions.
 class SnapshotPanel : public Section {
     Q_OBJECT
 public:

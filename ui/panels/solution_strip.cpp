@@ -15,7 +15,7 @@ QPixmap pixmapOf(const core::ColorImage& picture, double ratio)
 {
     const uchar* bytes = picture.rgb.data();
     const QImage image(bytes, picture.width, picture.height, qsizetype{3} * picture.width, QImage::Format_RGB888);
-    QPixmap pixmap = QPixmap::fromImage(image.copy());   // deep copy, since the image buffer is temporary
+    QPixmap pixmap = QPixmap::fromImage(image.copy());   // deep copy of the temporary buffer
     pixmap.setDevicePixelRatio(ratio);
     return pixmap;
 }

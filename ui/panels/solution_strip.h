@@ -16,7 +16,7 @@ struct SolutionLine {
 };
 
 /// Strip with the solutions of the last registration as thumbnails, best first; hidden if there is only one. Passive
-/// view: shows what its owner sets and emits signals for user actions.
+/// view: displays the given state and emits signals for user actions.
 class SolutionStrip : public Section {
     Q_OBJECT
 public:

@@ -112,7 +112,7 @@ bool ViewStrip::eventFilter(QObject* watched, QEvent* event)
     if (watched != list_ || !isKey || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Delete) {
         return QWidget::eventFilter(watched, event);
     }
-    event->accept();   // in the strip, Delete acts on views instead of branches
+    event->accept();   // Delete acts on views, not branches
     if (event->type() == QEvent::KeyPress) {
         emit removeRequested(list_->currentRow());
     }
@@ -226,7 +226,7 @@ void ViewStrip::showPicture(int index, const core::ColorImage& picture)
     }
     const uchar* bytes = picture.rgb.data();
     const QImage image(bytes, picture.width, picture.height, qsizetype{3} * picture.width, QImage::Format_RGB888);
-    QPixmap pixmap = QPixmap::fromImage(image.copy());   // deep copy, since the image buffer is temporary
+    QPixmap pixmap = QPixmap::fromImage(image.copy());   // deep copy of the temporary buffer
     pixmap.setDevicePixelRatio(devicePixelRatioF());
     QIcon icon(pixmap);
     icon.addPixmap(pixmap, QIcon::Selected);   // keeps the thumbnail untinted in the selected item

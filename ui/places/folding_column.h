@@ -52,7 +52,7 @@ private:
 class FoldingColumn : public QWidget {
     Q_OBJECT
 public:
-    /// Takes ownership of the content, whose display name is `behind`.
+    /// Takes ownership of the content, whose display name is `contentName`.
     FoldingColumn(ColumnSide side, QWidget& content, const Words& behind, QWidget* parent = nullptr);
 
     bool isFolded() const { return isFolded_; }

@@ -109,7 +109,7 @@ void ViewFrame::leave()
     if (window()->isVisible()) {
         show();
     } else {
-        QTimer::singleShot(0, window_, show);   // while a layout is restored, waits until the main window is visible
+        QTimer::singleShot(0, window_, show);   // deferred until the main window is visible
     }
 }
 

@@ -143,7 +143,7 @@ void AngleMapPlot::paintAxes(QPainter& painter) const
     });
     ticks(map_->secondaryDeg, secondaryTickDeg, [&](double deg) {
         const double place = placeOf({map_->primaryDeg.front(), deg}).y();
-        const double y = std::clamp(place, map.top() + 6.0, map.bottom() - 6.0);   // keeps clear of the other axis
+        const double y = std::clamp(place, map.top() + 6.0, map.bottom() - 6.0);   // avoids the other axis
         painter.drawText(QRectF(0, y - 10, angleLabelWidth - 8, 20), Qt::AlignRight | Qt::AlignVCenter,
                          tickText(deg, "CAU", "CRA"));
     });

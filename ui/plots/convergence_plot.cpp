@@ -15,7 +15,7 @@ namespace {
 
 constexpr double captionHeight = 17.0;
 constexpr double sampleWidth = 18.0;   // length of the line sample next to the caption
-constexpr double most = 4.0;   // maximum span in decades; smaller values are negligible
+constexpr double most = 4.0;   // maximum number of decades; smaller values are negligible
 
 /// Paints the caption of a lane above it, after a sample of the line.
 void paintCaption(QPainter& painter, const QRectF& area, const LogLane& lane)

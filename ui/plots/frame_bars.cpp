@@ -206,7 +206,7 @@ std::optional<FrameBars::LoopEnd> FrameBars::loopEndAt(const QPointF& place) con
 void FrameBars::dragLoop(int frame)
 {
     core::FrameRange range = loop_;
-    if (range.count() == 1) {   // both grips at the same frame: the drag direction decides
+    if (range.count() == 1) {   // the drag direction selects one of two coincident grips
         dragged_ = frame < range.first ? LoopEnd::First : LoopEnd::Last;
     }
     if (*dragged_ == LoopEnd::First) {

@@ -14,8 +14,8 @@ std::vector<StrokeLine> visibleParts(const StrokeLine& line, const BeamLook& loo
     return clipped(line, -margin, look.sizePx + margin);
 }
 
-/// Returns the visible dashes of `line`. The pattern starts at the beginning of the line, which keeps the dashes in
-/// place when the view moves.
+/// Returns the visible dashes of `line`. The pattern starts at the beginning of the line, which keeps the dashes
+/// fixed when the view moves.
 std::vector<StrokeLine> visibleDashes(const StrokeLine& line, const DashPattern& pattern, const BeamLook& look)
 {
     std::vector<StrokeLine> dashes;

@@ -15,7 +15,7 @@ inline constexpr double deepestTint = 0.75;   ///< the angiogram stays visible t
 /// Tints the angiogram with the DRR of the vessels in the accent color, most strongly at the densest vessel.
 class DrrTint {
 public:
-    /// `radiograph` covers the whole frame at any resolution, vessels bright on 0; empty: no tint.
+    /// Sets the DRR, which covers the whole frame at any resolution, with bright vessels on 0. Empty: no tint.
     void setDrr(const core::ImageF& drr);
     const core::ImageF& share() const { return share_; }   ///< tint strength per pixel, 0 … 1
     std::uint64_t revision() const { return revision_; }   ///< changes with the DRR

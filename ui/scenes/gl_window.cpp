@@ -48,7 +48,7 @@ void GlWindow::OpenGLInitContext()
 void GlWindow::takeOverState()
 {
     GetState()->Reset();
-    GetState()->vtkglDepthFunc(GL_LEQUAL);   // lines in one layer have equal depth: the later one is drawn on top
+    GetState()->vtkglDepthFunc(GL_LEQUAL);   // draws later lines of equal depth on top
 }
 
 void GlWindow::readPicture(Canvas canvas)

@@ -15,14 +15,14 @@ public:
         void OpenGLInitContext() override;
     void Frame() override {}   // no-op: the base class would swap buffers of a nonexistent display
 
-    /// Call before every render: others have used the context, which makes VTK's cached state invalid.
+    /// Call before every rendering, because other code may have changed the OpenGL state that VTK caches.
     void takeOverState();
 
     /// Copies the last rendered image to a canvas of the same size as the window.
     void readPicture(Canvas canvas);
 
-    /// Call after the last image for a while. Software OpenGL draws several scenes at a time and keeps the buffers of
-    /// each, at any earlier window size, until the slot is reused; a few empty scenes release them.
+    /// Call when rendering pauses. Software OpenGL keeps several scenes in flight, each with buffers of any earlier
+    /// window size, until its slot is reused; drawing a few empty scenes releases them.
     void letGoOfOldBuffers();
 
 protected:

@@ -14,7 +14,7 @@ std::optional<Eigen::Vector2d> wayBetween(const Eigen::Vector2d& from, const Eig
     return length > 0.0 ? std::optional<Eigen::Vector2d>((to - from) / length) : std::nullopt;
 }
 
-/// Adds a bar across the end of the segment from `inner` to `end`.
+/// Adds a bar across the `end` of the segment that starts at `inner`.
 void addEndBar(std::vector<PixelLine>& lines, const Eigen::Vector2d& inner, const Eigen::Vector2d& end, double sizePx)
 {
     if (const auto way = wayBetween(inner, end)) {

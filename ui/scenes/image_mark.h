@@ -46,7 +46,7 @@ std::vector<Eigen::Vector2d> pointsAlong(const std::vector<PixelLine>& lines, do
 /// Returns the anchor of the label: the vertex of an angle, the tail of an arrow, otherwise the last point.
 Eigen::Vector2d labelAnchor(const ImageMark& mark, const MarkPlace& placeOf);
 
-/// Returns the color of a mark on a background whose palette is `tones`.
+/// Returns the color of a mark on a background whose palette is `colors`.
 Color toneOf(const ImageMark& mark, const Palette& tones);
 
 }   // namespace angiopose::ui

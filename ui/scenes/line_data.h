@@ -20,7 +20,7 @@ struct LinePoint {
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();   ///< direction of the vessel, perpendicular to its edges
     double radiusMm = 0.0;
     Color tone;
-    std::array<float, 3> wayPx{};   ///< way from the start along left edge, center, right edge, image px: for dashes
+    std::array<float, 3> wayPx{};   ///< length from the start along left edge, center and right edge, image px
 };
 
 struct LineLook {

@@ -12,7 +12,7 @@ namespace {
 
 using LineWays = std::vector<std::array<float, 3>>;
 
-/// Returns, for each tree point, the path length along left edge, center and right edge, image px, from the first point
+/// Returns, for every tree point, the length along left edge, center and right edge, image px, from the first point
 /// of the visible run to which the point belongs.
 LineWays waysOf(const ProjectedTree& tree, int branchId, std::size_t pointCount)
 {

@@ -11,7 +11,7 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double clipMarginPx = 64.0;
-constexpr double farPx = 4e4;   // extent of dashes beyond the view, which makes adjacent tiles agree
+constexpr double farPx = 4e4;   // dashes extend beyond the view, so that adjacent tiles match
 
 /// Lines that draw a branch, its centerline or its two edges, in device px.
 struct BranchLines {

@@ -5,7 +5,7 @@
 
 namespace angiopose::ui {
 
-/// Visible part of the image and size of the view. `isMirrored` swaps left and right, as seen from the X-ray source.
+/// Visible part of the image and size of the view. `isMirrored` swaps left and right, as viewed from the X-ray source.
 struct PicturePlace {
     ViewRect rect;
     int width = 1;   ///< width of the view, device px

@@ -15,7 +15,7 @@ ShaderActor::ShaderActor(vtkPolyData* data, const ShaderTexts& shaders)
     actor_->SetMapper(mapper_);
     actor_->ForceOpaqueOn();   // draws actors in the order added; the shaders set the opacity
     actor_->PickableOff();
-    actor_->UseBoundsOff();   // spatial bounds must not cull lines drawn on the image
+    actor_->UseBoundsOff();   // prevents culling of lines by their spatial bounds
     vtkShaderProperty* property = actor_->GetShaderProperty();
     property->SetVertexShaderCode(shaders.vertex.c_str());
     if (!shaders.geometry.empty()) {

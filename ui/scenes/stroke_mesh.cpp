@@ -24,7 +24,7 @@ Profile profileOf(const Pen& pen)
         return {half - fade, half + fade, pen.opacity};
     }
     return {0.0, half + fade,
-            pen.opacity * 2.0 * half / (half + fade)};   // lines thinner than their edge become fainter, not thinner
+            pen.opacity * 2.0 * half / (half + fade)};   // lines narrower than their soft edge become fainter
 }
 
 std::int32_t addVertex(StrokeMesh& mesh, const Eigen::Vector2d& at, const Color& color, double opacity)
@@ -207,7 +207,7 @@ void addRibbon(StrokeMesh& mesh, const StrokeLine& left, const StrokeLine& right
 std::vector<StrokeLine> clipped(const StrokeLine& line, const Eigen::Vector2d& lower, const Eigen::Vector2d& upper)
 {
     std::vector<StrokeLine> parts;
-    bool isOpen = false;   // the last part continues in the next segment
+    bool isOpen = false;   // the last part continues into the next segment
     for (std::size_t i = 1; i < line.size(); ++i) {
         const MeshSpan span = insideBox(line[i - 1].at, line[i].at, lower, upper);
         if (span.from > span.to) {

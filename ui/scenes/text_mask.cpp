@@ -15,7 +15,7 @@ namespace angiopose::ui {
 namespace {
 
 struct FontFace {
-    std::string file;   ///< path of the font file; empty if no font was found
+    std::string file;   ///< path of the font file; empty if there is no font
     int index = 0;
 };
 
@@ -141,7 +141,7 @@ public:
     }
     explicit operator bool() const { return usual_ != nullptr; }
 
-    /// Loads the glyph of a character, and renders it if `flags` say so; null if neither font has the character.
+    /// Loads the glyph of a character, and renders it if `flags` request it; null if neither font has the character.
     FT_GlyphSlot glyph(char32_t sign, FT_Int32 flags) const
     {
         const Face& face = other_ && !has(usual_, sign) ? other_ : usual_;

@@ -120,7 +120,7 @@ StrokeMesh TreeScene::Parts::groundStrokes(const ScreenFromPatient& toScreen) co
 {
     StrokeMesh mesh;
     if (isEmpty()) {
-        return mesh;   // shows no beam without vessels or scan
+        return mesh;   // without vessels and scan, no beam is shown
     }
     addBeamStrokes(mesh, beam, toScreen, {tones, 2.0 * toScreen.centerPx, pixelScale});
     addOrientationSign(mesh, sign(toScreen), tones);
@@ -273,7 +273,7 @@ core::ParallelSight TreeScene::sight(int maxPx) const
     const int* size = parts_->ground->GetSize();
     const double wholePx = std::max(1.0, 1.0 * size[0] * size[1]);
     const double share = std::min(1.0, std::sqrt(maxPx / wholePx));
-    const auto sideOf = [share](int px) {   // avoids powers of two, for which OpenGL would compile a separate program
+    const auto sideOf = [share](int px) {   // powers of two would need a separate OpenGL program
         const int side = std::max(3, static_cast<int>(std::lround(share * px)));
         return std::has_single_bit(static_cast<unsigned>(side)) ? side + 1 : side;
     };

@@ -34,7 +34,7 @@ public:
     TreeScene& operator=(const TreeScene&) = delete;
 
     void setTree(const core::VesselTree& tree);   ///< keeps the view unless the new tree lies elsewhere
-    void setCamera(const core::ProjectionCamera& camera, double sourceToDetectorMm);   ///< 0: hides the detector
+    void setCamera(const core::ProjectionCamera& camera, double sourceToDetectorMm);   ///< 0 hides the detector
     void setPose(const core::RigidTransform& cameraFromPatient);
     void setFrame(const core::ImageF& frame);
     /// Replaces the frame with an image of any resolution that covers it completely; empty restores the frame.

@@ -117,7 +117,7 @@ bool isInPicture(const Eigen::Vector2d& at, const VectorPicture& picture)
 std::vector<StrokeShape> lineParts(const StrokeShape& shape, const VectorPicture& picture,
                                    const CutoutInPicture& cutout)
 {
-    if (shape.line.size() < 2) {   // a single point: dot of a dotted line
+    if (shape.line.size() < 2) {   // a single point is a dot of a dotted line
         const bool isSeen = !shape.line.empty() && isInPicture(shape.line.front().at, picture) &&
                             !cutout.contains(shape.line.front().at);
         return isSeen ? std::vector{shape} : std::vector<StrokeShape>{};

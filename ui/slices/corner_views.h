@@ -24,7 +24,7 @@ public:
     CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent = nullptr);
 
     std::optional<core::BodyPlane> shownPlane() const;
-    void showPlane(std::optional<core::BodyPlane> plane);   ///< empty: 3-D view; takes effect once there is a scan
+    void showPlane(std::optional<core::BodyPlane> plane);   ///< the 3-D view if empty; requires a scan
     void showNext();
     SliceView& slice() { return *slice_; }
     ScanBar& scanBar() { return *scanBar_; }   ///< bar above the 3-D view, shown if there is a scan

@@ -29,8 +29,8 @@ struct LabelRow {
 
 QString textOf(const LabelRow& row);   ///< formats a row, e.g. "4  celiac_trunk", or "Label 4" if unnamed
 
-/// List with check boxes that selects the vessel labels of a label image; long lists have a filter. Passive view: shows
-/// what its owner sets and emits signals for user actions.
+/// List with check boxes that selects the vessel labels of a label image; long lists have a filter. Passive view:
+/// displays the given state and emits signals for user actions.
 class LabelChoice : public QWidget {
     Q_OBJECT
 public:
@@ -56,7 +56,7 @@ private:
     void fill();
     void filter(const QString& text);
     void takeTicks();
-    void choose(std::optional<bool> ticked);   ///< sets the filtered rows; empty: checks the suggested ones
+    void choose(std::optional<bool> ticked);   ///< for all filtered rows; empty checks the suggested ones
     void setTicks();
     void showFirstTicked();
     void sayTexts();

@@ -38,7 +38,7 @@ struct MaskState {
 };
 
 /// Panel for the lumen mask on the slices: its opacity, brush and scissors, and tracing of the edited mask. Passive
-/// view: shows what its owner sets and emits signals for user actions.
+/// view: displays the given state and emits signals for user actions.
 class MaskPanel : public QWidget {
     Q_OBJECT
 public:

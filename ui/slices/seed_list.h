@@ -17,7 +17,7 @@ namespace angiopose::ui {
 enum class TracingPick { Nothing, Seed, Avoid };
 
 /// List of the seed points and avoid points for tracing, in patient coordinates (mm): clicks in a slice add points,
-/// Delete removes the selected point. Passive view: shows what its owner sets.
+/// Delete removes the selected point. Passive view: displays the given state.
 class SeedList : public QWidget {
     Q_OBJECT
 public:
@@ -57,7 +57,7 @@ private:
 class NumberField;
 
 /// Field for the intensity threshold of the vessels in a scan: automatic, or set with a slider or number field. Passive
-/// view: shows what its owner sets.
+/// view: displays the given state.
 class ThresholdField : public QWidget {
     Q_OBJECT
 public:

@@ -92,7 +92,7 @@ void paintMark(QPainter& painter, const QPointF& at, SliceMarkKind kind, const Q
     const Color tone = isFine                         ? sliceTones().fine
                        : kind == SliceMarkKind::Avoid ? sliceTones().attention
                                                       : sliceTones().accent;
-    QPainterPath sign;   // shapes differ, not only colors: + for seeds, × for avoid points, a ring otherwise
+    QPainterPath sign;   // + for seeds, × for avoid points, otherwise a ring
     const double r = markRadiusPx;
     if (kind == SliceMarkKind::Seed) {
         sign.moveTo(at - QPointF(r, 0));

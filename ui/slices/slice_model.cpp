@@ -17,7 +17,7 @@ constexpr double airHu = -500.0;   // lower values occur only as air in CT
 std::vector<double> sampledValues(const core::Volume& volume)
 {
     const std::size_t count = volume.voxels.size();
-    const std::size_t step = std::max<std::size_t>(1, count / sampledVoxels) | 1U;   // odd: varies the column
+    const std::size_t step = std::max<std::size_t>(1, count / sampledVoxels) | 1U;   // odd to sample varying columns
     std::vector<double> values;
     for (std::size_t i = 0; i < count; i += step) {
         values.push_back(volume.value(i));
@@ -68,7 +68,7 @@ void SliceModel::setScan(std::shared_ptr<const core::Volume> volume, std::shared
         return;
     }
     const core::VolumeGeometry* before = geometry();
-    const core::VolumeGeometry kept = before ? *before : core::VolumeGeometry{};   // empty: equals no scan
+    const core::VolumeGeometry kept = before ? *before : core::VolumeGeometry{};   // empty if there was no scan
     const bool isNewVolume = volume != volume_;
     volume_ = std::move(volume);
     lumen_ = std::move(lumen);

@@ -41,7 +41,7 @@ struct MeasuredSlice {
 
 /// Labels of a label image, tinted in different colors in the slices.
 struct LabelLayer {
-    std::shared_ptr<const core::VoxelMask> rows;   ///< 1 + index of the voxel's label below; the last covers the rest
+    std::shared_ptr<const core::VoxelMask> rows;   ///< 1 + index into `tints`; larger values use the last
     std::vector<MaskTint> tints;
     QStringList names;   ///< one name per tint
 

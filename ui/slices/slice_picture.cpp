@@ -66,7 +66,7 @@ public:
 private:
     static QRgb rgb(const Color& color) { return qRgb(color.red, color.green, color.blue); }
     std::size_t lastTint_;
-    std::vector<std::array<QRgb, 256>> tones_;   ///< per mask value, without and with the threshold preview
+    std::vector<std::array<QRgb, 256>> tones_;   ///< two per mask value: without and with preview
 };
 
 /// Interpolates a row between two adjacent rows of the slice.

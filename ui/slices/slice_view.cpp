@@ -147,7 +147,7 @@ void SliceView::retint(const core::TouchedBox& box)
     if (isContentStale_ || !model_.mask() || grid.width == 0) {
         return;
     }
-    const double low = grid.distanceMm(box.lowInPatient);   // corners suffice, since normals are patient axes
+    const double low = grid.distanceMm(box.lowInPatient);   // corners suffice because normals are patient axes
     const double high = grid.distanceMm(box.highInPatient);
     if (std::max(low, high) < -0.5 * grid.thicknessMm || std::min(low, high) > 0.5 * grid.thicknessMm) {
         return;

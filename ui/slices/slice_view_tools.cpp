@@ -53,7 +53,7 @@ bool SliceView::filterToolKey(QKeyEvent& event)
         tool->keyPress(event);
     } else {
         isToolsDrag_ = false;
-        pressed_ = Qt::NoButton;   // the rest of the drag has no effect
+        pressed_ = Qt::NoButton;   // ignores the remaining events of the drag
         if (!tool->takeBack()) {
             model_.setTool(nullptr);
         }

@@ -19,7 +19,7 @@ class NumberField;
 class ThresholdField;
 
 /// Panel with the options for tracing the vessels of a scan: threshold, seeds, avoid points, limits. Passive view:
-/// shows what its owner sets and emits signals for user actions.
+/// displays the given state and emits signals for user actions.
 class TracingPanel : public Section {
     Q_OBJECT
 public:
@@ -33,7 +33,7 @@ public:
     void bindPath(QAction& action);   ///< connects the action for tracing between two clicks
     void showFound(std::optional<double> threshold);   ///< shows the automatic threshold, if known
     void showPick(TracingPick pick);
-    void showOtherLumen(const QString& warning);   ///< empty: none
+    void showOtherLumen(const QString& warning);   ///< an empty text hides the warning
     void showWhyNot(const QString& reason);   ///< reason why tracing is disabled; an empty text enables it
     void setRunning(bool running);
     bool isPreviewWanted() const;

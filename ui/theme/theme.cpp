@@ -23,7 +23,7 @@ constexpr Palette dark{.title = {0x0f, 0x11, 0x14},
                        .error = {0xf0, 0x6a, 0x5f},
                        .canvas = {0x00, 0x00, 0x00}};
 
-// Designed separately, not inverted: paper-gray panels, black image background, signal colors dark enough for text.
+// Not an inverted dark theme: paper-gray panels, black image background, signal colors dark enough for text.
 constexpr Palette light{.title = {0xdb, 0xdf, 0xe4},
                         .window = {0xe6, 0xe9, 0xed},
                         .panel = {0xf0, 0xf2, 0xf4},
@@ -48,7 +48,7 @@ constexpr Ramp blueAmber{dark.accent, {0x9d, 0xc2, 0xa6}, dark.attention, {0xe0,
 constexpr Ramp blueRed{{0x3f, 0x8c, 0xff}, {0xf2, 0xf2, 0xf2}, {0xff, 0x5a, 0x46}, {0xff, 0x3a, 0xd0}};
 constexpr Ramp brightness{{0x5c, 0x5c, 0x5c}, {0x98, 0x98, 0x98}, {0xd4, 0xd4, 0xd4}, {0xff, 0xff, 0xff}};
 
-// None resembles the accent or attention color; neighboring entries differ in brightness as well as hue.
+// No entry resembles the accent or attention color; neighboring entries differ in brightness and hue.
 constexpr std::array<Color, 8> labelColors{{{0xe6, 0x6a, 0x5c},
                                             {0x5f, 0xc8, 0x8a},
                                             {0x9a, 0x7c, 0xe8},

@@ -16,7 +16,7 @@ struct Color {
     std::array<double, 3> unit() const { return {red / 255.0, green / 255.0, blue / 255.0}; }   ///< 0…1, for VTK
 };
 
-/// All colors of the user interface, defined in one place to keep Qt and VTK consistent; a theme is one such table.
+/// All colors of the user interface, defined once to keep Qt and VTK consistent; a theme is one such table.
 /// Black around the image, neutral grays elsewhere and no pure white keep the focus on the image.
 struct Palette {
     Color title, window, panel, field, line;
@@ -52,7 +52,7 @@ struct ScanColors {
 };
 ScanColors scanColors();
 
-/// Returns the colors of branches on a background whose palette is `tones`.
+/// Returns the colors of branches on a background whose palette is `colors`.
 BranchColors branchColors(const Palette& tones);
 
 /// Residual color for `fraction` 0…1 in the current scheme: by default from accent blue over green-gray to amber.

@@ -184,7 +184,7 @@ void paintMode(QPainter& painter, const QSizeF& size, const ModeLabel& mode, con
                      QFontMetricsF(painter.font()).elidedText(mode.text, Qt::ElideRight, box.width() - 8.0), tone);
 }
 
-/// Returns the height at which the top or bottom letter is clear of the corner texts, searched in steps.
+/// Returns the y at which the top or bottom letter avoids the corner texts, searched in steps.
 double clearHeight(double middle, double wanted, const std::vector<QRectF>& taken, double step)
 {
     const auto covers = [&](const QRectF& block) {
@@ -195,7 +195,7 @@ double clearHeight(double middle, double wanted, const std::vector<QRectF>& take
 }
 
 /// Returns the y of the orientation letter at the right edge: in the middle, or above or below the residual scale,
-/// clear of the corner texts.
+/// where it avoids the corner texts.
 double besideScale(const QSizeF& size, const QRectF& scale, const std::vector<QRectF>& taken)
 {
     if (scale.isEmpty()) {
@@ -207,7 +207,7 @@ double besideScale(const QSizeF& size, const QRectF& scale, const std::vector<QR
     return isFree && letter.top() >= 0.0 ? above : scale.bottom() + 26.0;
 }
 
-/// Draws an orientation letter (patient's side) at the middle of each edge.
+/// Draws an orientation letter (patient's side) at the middle of every edge.
 void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations, const QRectF& scale,
                 const std::vector<QRectF>& taken)
 {

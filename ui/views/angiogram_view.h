@@ -21,7 +21,7 @@ namespace angiopose::ui {
 class GlOverlay;
 class ImageTool;
 
-/// Working is the current image, on which all tools act; Beside is a further image next to it.
+/// Working is the current image, on which all tools act; Secondary is another image next to it.
 enum class ImageRole { Working, Beside };
 
 /// Linked crosshair in this image, mapped from the pointer position in this or another image.
@@ -33,7 +33,7 @@ struct ImageCrosshair {
 /// View of the angiogram with the projected tree. Drags adjust window/level, pan and zoom according to the mouse
 /// preset; Ctrl+wheel zooms; the wheel, ↑ ↓, Home and End select frames; a right click or the menu key requests a
 /// context menu. A tool can take over the left button and keys; Esc cancels its drag, then ends the tool. Passive view:
-/// shows what its owner sets and emits signals for user actions. The angiogram with the tree and the annotations are
+/// displays the given state and emits signals for user actions. The angiogram with the tree and the annotations are
 /// drawn in two turns of the event loop; painting the widget only copies the result.
 class AngiogramView : public QWidget {
     Q_OBJECT
@@ -43,8 +43,8 @@ public:
 
     OverlayScene& scene() { return scene_; }   ///< call redraw() after changing the scene
     void redraw();   ///< schedules a new rendering; update() only copies the last one
-    void setPivot(const Eigen::Vector3d& pivotInPatient);   ///< centroid of the tree: position of ring and cross …
-    void setPickedPivot(const std::optional<Eigen::Vector3d>& pickedInPatient);   ///< … unless picked, which is marked
+    void setPivot(const Eigen::Vector3d& pivotInPatient);   ///< centroid of the tree, where the handles appear
+    void setPickedPivot(const std::optional<Eigen::Vector3d>& pickedInPatient);   ///< replaces the centroid
     void setPose(const core::RigidTransform& cameraFromPatient);
     void setCamera(const core::ProjectionCamera& camera);
     void setFrame(const core::ImageF& frame);   ///< keeps zoom and window/level if the size is unchanged
@@ -54,7 +54,7 @@ public:
     ImageTool* tool() const;
     void addBar(QWidget* bar);   ///< adds the toolbar of a tool, at the bottom center of the image
     bool filterToolKey(QKeyEvent& event);   ///< true if the tool handles the key, or if Esc cancels or ends the tool
-    void setKeptOut(const core::Mask2d& fieldMask);   ///< hatches pixels with value 0; empty: none
+    void setKeptOut(const core::Mask2d& fieldMask);   ///< hatches pixels with value 0; empty hatches none
     void setMousePreset(const MousePreset& preset);
     void setResidualScale(double maximumPx, double maximumMm);   ///< `maximumPx` = 0 hides the scale
     void setLineWidth(double px);   ///< width in device-independent px
@@ -92,7 +92,7 @@ public:
 
 signals:
     void frameStepRequested(int step);   ///< ±1 or ±10 frames; INT_MIN is the first frame, INT_MAX the last
-    void pointed(const std::optional<Eigen::Vector2d>& imagePx);   ///< mouse position; empty: it left the image
+    void pointed(const std::optional<Eigen::Vector2d>& imagePx);   ///< mouse position; empty outside the image
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void backgroundClicked();

@@ -33,7 +33,7 @@ void AngiogramView::redraw()
     }
 }
 
-/// Completes started turns first; otherwise continuous mouse movement would block every update.
+/// Completes an update in progress first; otherwise continuous mouse movement would block all updates.
 void AngiogramView::takeTurn()
 {
     if (nextTurn_ == Turn::Picture) {
@@ -70,7 +70,7 @@ bool AngiogramView::drawPicture()
     const std::optional<PictureState> wanted =
         interaction_->tool ? std::nullopt : std::optional(PictureState{scene_.stamp(), isFromSource()});
     if (wanted && wanted == drawn_ && !isNew) {
-        return false;   // at most the annotations changed
+        return false;   // only annotations may have changed
     }
     drawn_ = wanted;
     render(canvas, interaction_->tool ? interaction_->tool->strokes(canvas.height) : StrokeMesh{});
@@ -125,7 +125,7 @@ void AngiogramView::drawWhole()
     }
 }
 
-/// Copies the last rendering. Grabbing the widget does not wait for turns but renders it immediately.
+/// Copies the last rendering; grabbing the widget renders immediately instead of waiting for the event loop.
 void AngiogramView::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);

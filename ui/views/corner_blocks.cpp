@@ -54,7 +54,7 @@ QStringList fitted(QStringList lines, const QFont& font, double widthPx)
     return lines;
 }
 
-/// Moves a block toward the middle of its edge if it would overlap the block `taken`.
+/// Moves a block toward the middle of its edge if it would overlap the block `occupied`.
 QRectF clearOf(const QRectF& taken, QRectF block, Corner corner)
 {
     constexpr double gap = 6.0;

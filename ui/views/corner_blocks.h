@@ -19,7 +19,7 @@ enum class Corner { TopLeft, TopRight, BottomLeft, BottomRight };
 /// Determines what a part of the widget contains: vessels, image or other items.
 class Ground {
 public:
-    /// `taken` holds the areas of other items over the image, in widget px.
+    /// `occupied` holds the areas of other items over the image, in widget px.
     Ground(const ImageViewport& viewport, const OverlayScene& scene, const std::vector<QRectF>& taken)
         : viewport_(viewport), scene_(scene), taken_(taken)
     {
@@ -53,7 +53,7 @@ private:
 
 using CornerLines = std::array<QStringList, 4>;   ///< indexed by `Corner`
 
-/// Draws a block of lines in each corner, all in one font size, and returns the areas covered; `mode` is the area of
+/// Draws a block of lines in every corner, all in one font size, and returns the areas covered; `mode` is the area of
 /// the mode label at the top. If a block would cover vessels, the image or other items, all blocks shrink; a block that
 /// still does not fit collapses to one line or is omitted.
 std::array<QRectF, 4> paintCorners(QPainter& painter, const QSizeF& size, const CornerLines& lines,

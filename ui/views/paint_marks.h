@@ -21,7 +21,7 @@ struct MarkGround : LabelGround {
     bool hasLines = false;   ///< if true, markStrokes has drawn the lines; only labels are painted
 };
 
-/// Draws marks with their labels; `placeOf` returns widget px. Labels avoid the obstacles in `ground`, whose size
+/// Draws marks with their labels; `placeOf` returns widget px. Labels avoid the obstacles in `background`, whose size
 /// defaults to the size of the paint device.
 void paintMarks(QPainter& painter, const std::vector<ImageMark>& marks, const MarkPlace& placeOf,
                 MarkGround ground = {});

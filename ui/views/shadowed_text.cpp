@@ -34,7 +34,7 @@ void drawWithRim(QPainter& painter, const QRectF& box, int flags, const QString&
                  const Color& rim)
 {
     painter.setPen(colorOf(rim, 0.6));
-    for (const double y : {-rimPx, 0.0, rimPx}) {   // rim on all sides: readable on any image, without a box
+    for (const double y : {-rimPx, 0.0, rimPx}) {   // an outline on all sides keeps text readable
         for (const double x : {-rimPx, 0.0, rimPx}) {
             painter.drawText(box.translated(x, y), flags, text);
         }

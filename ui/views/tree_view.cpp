@@ -106,7 +106,7 @@ void TreeView::showPlaces(std::vector<TreePlaceSign> places)
     }
 }
 
-/// Paints the labeled places in the same way as image marks, in the colors of the theme.
+/// Paints the labeled marks like image marks, in the colors of the theme.
 void TreeView::paintPlaces(QPainter& painter) const
 {
     const double ratio = devicePixelRatio();
@@ -152,7 +152,7 @@ void TreeView::reportSight()
     const core::ParallelSight sight = scene_.sight(anyPx);
     if (sight != seen_) {
         seen_ = sight;
-        QMetaObject::invokeMethod(this, &TreeView::sightChanged, Qt::QueuedConnection);   // not during painting
+        QMetaObject::invokeMethod(this, &TreeView::sightChanged, Qt::QueuedConnection);   // outside of painting
     }
 }
 

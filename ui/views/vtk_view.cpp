@@ -25,7 +25,7 @@ constexpr int frameMs = 16;
 /// Subpixel offsets, in px, of the renderings averaged at rest: one per quarter of a pixel, on four rows and columns.
 const std::array<QPointF, 4> settledShiftsPx{{{-0.125, -0.375}, {0.375, -0.125}, {0.125, 0.375}, {-0.375, 0.125}}};
 
-/// Replaces `picture` by the mean of two images of the same size.
+/// Replaces `image` by the mean of two images of the same size.
 void blendInto(QImage& picture, const QImage& other)
 {
     std::uint8_t* bytes = picture.bits();
@@ -216,7 +216,7 @@ void VtkView::paintEvent(QPaintEvent*)
     if (picture_.size() == deviceSize()) {
         picture_.setDevicePixelRatio(devicePixelRatio());
         painter.drawImage(QPointF(0.0, 0.0), picture_);
-    } else {   // scaled for now, since repainting does not wait for VTK
+    } else {   // shows the last image scaled, since repainting does not wait for VTK
         painter.drawImage(rect(), picture_);
         requestRender();
     }

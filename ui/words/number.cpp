@@ -26,7 +26,7 @@ QString numberText(double value, int decimals)
     if (!digits.startsWith(QLatin1Char('-'))) {
         return signedAs(digits);
     }
-    const bool isNothing = digits.toDouble() == 0.0;   // shows "-0.0" without the sign
+    const bool isNothing = digits.toDouble() == 0.0;   // omits the sign of "-0.0"
     return signedAs(isNothing ? digits.mid(1) : minusSign + digits.mid(1));
 }
 

@@ -27,8 +27,8 @@ signals:
 
 using Words = std::function<QString()>;
 
-/// Calls `say` now, and again whenever language or shortcuts change, as long as `speaker` exists. Each repeated call is
-/// a separate event, which keeps the window responsive.
+/// Calls `updateText` at once, and on every change of language or shortcuts while `owner` exists. Each later call is
+/// a separate event, to keep the window responsive.
 void speak(QObject* speaker, std::function<void()> say);
 
 /// Updates all texts after the language or shortcuts have changed.

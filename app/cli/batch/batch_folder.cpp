@@ -15,7 +15,7 @@
 namespace angiopose::app {
 namespace {
 
-// Writing of batch tables; text fields are quoted according to RFC 4180.
+// Writes the batch tables as CSV (RFC 4180).
 
 std::string quoted(const std::string& text)
 {
@@ -31,7 +31,7 @@ std::string milliseconds(double value)
     return std::isfinite(value) ? "," + core::fixedText(value, 1) : ",";
 }
 
-/// Results, which are reproducible: the header row and the row of one case; `outcome` null: the outcome is missing.
+/// Columns of reproducible results: header row, and row of one case (`outcome` is null if it is missing).
 std::string summaryHeader()
 {
     std::string header = "row,name,case,status,method,views";

@@ -20,7 +20,7 @@ struct BatchJob {
     std::optional<int> frame;   ///< if empty, the frame of the case
     std::vector<std::string> settings;   ///< "name=value" pairs; see io::CaseSettings
     std::string folder;   ///< output folder used by this row only
-    std::string asked;   ///< everything that determines the outcome except the inputs, as JSON text; see askedOf
+    std::string asked;   ///< everything except the inputs that determines the outcome, as JSON; see askedOf
     bool isResumed = false;   ///< keep an existing outcome that is up to date
     bool isWithoutPictures = false;
 };

@@ -21,7 +21,7 @@ struct Condition {
 /// Makes trial number `trial`; the trial does not depend on the method, the thread or the shard.
 using TrialMaker = std::function<Trial(std::uint64_t trial)>;
 
-/// Success criterion of a registration.
+/// Criterion by which a registration counts as successful.
 enum class Success { ProjectionWithin5Px, RayDistanceWithin2Mm, ProjectionWithin1Px };
 
 /// One protocol of ALGORITHMS §4.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t fewestSettings = 4;   // minimum for an ablation; fewer settings are a comparison
 
-/// The three settings of a DynaWeightPnP contestant.
+/// The three settings of DynaWeightPnP that an ablation varies.
 struct AblationSetting {
     std::string label;
     PriorPreset preset = PriorPreset::SeedSum;

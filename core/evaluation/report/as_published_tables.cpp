@@ -61,7 +61,7 @@ std::string agreementCell(const Measured& measured, const PublishedErrors& publi
     return outside.empty() ? "yes" : outside;
 }
 
-/// Why a method of ours differs from its published figures, and which settings show it.
+/// Reason why our implementation of a method differs from its published figures, and which settings show it.
 struct Explanation {
     std::string_view method;
     std::string_view text;
@@ -108,7 +108,7 @@ std::vector<std::string> cellsOf(const std::string& label, const RunGroup& group
             agreementCell(measured, published)};
 }
 
-/// Why PR is taken to the nearest point: what this run itself shows.
+/// Returns the reason why PR is measured to the nearest point, with evidence from these runs.
 std::string measureNote(const RunGroups& groups, const Condition& condition)
 {
     std::string reason =

@@ -44,7 +44,7 @@ public:
     const Protocol& protocol() const { return *protocol_; }
     /// Returns the conditions present in the runs, in the protocol's order, or sorted by id if the protocol has none.
     const std::vector<Condition>& conditions() const { return conditions_; }
-    int anatomyCount() const { return anatomyCount_; }   ///< the protocol's, or the runs' if it makes no trials
+    int anatomyCount() const { return anatomyCount_; }   ///< from the protocol, or from the runs if it makes no trials
     const std::vector<std::string>& methods() const { return methods_; }   ///< in order of appearance
     const RunGroup& of(const Condition& condition, const std::string& method) const;
 

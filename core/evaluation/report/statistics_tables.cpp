@@ -11,7 +11,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double sameMm = 1e-6;   // smaller differences are rounding errors
-constexpr int fewestAnatomies = 6;   // with fewer anatomies, not even N wins out of N are significant at 5 %
+constexpr int fewestAnatomies = 6;   // minimum at which winning on all anatomies is significant at 5 %
 
 RunValue comparedValue(const Protocol& protocol)
 {

@@ -19,7 +19,7 @@ PixelJacobian pixelJacobian(const ProjectionCamera& camera, const Eigen::Vector3
     return projectionJacobian(camera, pointInCamera) * motion;
 }
 
-/// Variance of the mean over many points, times their number. Noise correlated between neighbors averages out slowly.
+/// Returns the variance of the mean over many points, times their number; correlated noise averages out slowly.
 double effectiveVariancePx2(const TracingNoise& noise)
 {
     const double kept = noise.correlationPoints > 0.0 ? std::exp(-1.0 / noise.correlationPoints) : 0.0;

@@ -16,8 +16,8 @@ namespace angiopose::core {
 
 inline constexpr double unknownMeasure = std::numeric_limits<double>::quiet_NaN();
 
-/// Performance of one method in one trial. Without a result the errors are those of the initial pose. Lengths in px are
-/// in the image, lengths in mm at the depth of the tree's centroid; errors as in evaluation/projection_error.
+/// Performance of one method in one trial. Without a result, the errors are those of the initial pose. Lengths in px
+/// refer to the image, lengths in mm to the depth of the tree's centroid; projection_error.h defines the errors.
 struct RunRecord {
     std::string condition;   ///< Condition::id
     std::string method;   ///< Contestant::label
@@ -36,30 +36,30 @@ struct RunRecord {
     double closestMeanPx = unknownMeasure;   ///< the seed's "PR", as its figures show
     double reverseMeanPx = unknownMeasure;   ///< target points to the nearest tree point
     double coverage = unknownMeasure;
-    // What is true
+    // Errors relative to the ground truth
     double meanPx = unknownMeasure, rmsPx = unknownMeasure, medianPx = unknownMeasure, p75Px = unknownMeasure,
-           p95Px = unknownMeasure;   ///< projection distances to the true partners
+           p95Px = unknownMeasure;   ///< projection distances between corresponding points
     double meanMm = unknownMeasure;
-    double shareAbove5Px = unknownMeasure;   ///< of the tree points
+    double shareAbove5Px = unknownMeasure;   ///< fraction of the tree points
     double mtreMm = unknownMeasure, mtreInPlaneMm = unknownMeasure, mrpdMm = unknownMeasure;
     double angleDeg = unknownMeasure, outOfPlaneDeg = unknownMeasure, inPlaneDeg = unknownMeasure;
     double seedDistanceMm = unknownMeasure;
     double centroidInPlaneMm = unknownMeasure, centroidDepthMm = unknownMeasure;
     double nees = unknownMeasure;   ///< eᵀΣ⁻¹e of the reported covariance
     double boundRmsPx = unknownMeasure;   ///< rms projection distance at the Cramér–Rao bound
-    // Differs from run to run
+    // Times, which differ from run to run
     double traceMs = unknownMeasure, targetMs = unknownMeasure, searchMs = unknownMeasure, solveMs = unknownMeasure,
            totalMs = unknownMeasure;
-    double processorMs = unknownMeasure;   ///< of the thread that registered
+    double processorMs = unknownMeasure;   ///< CPU time of the registering thread
 
-    std::vector<double> history;   ///< mean projection distance in px after each report; the first trials only
+    std::vector<double> history;   ///< mean projection distance in px at each progress report; only in the first trials
 };
 
-/// One number of a record: tables, files and plots loop over these.
+/// A numeric field of a run record; tables, files and plots iterate over these fields.
 struct RunField {
     std::string_view name;   ///< column in files
     double RunRecord::*value = nullptr;
-    bool isTime = false;   ///< not repeatable, kept in a file of its own
+    bool isTime = false;   ///< whether it is a time, which is not reproducible and stored in a separate file
 };
 
 std::span<const RunField> runFields();
@@ -71,42 +71,42 @@ struct RunSet {
     std::vector<RunRecord> runs;
 };
 
-/// What a pose is judged by, where the true one is known.
+/// Ground truth with which a pose is compared.
 struct Truth {
     const VesselTree& tree;   ///< projection distances are measured on its points
     const ProjectionCamera& camera;
     RigidTransform cameraFromPatient;
-    std::vector<Eigen::Vector3d> targetsInPatient;   ///< of mTRE and mRPD
-    /// Where vessels that are no rigid body truly lay, point for point those of `tree`, as seen with
-    /// `cameraFromPatient`: then distances are measured to it, and its points are the targets. Null: as `tree`.
+    std::vector<Eigen::Vector3d> targetsInPatient;   ///< target points for mTRE and mRPD
+    /// True positions of non-rigidly deformed vessels at `cameraFromPatient`, point by point as in `tree`. If set,
+    /// distances are measured to this tree and its points are the targets; null for rigid vessels.
     const VesselTree* deformedTree = nullptr;
 };
 
-/// Errors of the start pose.
+/// Computes the errors of the initial pose.
 void measureStart(const Truth& truth, const RigidTransform& start, RunRecord& record);
 
-/// Errors of the pose that was found: projection distances, target errors, and those of the pose itself.
+/// Computes the errors of the estimated pose: projection distances, target errors and pose errors.
 void measurePose(const Truth& truth, const RigidTransform& found, RunRecord& record);
 
-/// The same of a tree that was bent, as seen with the pose that was found: distances and target errors are those of the
-/// bent tree where it is known how the vessels lay, else of the rigid one.
+/// Does the same for a deformed tree at the estimated pose. Distances and target errors are those of the deformed tree
+/// if the true deformation is known, otherwise those of the rigid tree.
 void measureDeformed(const Truth& truth, const RigidTransform& found, const VesselTree& deformed, RunRecord& record);
 
-/// The normalised squared error of the pose by its reported covariance.
+/// Computes the normalized squared error of the pose from its reported covariance.
 void measureCovariance(const Truth& truth, const RegistrationResult& result, RunRecord& record);
 
-/// What the method says of itself, without any truth.
+/// Copies the quality measures and times reported by the method, which require no ground truth.
 void noteResult(const RegistrationResult& result, RunRecord& record);
 
-/// One registration of an experiment: what the methods get, and what only the judge knows.
+/// One registration of an experiment: the input of the methods and the ground truth for the evaluation.
 struct Trial {
     RegistrationInput input;
-    std::shared_ptr<const VesselTree> tree;   ///< errors are measured on its points; input.tree may lack branches
+    std::shared_ptr<const VesselTree> tree;   ///< errors are computed at its points; input.tree may lack branches
     RigidTransform trueCameraFromPatient;
-    bool hasRightAnswer = true;   ///< false: no pose is right, a method can only say so; its errors stay unknown
-    bool targetIsExact = false;   ///< every target point is the projection of a tree point
-    std::optional<Matrix6d> errorBound;   ///< Cramér–Rao covariance about the tree's centroid, where it is known
-    std::optional<double> traceMs;   ///< to get the target from the image, where there was one
+    bool hasRightAnswer = true;   ///< false if no pose is correct; the errors are then unknown
+    bool targetIsExact = false;   ///< whether every target point is the projection of a tree point
+    std::optional<Matrix6d> errorBound;   ///< Cramér–Rao covariance about the tree's centroid, if known
+    std::optional<double> traceMs;   ///< time for tracing the target, if it was traced from an image
 };
 
 }   // namespace angiopose::core

@@ -25,8 +25,8 @@ public:
     /// Returns the harmonic mean of the two fractions, 0…1.
     double of(const CentroidPose& pose);
 
-    /// Returns the same score if the contrast agent may have opacified only part of the tree (ALGORITHMS §6.17):
-    /// territories that match no traced vessel are excluded from both fractions.
+    /// Returns the same score for a tree that may be only partly opacified (ALGORITHMS §6.17): excludes territories
+    /// that match no traced vessel from both fractions.
     FilledAgreement ofFilled(const CentroidPose& pose);
 
     /// Returns the segmentation of the tree between bifurcations; built on first use.

@@ -8,7 +8,7 @@
 
 namespace angiopose::core {
 
-/// Result of evaluating one pose.
+/// Evaluation of the alignment at one pose.
 struct Agreement {
     NormalEquations equations;   ///< normal equations of Σ w r² for steps about the pose, weights frozen
     double loss = 0.0;   ///< Σ 2ℓ² v (1 − w); a point outside the image or with a crossing direction costs the maximum
@@ -37,7 +37,7 @@ public:
     void evaluate(const CentroidPose& pose, double scalePx, Agreement& agreement) const;
 
     /// Like evaluate, but also matches target lines to the tree (ALGORITHMS §6.6 b): every target line attracts its
-    /// closest branch, which makes the whole image count instead of only the lines nearest to a tree point.
+    /// closest branch, so that the whole image counts instead of only the lines nearest to a tree point.
     void searchBothDirections(const CentroidPose& pose, double scalePx, Agreement& agreement);
 
     /// Returns the loss only, without building the normal equations.
@@ -54,7 +54,7 @@ public:
     /// NaN outside the image.
     void collectAgreement(const CentroidPose& pose, double scalePx, std::vector<double>& agreement) const;
 
-    /// Residual across the line (px) of every point; NaN where no line with a similar direction is within `limitPx`.
+    /// Collects the residual of each point across its line, px; NaN without a similarly directed line within `limitPx`.
     void collectResiduals(const CentroidPose& pose, double limitPx, std::vector<double>& residuals) const;
 
     /// Median distance to the nearest line point, px; infinite when most points do not project.

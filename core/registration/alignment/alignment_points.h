@@ -8,7 +8,7 @@
 
 namespace angiopose::core {
 
-/// Smallest stride that leaves at most `wanted` of `count` points.
+/// Returns the smallest stride that keeps at most `wanted` of `count` points.
 std::size_t strideFor(std::size_t count, std::size_t wanted);
 
 /// Every `stride`-th tree point.

@@ -19,7 +19,7 @@ constexpr std::size_t keptPerOrientation = 3;
 [[maybe_unused]] constexpr std::size_t maxSearchPoints = 257;   // keeps sums of bytes within 16 bits
 constexpr double basinPx = 24.0;
 constexpr double basinSteps = 0.75;   // rotational size of a basin, in rotation steps
-constexpr double beyondHalfImage = 0.6;   // fraction of the image side; starts farther out are recentered first
+constexpr double beyondHalfImage = 0.6;   // fraction of the image side; initial poses farther out are recentered first
 
 }   // namespace
 

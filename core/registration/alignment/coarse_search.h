@@ -28,7 +28,7 @@ public:
     CoarseSearch(const ProjectionCamera& camera, const TargetLines& target, double closenessPx = 11.0);
 
     /// Returns the best candidate of each basin, best first. `proceed` receives the completed fraction after each tilt;
-    /// Stop ends the search with the candidates found so far.
+    /// on Stop, the search returns the candidates collected so far.
     std::vector<CoarseCandidate> find(std::span<const AlignmentPoint> points, const CentroidPose& start,
                                       const SearchReach& reach, const std::function<Verdict(double)>& proceed) const;
 

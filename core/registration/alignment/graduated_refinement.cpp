@@ -7,7 +7,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double settledRefinementMm = 1e-3;   // a step this short ends the refinement; about 0.003 px
-// The loss jitters because matches switch between lines. Tolerance per point:
+// Tolerance per point for the jitter of the loss, which is caused by matches that switch between lines:
 constexpr double jitter = 5e-3;   // times ℓ²; a smaller rise is ignored. Losing the point costs 400 times as much
 constexpr double settledGainPx2 = 1e-4;   // a step with a smaller predicted gain is lost in the jitter
 constexpr double noiseMattersPx = 5.0;   // at larger scales the noise is negligible

@@ -13,7 +13,7 @@ struct RefinementSchedule {
     double endScalePx = 0.7;   ///< lower limit; the residual noise may end the refinement at a larger scale
     double shrink = 0.7;
     int stepsPerScale = 2;
-    int lastSteps = 0;   ///< maximum number of extra steps at the final scale, until the projection stops moving
+    int lastSteps = 0;   ///< maximum number of additional steps at the final scale, until convergence
     int maxSteps = 60;
     bool bothWays = false;   ///< whether target lines are also matched to the tree (§6.6 b)
 };
@@ -33,7 +33,7 @@ struct RefinementResult {
 };
 
 /// Refines a pose by graduated non-convexity: damped Gauss–Newton on the Welsch loss with a shrinking scale. Rejects
-/// steps that raise the loss by more than the jitter caused by switching matches.
+/// steps that raise the loss by more than the jitter that switching matches cause.
 RefinementResult refine(Alignment& alignment, const StartPrior& prior, const CentroidPose& start,
                         const RefinementSchedule& schedule, const RefinementObserver& observe = {});
 

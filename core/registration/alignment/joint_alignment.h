@@ -8,7 +8,7 @@
 
 namespace angiopose::core {
 
-/// Pose of one tree in several views: the pose in the first view and small corrections of the geometry to the others.
+/// Pose of one tree in several views: the pose in the first view and small corrections of the relative geometry.
 struct JointPose {
     CentroidPose first;
     std::vector<Vector6d>
@@ -24,7 +24,7 @@ struct PlacedCamera {
 /// Returns the pose of the tree in view `view`.
 CentroidPose poseInView(const JointPose& joint, std::span<const PlacedCamera> geometry, std::size_t view);
 
-/// Combines the normal equations of all views. The parameters are the step of the first view's pose, then six
+/// Combines the normal equations of all views. The parameters are the step of the first view's pose, followed by six
 /// correction parameters for each further view. Corrections are applied after cameraFromFirst; a step of the first pose
 /// is therefore rotated by cameraFromFirst and the correction.
 StackedEquations stacked(std::span<const NormalEquations> perView, const JointPose& joint,

@@ -42,7 +42,7 @@ public:
     /// Transforms a pose in view `view` to the first view.
     CentroidPose inFirst(const RigidTransform& pose, std::size_t view) const;
 
-    /// Initial pose of a view, rotated to match a pose in the first view and the geometry.
+    /// Returns the initial pose of a view, rotated to agree with a pose in the first view and the relative geometry.
     RigidTransform turnedLike(const RigidTransform& poseInFirst, std::size_t view) const;
 
     /// Returns the joint pose in which every view has the given pose, regardless of how large the corrections become.

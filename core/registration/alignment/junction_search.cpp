@@ -25,7 +25,7 @@ constexpr int minLikeWays = 2;   // minimum number of matching directions, of th
 constexpr double endOn = 0.3;   // directions nearly along the ray carry no information in the image
 constexpr int junctionCellPx = 8;
 constexpr double meetingPx = 12.0;
-constexpr std::size_t maxBaseTrials = 60'000'000;   // compared bases plus looked-up nodes: well below a second
+constexpr std::size_t maxBaseTrials = 60'000'000;   // compared bases plus looked-up nodes; takes well below a second
 constexpr std::size_t maxJunctions = 200;   // maximum number of junctions used to form bases
 constexpr std::size_t fitsPerTilt = 6;
 constexpr std::size_t usedJunctionPoints = 90;
@@ -49,7 +49,7 @@ double sectorsOf(const Eigen::Vector2d& direction)
     return std::atan2(direction.y(), direction.x()) * sectors / (2.0 * std::numbers::pi);
 }
 
-/// Rotates the optical axis onto the ray through a place and thereby moves the view at this place to the image center.
+/// Returns the rotation of the optical axis onto the ray through a point, which centers that point in the image.
 Eigen::Matrix3d towards(const Eigen::Vector3d& inCamera)
 {
     return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), inCamera).toRotationMatrix();
@@ -259,7 +259,7 @@ double JunctionSearch::closeness(const CentroidPose& pose) const
     return sum / static_cast<double>(points_.size());
 }
 
-/// Converts the fit of a tree seen with rotation `view` to a pose.
+/// Converts the fit of a tree viewed with rotation `view` to a pose.
 CentroidPose JunctionSearch::poseOf(const Fit& fit, const Eigen::Matrix3d& view, double depthMm) const
 {
     CentroidPose pose;

@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    /// Returns, for each curve that passes within touching distance, its nearest point, in the order of the curves.
+    /// Returns, for each curve within the maximum gap of a position, its nearest point, in the order of the curves.
     std::vector<std::size_t> meetingAt(const Vector& place) const
     {
         std::vector<std::size_t> nearest;

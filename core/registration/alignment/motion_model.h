@@ -8,7 +8,7 @@
 namespace angiopose::core {
 
 /// Predicts the pose in the next frame (ALGORITHMS §6.11). The recent steps define the direction of breathing; the
-/// model expects the tree to keep its last speed along this direction and to stay in place across it.
+/// predicted pose keeps the last speed along this direction and stays in place perpendicular to it.
 class MotionModel {
 public:
     /// Standard deviations of the frame-to-frame motion around the prediction.

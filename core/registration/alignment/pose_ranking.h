@@ -18,10 +18,10 @@ struct ScoredPose {
 /// Whether parts of the tree may be unopacified (ALGORITHMS §6.17).
 enum class TreeFilling { Whole, InParts };
 
-/// Ranks hypotheses by how well they explain the image, after a coarse refinement with few points down to a scale of a
-/// few pixels. The thresholds were measured on 60 wrong optima for each of 60 simulated trees: none of these scored
-/// above 0.56, while true poses score 0.96 on clean targets, 0.6 to 0.87 with missing vessels and clutter, and 0.3 to
-/// 0.65 on traced angiograms, where most thin vessels are not traced.
+/// Ranks hypotheses by how well they explain the image after a coarse refinement with few points, down to a scale of a
+/// few pixels. The thresholds were measured on 60 wrong optima for each of 60 simulated trees: none of these had a
+/// score above 0.56, while true poses score 0.96 on clean targets, 0.6 to 0.87 with missing vessels and clutter, and
+/// 0.3 to 0.65 on traced angiograms, where most thin vessels are not traced.
 class PoseRanking {
 public:
     static constexpr RefinementSchedule schedule{14.0, 2.5, 0.6, 2, 0, 40};
@@ -32,7 +32,7 @@ public:
     /// Refines the hypothesis and adds it to the ranking.
     void add(const CentroidPose& hypothesis);
 
-    /// Like add, for a hypothesis in which only parts of the tree lie on vessels: branches without a matching vessel do
+    /// Like add, for a hypothesis in which only parts of the tree lie on vessels; branches without a matching vessel do
     /// not contribute.
     void addFilled(const CentroidPose& hypothesis);
 

@@ -22,14 +22,14 @@ public:
     /// Searches all shifts and rotations of up to 30° in coarse steps.
     std::vector<CentroidPose> wide(const CentroidPose& start, const SearchObserver& observe) const;
 
-    /// Scores only how well the tree explains the traced vessels, regardless of how much of the tree is opacified;
-    /// medium range and step size.
+    /// Searches a medium range; scores only how well the tree explains the traced vessels, regardless of how much of
+    /// the tree is opacified.
     std::vector<CentroidPose> ofTerritories(const CentroidPose& start, const SearchObserver& observe) const;
 
     /// Searches the full range by matching bifurcations.
     std::vector<CentroidPose> byJunctions(const CentroidPose& start, const SearchObserver& observe) const;
 
-    /// Searches the nearby range with the auxiliary branches {p'} only.
+    /// Searches the error range of the initial pose with the auxiliary branches {p'} only.
     std::vector<CentroidPose> ofAuxiliary(const CentroidPose& start, const SearchObserver& observe) const;
 
     /// Initial pose shifted to project the tree's centroid onto the middle of the traced vessels (ALGORITHMS §5.4).

@@ -22,7 +22,7 @@ struct PointInCamera {
     double u, v;   ///< pixel position
     double su, sv;   ///< unit direction of the point's branch in the image
     bool isInFront = false;   ///< whether the point is in front of the source; otherwise the other values are undefined
-    bool hasDirection = false;   ///< false if the branch is seen end-on at this point
+    bool hasDirection = false;   ///< false if the branch runs along the ray at this point
 };
 
 /// Minimum projected length of a unit tangent; shorter ones carry no direction (§6.3).

@@ -4,7 +4,7 @@
 
 namespace angiopose::core {
 
-/// Components of the residual noise along the branches.
+/// Noise components of the residuals along the branches.
 struct ResidualNoise {
     double scatterPx = 0.0;   ///< standard deviation within short stretches
     double correlationPoints = 1.0;   ///< correlation length of the scatter, points

@@ -7,9 +7,9 @@
 namespace angiopose::core {
 
 /// Residual model of a smoothly deformed tree: a Gaussian random field in the image plane, correlated over about 40 mm
-/// in space, displaces the projected vessels from their true positions. The field is constant over short blocks of a
-/// branch. All values are in units of information: weights are divided by the variance of a row, and the prior adds
-/// 1/σ². The parameters are the 6 of the pose, optionally followed by 3 of the camera.
+/// in space, displaces the projected vessels. The field is constant over short blocks of a branch. All values are in
+/// units of information: weights are divided by the variance of a row, and the prior adds 1/σ². The parameters are the
+/// 6 of the pose, optionally followed by 3 of the camera.
 template <int Parameters>
 class ShapeFieldOf {
 public:

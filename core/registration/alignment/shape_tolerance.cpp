@@ -12,7 +12,7 @@ namespace {
 constexpr double matchScalePx = 1.5;   // Welsch scale for matching; its cutoff admits points up to 6 px away
 constexpr double scaleFactor = 3.0;   // Welsch scale at which Gaussian residuals keep nearly all their weight
 constexpr int maxShapeSteps = 8;
-constexpr double settledShapeSigmas = 0.1;   // the following steps are even smaller
+constexpr double settledShapeSigmas = 0.1;   // a step this short, in standard deviations, ends the refinement
 constexpr double minShapeDamping = 1e-9;
 // Eigenvalue fraction of vessels within about 6° (RMS) of one direction: traced directions scatter by this much, and
 // such vessels do not constrain a shift along them.

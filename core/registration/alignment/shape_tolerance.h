@@ -12,8 +12,8 @@ namespace angiopose::core {
 CentroidPose refineTolerantly(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose,
                               double scalePx);
 
-/// Standard deviation of the deformation field estimated from the residuals at a pose, px; 0 where whole stretches
-/// match their vessels.
+/// Standard deviation of the deformation field estimated from the residuals at a pose, px; 0 if whole stretches match
+/// their vessels.
 double likelyOffsetOf(const Alignment& alignment, const CentroidPose& pose);
 
 /// Information about the pose in the residuals at that pose, without the prior; normal equations in units of

@@ -32,7 +32,7 @@ public:
     double lengthMm(std::size_t piece) const { return lengthMm_[piece]; }
 
 private:
-    /// Tree node; segments come first in the numbering, then junctions, and every node follows its parent.
+    /// Tree node, numbered with the segments first and then the junctions; every node follows its parent.
     struct Node {
         int number;
         int above;   ///< parent node; −1 for a root

@@ -111,7 +111,7 @@ void CurveCrossings::find(const CrossingQuery& query, double greatestTurn, std::
 {
     crossings.clear();
     const double minCosine = std::cos(greatestTurn);
-    // Bands of cells along the longer axis of the line; pieces extend at most one cell beyond their own.
+    // Bands of cells along the longer axis of the line; no piece extends more than one cell beyond its first cell.
     const bool isSteep = std::abs(query.normal.y()) > std::abs(query.normal.x());
     const int bands = isSteep ? rows_ : columns_;
     const int lanes = isSteep ? columns_ : rows_;

@@ -105,7 +105,7 @@ double rmsApartMm(const DeformationProblem& problem, const DeformationFit& a, co
     return std::sqrt(squares / static_cast<double>(here.size()));
 }
 
-/// Whether further fits would give the same result.
+/// Whether the fits so far make further ones unnecessary.
 bool areEnough(const DeformationProblem& problem, const std::vector<DeformationFit>& runs)
 {
     return runs.size() == 1 ? logEvidenceGain(problem, runs.front()) < clearlyRigidGain

@@ -44,7 +44,7 @@ struct BranchMotion {
     double seenShare = 0.0;   ///< fraction of the branch length that matches a traced vessel in at least one view, 0…1
 };
 
-/// Rigid component of a deformation, reported without changing the rigid pose.
+/// Rigid component of a deformation; reported only, the rigid pose stays unchanged.
 struct RigidOffset {
     Vector6d step = Vector6d::Zero();   ///< to the pose nearest to the deformed tree, about the centroid; rad, mm
     Matrix6d covariance = Matrix6d::Zero();   ///< covariance of that step
@@ -72,7 +72,7 @@ struct DeformableResult {
     StopReason stopReason = StopReason::Converged;
     int iterations = 0;
     double timeMs = 0.0;
-    Messages messages;   ///< describe the relative motion and the reason for an unsure result
+    Messages messages;   ///< describe the relative motion and why a result is unsure
 };
 
 /// Deforms the tree from its rigid pose onto the vessels. Jointly estimates the pose and a Gaussian process of motion,

@@ -44,7 +44,7 @@ struct DeformationStep {
     double annealingMm = 0.0;   ///< 1-σ added to the tracing noise
     double strain = 0.15;   ///< assumed strain between neighboring knots, see NeighborModel
     bool isLearning = false;   ///< whether variances and noise are estimated
-    bool isCoarse = false;   ///< only every other knot gives a row: sufficient while the noise is large
+    bool isCoarse = false;   ///< uses only every other knot, which suffices while the noise is large
 };
 
 /// One annealed fit. Each step evaluates the knots, matches them along the tree, and solves jointly for pose and motion

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 
 /// Tracks deformed vessels through a cine run (ALGORITHMS §11.6). Each frame starts from the deformation of the
-/// previous one and needs only a few steps, whereas a cold start takes three fits. If too little of the tree then
+/// previous one and needs only a few steps instead of the three fits of a cold start. If too little of the tree then
 /// matches a vessel, the frame is fitted from scratch.
 class DeformationTracker {
 public:

@@ -106,7 +106,7 @@ std::optional<MovedPart> movedPart(const VesselTree& tree, const DeformableResul
 constexpr double convincingGain = 10.0;   // minimum log evidence for deformation
 constexpr double greatestSpreadMm = 0.5;   // maximum difference between fits that match the same branches
 constexpr double minExplained = 0.4;   // minimum matched fraction of the visible tree
-constexpr double greatestResidualPx = 1.2;   // more than tracing noise explains: motion that was not captured
+constexpr double greatestResidualPx = 1.2;   // larger median residuals indicate motion that was not captured
 
 Message sideWord(const Eigen::Vector3d& direction)
 {

@@ -62,11 +62,11 @@ public:
     LinearBelief beliefWithPose(const Eigen::Matrix<float, 6, Eigen::Dynamic>& byMotion,
                                 const LinearBelief& pose) const;
 
-    /// Variances that maximize the evidence of the estimated motions (MacKay 1992): σ² = |w|²/γ with γ well-determined
+    /// Variances that maximize the evidence of the estimated motions (MacKay 1992): σ² = |w|²/γ with γ effective
     /// parameters; a weak prior keeps them finite.
     MotionVariances learnedVariances() const;
 
-    /// Number of parameters that the rows determine, that is, the degrees of freedom to subtract in a noise estimate.
+    /// Effective number of parameters that the rows determine: the degrees of freedom to subtract in a noise estimate.
     double determined() const;
 
 private:

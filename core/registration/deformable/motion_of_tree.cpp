@@ -14,7 +14,7 @@ namespace {
 // Larger residuals are motion that the field did not capture; they are correlated along a vessel, and averaging does
 // not reduce them.
 constexpr double tracingNoisePx = 0.6;
-constexpr double rivalLogLikelihood = 20.0;   // runs with a log likelihood lower by this count one third
+constexpr double rivalLogLikelihood = 20.0;   // a fit whose log likelihood is lower by this gets a third of the weight
 
 /// Every other knot of each branch, plus its last one: covariances change slowly along a branch.
 std::vector<std::size_t> everyOther(const TreeKnots& knots)

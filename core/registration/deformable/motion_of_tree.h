@@ -16,8 +16,8 @@ KnotPlaces placesInCamera(const DeformationProblem& problem, const DeformationFi
 /// Returns the weight of each fit from its likelihood relative to the best one; the weights sum to 1.
 std::vector<double> sharesOfRuns(const std::vector<DeformationFit>& runs, std::size_t best);
 
-/// Returns the factor, at least 1, by which to scale up the covariances of a fit, because motion that its field did not
-/// capture does not average out.
+/// Returns the factor, at least 1, by which to scale up the covariances of a fit to account for motion that its field
+/// did not capture and that does not average out.
 double inflationOf(const DeformationFit& fit);
 
 /// Builds the result of the best of several fits: the nearest rigid pose, the remaining motion of every tree point, and

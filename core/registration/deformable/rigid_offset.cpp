@@ -60,7 +60,7 @@ LinearBelief beliefAboutStep(const DeformationProblem& problem, const Deformatio
         byMotion.middleCols<3>(3 * k) = nearest.middleCols<3>(3 * k) * problem.start.rotation;
     }
     return posterior.beliefWithPose(byMotion.cast<float>(),
-                                    problem.startStep);   // the nearest step to a rigid step is that step
+                                    problem.startStep);   // for a rigid step, the nearest step is the step itself
 }
 
 /// Whether the views measure the depth: only several whose relative shift is known better than the shift of the pose.

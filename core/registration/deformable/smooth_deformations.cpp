@@ -19,7 +19,7 @@ struct PointTrack {
     std::vector<Eigen::Matrix3d> covariance;
 };
 
-/// Smoothed point track and its statistics of the steps.
+/// Smoothed point track with its step statistics.
 struct SmoothTrack {
     std::vector<Eigen::Vector3d> place;
     double squaredSteps = 0.0;   ///< sum of the expected squared steps per axis and frame interval

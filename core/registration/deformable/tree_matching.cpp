@@ -8,7 +8,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double unseenCost = 1.8;   // cost of an unmatched knot, equal to that of a candidate at the gate
-constexpr double greatestDifferenceCost = 6.0;   // neighbors may differ: crossing vessels, wrong candidates
+constexpr double greatestDifferenceCost = 6.0;   // upper limit, because of crossing vessels and wrong candidates
 constexpr double appearCost = 2.0;   // cost if only one of two neighboring knots is matched
 constexpr double otherCurveCost = 0.3;   // cost of switching curves between neighbors; traced curves break at crossings
 

@@ -15,7 +15,7 @@ struct KnotCandidate {
     double probability = 0.0;   ///< posterior given all knots: the output
 };
 
-/// Candidates of one knot in one view before matching; a knot without candidates is unmatched.
+/// Candidates of one knot in one view, before matching; a knot without candidates remains unmatched.
 struct KnotChoice {
     Eigen::Vector2d normal = Eigen::Vector2d::Zero();   ///< normal of the projected vessel
     std::vector<KnotCandidate> candidates;

@@ -8,9 +8,9 @@
 
 namespace angiopose::core {
 
-/// Fisher information of a straight vessel segment about steps (rotation rad, shift mm) around `centerInCamera` in
-/// camera axes (ALGORITHMS §6.10): one point per px measures the distance across the vessel with 1 px noise. Zero if
-/// the segment does not project.
+/// Returns the Fisher information of a straight vessel segment for pose steps (rotation rad, shift mm) about
+/// `centerInCamera` in camera axes (ALGORITHMS §6.10), given one traced point per px with 1 px noise across the vessel.
+/// Zero if the segment does not project.
 Matrix6d pieceInformation(const ProjectionCamera& camera, const Eigen::Vector3d& fromInCamera,
                           const Eigen::Vector3d& toInCamera, const Eigen::Vector3d& centerInCamera);
 

@@ -5,12 +5,12 @@
 
 namespace angiopose::core {
 
-/// Extent to which the tree runs along traced vessels continuously instead of only crossing them.
+/// Extent to which the tree follows traced vessels continuously instead of merely crossing them.
 struct FollowedVessels {
     double inViewMm = 0.0;   ///< tree length inside the image
     double followedMm = 0.0;   ///< length of the stretches along traced vessels, each at least `shortestRunMm` long
     int branchesInView = 0;   ///< number of branches with at least `shortestRunMm` inside the image
-    int branchesFollowed = 0;   ///< number of these that follow vessels over at least half of that length
+    int branchesFollowed = 0;   ///< number of those branches that follow vessels over at least half of that length
 
     double share() const { return inViewMm > 0.0 ? followedMm / inViewMm : 0.0; }
 };

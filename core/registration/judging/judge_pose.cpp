@@ -19,7 +19,7 @@ namespace angiopose::core {
 
 namespace {
 
-/// Pose, represented by the projection of the tree and its uncertainty.
+/// Pose with the tree projected at it and its uncertainty.
 struct PoseInImage {
     const RegistrationProblem& problem;
     const TargetLines& target;
@@ -86,7 +86,7 @@ FitSigns fitSigns(const PoseInImage& seen, const RegistrationOptions& options, c
     return signs;
 }
 
-constexpr double settledMm = 0.3;   // maximum in-place shift of a pose that carries information about its camera
+constexpr double settledMm = 0.3;   // maximum shift by refinement for which the camera is assessed
 
 bool anyIsOpacified(const MethodSolution& solution)
 {

@@ -14,12 +14,12 @@ struct ObservedDiameter {
     double correlation = 0.0;   ///< correlation of the log widths along the vessels; 0 if either is constant
 };
 
-/// `projected` is the tree at that pose. Contains no pairs if tree or target has no widths.
+/// Compares widths at a pose with projection `projected`; returns no pairs if tree or target lacks widths.
 ObservedDiameter observedDiameter(const RegistrationProblem& problem, const TargetLines& target,
                                   const RigidTransform& cameraFromPatient, const ProjectedTree& projected);
 
 /// Whether the traced curves are opacified vessels rather than a guidewire or catheter: about as wide as expected, and
-/// wide or narrow where the tree is, which no device is (ALGORITHMS §6.16).
+/// varying in width along with the tree, unlike any device (ALGORITHMS §6.16).
 bool isLumen(const ObservedDiameter& diameter);
 
 }   // namespace angiopose::core

@@ -12,9 +12,9 @@ struct PoseKnowledge {
     std::optional<CameraEvidence> camera;   ///< nullopt if the camera is treated as exact
 };
 
-/// Covariance of the pose from the residuals across the vessels, their correlation along the branches, the prior of the
-/// initial pose (ALGORITHMS §6.10), and the camera errors (§6.18). A degree of freedom counts as observed if the image
-/// alone gives less than half the standard deviation of the prior.
+/// Estimates the pose covariance from the residuals across the vessels, their correlation along the branches, the prior
+/// of the initial pose (ALGORITHMS §6.10), and the camera errors (§6.18). A degree of freedom counts as observed if the
+/// image alone gives less than half the standard deviation of the prior.
 PoseKnowledge poseKnowledge(const RegistrationProblem& problem, const TargetLines& target,
                             const RigidTransform& cameraFromPatient, const StartPrior& prior);
 

@@ -15,7 +15,7 @@ constexpr double minAgreement = 0.37;   // harmonic mean of the explained fracti
 // The same threshold for the apparently opacified parts of a tree. It is higher because these parts were selected by
 // their agreement. Measured on synthetic trees (foreign_targets_table --family development).
 constexpr double minFilledAgreement = 0.55;
-constexpr int minFilledForks = 2;   // a catheter or a single vessel fits in many places
+constexpr int minFilledForks = 2;   // because a catheter or a single vessel fits many positions
 constexpr double maxSettlingMm = 1.3;
 constexpr double maxExpectedErrorMm = 1.2;
 constexpr double maxRivalMm = 2.0;   // alternatives closer than this are clinically equivalent
@@ -35,7 +35,7 @@ Quantity percent(double share)
     return {100.0 * share, 0, "%"};
 }
 
-/// Warning for a tree that lies on vessels but covers only a tiny part of them: a different tree or a wrong unit.
+/// Returns the low-agreement warning; a tree on vessels that covers few of them is another tree or in a wrong unit.
 Message littleAgreement(double shareOfTree, double shareOfVessels)
 {
     return shareOfTree >= wellFollowedShare

@@ -10,7 +10,7 @@ struct Trust {
 };
 
 /// Explains in clinical terms why a pose may be wrong; returns no messages if all checks pass. Requires the metrics,
-/// uncertainty, stop reason and indicators (signs) of `result`.
+/// uncertainty, stop reason and indicators of `result`.
 Trust judgeTrust(const RegistrationProblem& problem, const RegistrationResult& result);
 
 }   // namespace angiopose::core

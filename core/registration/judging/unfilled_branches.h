@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// Branches of which more than half of the part inside the image is unopacified. Takes one flag per tree point.
+/// Returns the branches more than half unopacified inside the image. Takes one flag per tree point.
 std::vector<UnopacifiedBranch> unopacifiedBranches(const TreeSamples& tree,
                                                    const std::vector<std::uint8_t>& isOpacified,
                                                    const std::vector<std::uint8_t>& isInView);
@@ -17,7 +17,7 @@ double shareFilled(const std::vector<std::uint8_t>& isOpacified);
 /// Fraction of the tree to which the distances of a result refer, 0…1; the rest is considered unopacified.
 double judgedShare(const RegistrationResult& result);
 
-/// Returns messages that name the unopacified branches if they are few; empty if there are none.
+/// Returns messages about the unopacified branches, naming the branches if there are only a few.
 Messages wordsOf(const std::vector<UnopacifiedBranch>& unopacified, double filledShare, std::size_t branchCount);
 
 }   // namespace angiopose::core

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double farthestMm = 1000.0;
 
-/// Log scale, because a ratio of distances means the same everywhere; distances below the floor are not distinguished.
+/// Log scale, because ratios of distances matter more than differences; distances below the floor count as equal.
 double logMm(double distanceMm, double floorMm)
 {
     return std::isfinite(distanceMm) ? std::log(std::clamp(distanceMm, 0.0, farthestMm) + floorMm)

@@ -9,7 +9,7 @@ namespace angiopose::core {
 
 inline constexpr std::size_t signCount = 15;
 
-/// Input of the probability: functions of the result's signs, distances and deformation, all finite.
+/// Returns the features of the probability model (indicators, distances and deformation), all finite.
 std::array<double, signCount> signVector(const RegistrationResult& result);
 
 /// Returns the names of the features, for tables.

@@ -46,7 +46,7 @@ public:
           envelope_(static_cast<std::size_t>(columns))
     {
         for (int k = 1; k < columns; ++k) {
-            halfInverse_[static_cast<std::size_t>(k)] = 0.5 / k;   // divisions would take half of the time
+            halfInverse_[static_cast<std::size_t>(k)] = 0.5 / k;   // divisions would take half of the run time
         }
     }
 

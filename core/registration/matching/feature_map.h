@@ -17,7 +17,7 @@ public:
     /// `pointsPx` must be finite and not empty.
     FeatureMap(std::vector<Eigen::Vector2d> pointsPx, int imageWidth, int imageHeight);
 
-    /// Returns the best result of the query's cell and its neighbors; exact if a point lies within one cell.
+    /// Compares the results of the query's cell and its neighbors; exact if a point lies within one cell.
     std::size_t nearestIndex(const Eigen::Vector2d& queryPx) const override;
     const std::vector<Eigen::Vector2d>& points() const override { return points_; }
 
@@ -25,7 +25,7 @@ public:
     std::size_t lookUp(double u, double v) const { return static_cast<std::size_t>(nearest_[cellOf(u, v)]); }
 
 private:
-    /// Truncates via int, which is faster than a direct conversion.
+    /// Truncates through int, which is faster than a direct conversion.
     static std::size_t whole(double value) { return static_cast<std::size_t>(static_cast<int>(value)); }
 
     std::size_t cellOf(double u, double v) const

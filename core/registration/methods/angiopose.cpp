@@ -118,7 +118,7 @@ void AngioPose::tryStart()
     }
 }
 
-/// Searches increasingly wide ranges until a pose explains the image.
+/// Searches increasingly large ranges until a pose explains the image.
 void AngioPose::searchFurther()
 {
     if (options_.angiopose.search && !ranking_.isConclusive()) {

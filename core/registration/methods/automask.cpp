@@ -116,8 +116,8 @@ struct SimplexDescent {
     int budget = 0;   ///< maximum number of evaluations
 };
 
-/// Restarts the simplex search at the previous result, with a new mask each time, until it brings no gain: a collapsed
-/// simplex alone does not prove a maximum. Returns true if it ended for lack of gain.
+/// Restarts the simplex search at the previous result, with a new mask each time, until the gain is negligible, because
+/// a collapsed simplex alone does not prove a maximum. Returns true if it ended for lack of gain.
 bool descend(const RegistrationProblem& problem, MaskedSimilarity& similarity, const SimplexDescent& descent,
              PoseTrials& search)
 {

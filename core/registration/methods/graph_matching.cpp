@@ -242,7 +242,7 @@ std::optional<Matched> GraphSearch::extended(const Matched& rest, const OpenBran
     return next;
 }
 
-/// All decisions for the first open branch, the last being that the image does not show it.
+/// Returns all possible decisions for the first open branch; the last one is that the image does not show it.
 std::vector<Matched> GraphSearch::successors(const Matched& state)
 {
     Matched rest = state;

@@ -44,7 +44,7 @@ double pairCost(const RegistrationProblem& problem, const std::vector<BranchPair
     return sum / count;
 }
 
-/// Finds the pose that aligns the pairs, with Euler angles and shift by L-BFGS; stores it in `search`.
+/// Finds the pose that best aligns the pairs by L-BFGS over Euler angles and shift, and stores it in `search`.
 void layOnto(const RegistrationProblem& problem, const std::vector<BranchPair>& pairs, PoseTrials& search)
 {
     MinimizeOptions lbfgs;

@@ -30,7 +30,7 @@ MethodSolver solveDtIcp;
 
 /// Baseline built from library components: repeats nearest-neighbor matching (nanoflann) and OpenCV's SQPNP (Terzakis,
 /// Lourakis 2020) until the pairs no longer change (ALGORITHMS §3.14). Fast and accurate if the whole tree is in the
-/// image and the initial pose is close; other methods must beat it.
+/// image and the initial pose is close; the baseline for other methods.
 MethodSolver solveAssembledIcp;
 
 /// Finds image edges along the normals of the vessel walls, selects a pose by RANSAC with a gradient-matching score,

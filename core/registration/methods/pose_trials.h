@@ -19,7 +19,7 @@ public:
     /// Records a trial pose and its cost; returns the cost.
     double note(const CentroidPose& pose, double cost);
 
-    /// Counts work without a trial pose to keep progress and stop requests responsive.
+    /// Counts work without a trial pose, so that progress reports and stop checks continue.
     void tick();
 
     /// Switches to a new cost: the best pose is kept until a better one by the new cost is found.

@@ -37,7 +37,7 @@ struct OptionField {
     OptionType type;
     std::vector<std::string_view> methods;   ///< ids of the methods that use the option; empty for all methods
     OptionValue (*read)(const RegistrationOptions&) = nullptr;
-    void (*write)(RegistrationOptions&, const OptionValue&) = nullptr;   ///< takes a value of its type
+    void (*write)(RegistrationOptions&, const OptionValue&) = nullptr;   ///< expects a value of the option's type
 };
 
 /// All options of all methods.

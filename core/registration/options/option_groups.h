@@ -2,7 +2,7 @@
 
 #include "core/registration/options/option_fields.h"
 
-// Option table in parts, one per family of methods.
+// Parts of the option table, one per family of methods.
 namespace angiopose::core::option_fields {
 
 /// Options shared by all or several methods.
@@ -41,7 +41,7 @@ std::vector<OptionField> graphFields();
 /// Options of registration to a single guidewire or catheter.
 std::vector<OptionField> wireFields();
 
-/// Options that close the table: random numbers.
+/// Options of the random number generator, the last rows of the table.
 std::vector<OptionField> closingFields();
 
 }   // namespace angiopose::core::option_fields

@@ -133,7 +133,7 @@ struct CvoOptions {
 struct BranchOptions {
     double reachPx = 40.0;   ///< 1-σ of the initial misalignment in the image
     int rounds = 50;
-    bool motion = true;   ///< move the vessels onto their partners afterwards and report the displacement
+    bool motion = true;   ///< deform the vessels onto the matched curves afterwards and report the displacement
 
     bool operator==(const BranchOptions&) const = default;
 };
@@ -196,7 +196,7 @@ struct WireOptions {
     bool operator==(const WireOptions&) const = default;
 };
 
-/// Errors of focal length and principal point: derived from their origin (ALGORITHMS §5.8), as given here, or none.
+/// Errors of focal length and principal point: by source of the values (ALGORITHMS §5.8), as given here, or none.
 enum class GeometrySpread { ByOrigin, Given, None };
 
 /// Camera errors that enter the covariance of every method, and reaction to a camera that the images contradict.

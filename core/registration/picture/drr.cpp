@@ -16,7 +16,7 @@ constexpr double unknownTubeRadiusMm = 1.5;
 constexpr std::size_t maxBodyVoxels = 700'000;
 constexpr double airHu = -1000.0;
 constexpr double minAirHu = -500.0;   // values below this show that a scan contains air and is in HU
-constexpr double minDenseHu = 300.0;   // above air; lower values belong to lung, which would add many voxels
+constexpr double minDenseHu = 300.0;   // above air; excludes the lung, which would add many voxels
 constexpr double tissueHu = 150.0;   // soft tissue without contrast agent; denser voxels contain it
 
 /// Adds a value to the four pixels around a position with bilinear weights.

@@ -8,7 +8,7 @@
 
 namespace angiopose::core {
 
-/// Voxels that are projected one by one.
+/// Voxels projected individually to render a DRR.
 struct XrayedVoxels {
     struct Voxel {
         Eigen::Vector3d place;   ///< position, patient LPS, mm
@@ -21,8 +21,8 @@ struct XrayedVoxels {
     ImageF from(const ProjectionCamera& camera, const RigidTransform& cameraFromPatient) const;
 };
 
-/// DRRs of the whole body in a CT: line integrals of a downsampled scan, with dense tissue bright on 0. For scans that
-/// are not in HU, integrates the values above the darkest one.
+/// DRRs of the whole body in a CT: line integrals of a downsampled scan, with dense tissue bright on a background of 0.
+/// For scans that are not in HU, integrates the values above the darkest one.
 class BodyDrr {
 public:
     /// `longestSidePx` limits the size of the DRRs, which cover the camera's field of view.

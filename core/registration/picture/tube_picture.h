@@ -15,7 +15,7 @@ ImageF pictureOf(const TargetSamples& target, int width, int height);
 /// Renders the tree projected by `camera`, each vessel at its radius, or 1 mm if unknown.
 ImageF pictureOf(const TreeSamples& tree, const ProjectionCamera& camera, const RigidTransform& cameraFromPatient);
 
-/// Returns the camera of the images that are downsampled by `halved`.
+/// Returns the camera for images at half the resolution.
 ProjectionCamera halved(const ProjectionCamera& camera);
 
 }   // namespace angiopose::core

@@ -7,8 +7,8 @@
 
 namespace angiopose::core {
 
-/// Returns the input image of intensity-based methods, in the camera's size: vessels bright on 0, the strongest about
-/// 1. Uses the background-corrected angiogram or, if there is none, the traced vessels drawn as tubes.
+/// Returns the input image of intensity-based methods, in the camera's size: vessels bright on a background of 0, the
+/// strongest about 1. Uses the background-corrected angiogram or, if there is none, the traced vessels drawn as tubes.
 ImageF vesselPicture(const RegistrationProblem& problem);
 
 /// Returns the image gradient at a pixel position by central differences of bilinear samples; zero outside the image.

@@ -23,7 +23,7 @@ Eigen::Vector2d pixelOf(const ProjectionCamera& camera, const AffineRows& map, c
             camera.fy * map.y.dot(homogeneous) / point.z() + camera.cy};
 }
 
-/// Sums of one iteration; both rows of the map share the weights but have their own focal length.
+/// Sums of one iteration; both rows of the map share the weights but differ in focal length.
 struct Round {
     Eigen::Matrix4d squares = Eigen::Matrix4d::Zero();
     Eigen::Vector4d towardsX = Eigen::Vector4d::Zero();
@@ -49,7 +49,7 @@ Round lookAround(const KernelProblem& problem, const std::vector<Eigen::Vector3d
     return round;
 }
 
-/// Pose closest to the map in the image: the partners are known, a wide kernel therefore acts as plain least squares.
+/// Returns the pose closest to the map in the image; with fixed matches, a wide kernel acts as plain least squares.
 RigidTransform rigidPart(const KernelProblem& problem, const RigidTransform& start, const AffineRows& map)
 {
     std::vector<Eigen::Vector3d> points;

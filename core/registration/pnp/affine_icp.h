@@ -9,7 +9,7 @@ struct AffineOptions {
     int maxIterations = 100;
 };
 
-/// Runs iterated closest points from `start` with an affine map of the camera frame that keeps depths unchanged (8
+/// Runs iterative closest point from `start` with an affine map of the camera frame that keeps depths unchanged (8
 /// parameters, linear least squares), then finds the rigid pose whose projection is closest to the mapped points
 /// (ALGORITHMS §3.6, option `affine`). The observer receives `start`, because there is no better rigid pose until the
 /// end.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int maxRounds = 5;
 constexpr double goodEnoughPx = 1.0;   // median distance ξ that ends the search (decision 3)
-constexpr double sameShare = 0.001;   // decision 1
+constexpr double sameShare = 0.001;   // relative change of the median distance that counts as none (decision 1)
 
 // Fractions of the progress: rotation of the total, auxiliary problem of each round.
 constexpr double turnShare = 0.2;

@@ -7,7 +7,7 @@
 
 namespace angiopose::core {
 
-/// Enabled parts of the alternating search; with both disabled, it solves one problem with all points.
+/// Enabled parts of the alternating search; if both are disabled, it solves a single problem with all points.
 struct Alternation {
     bool turnsFirst = false;
     bool alternates = false;

@@ -28,7 +28,7 @@ public:
         std::vector<int> numbers(leader_.size());
         int next = 0;
         for (std::size_t i = 0; i < leader_.size(); ++i) {
-            const std::size_t leader = leaderOf(i);   // at most i
+            const std::size_t leader = leaderOf(i);   // not greater than i
             numbers[i] = leader == i ? next++ : numbers[leader];
         }
         return numbers;

@@ -55,7 +55,7 @@ private:
     const RegistrationProblem& problem_;
     BranchGraph tree_;
     std::vector<std::vector<int>> neighbors_;   ///< for each edge, the edges with a common node
-    std::set<std::pair<int, int>> meetings_;   ///< pairs of curves that meet
+    std::set<std::pair<int, int>> meetings_;   ///< pairs of connected curves
     std::map<int, Stretch> curves_;
 };
 

@@ -17,13 +17,13 @@ struct KernelProblem {
     ProjectionCamera camera;
     const PointIndex* target = nullptr;   ///< index for matching to the nearest target point at every evaluation
     std::span<const Eigen::Vector2d>
-        fixedPartnersPx;   ///< if not empty: one fixed partner per point, independent of the pose
-    const NeighborSearch* search = nullptr;   ///< for further partners by the rule below; unused with fixed partners
+        fixedPartnersPx;   ///< if not empty: one fixed match per point, independent of the pose
+    const NeighborSearch* search = nullptr;   ///< for further matches by rule `neighbors`; unused with fixed matches
     Neighbors neighbors = Neighbors::Closest;
     SourceFreedom freedom{};   ///< allowed motions of the pose
 };
 
-/// Further target point that attracts a tree point, besides the nearest.
+/// Additional target point, besides the nearest, that attracts a tree point.
 struct FurtherPartner {
     std::size_t point = 0;
     Eigen::Vector2d residualPx;   ///< projection minus target point
@@ -38,7 +38,7 @@ struct KernelDistances {
     std::vector<FurtherPartner> further;   ///< empty if only the nearest target points count
 };
 
-/// Projects, matches (point to point) and measures all points. The partners within a radius depend on the kernel width.
+/// Projects, matches (point to point) and measures all points. The matches within a radius depend on the kernel width.
 void measure(const KernelProblem& problem, const RigidTransform& pose, KernelDistances& distances,
              double scalePx = 0.0);
 

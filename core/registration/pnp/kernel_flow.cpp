@@ -53,7 +53,7 @@ void KernelFlow::look(const CentroidPose& pose)
     }
 }
 
-/// The squared cosine replaces the product of colors; both orientations count the same.
+/// The squared cosine replaces the color product of the published method; opposite directions count as equal.
 double KernelFlow::labelOf(const Seen& seen, std::size_t target) const
 {
     if (!options_.directions || seen.direction.isZero()) {

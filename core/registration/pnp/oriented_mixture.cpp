@@ -10,7 +10,7 @@ namespace {
 
 constexpr double mixtureReachInScales = 4.2426;   // kernel cutoff: 3σ of a product of two Gaussians, 3√2 σ
 constexpr double samplesPerScale = 4.0;
-constexpr double shortestDirection = 1e-3;   // in units of Z² px: seen end-on
+constexpr double shortestDirection = 1e-3;   // relative to a vessel perpendicular to the ray
 
 }   // namespace
 

@@ -23,7 +23,7 @@ public:
     Vector6d dampedStep(const NormalEquations& equations, double damping, const RigidTransform& pose,
                         Freedom freedom = Freedom::Full) const;
 
-    /// Returns the allowed descent direction, with the components of the gradient scaled by `weights`.
+    /// Returns the negative gradient, scaled by `weights` and restricted to the allowed motions.
     Vector6d descent(const Vector6d& gradient, const Vector6d& weights, const RigidTransform& pose,
                      Freedom freedom) const;
 

@@ -78,10 +78,10 @@ public:
     Evaluation& evaluation() { return evaluations_.here; }
     bool isFeasible() const { return isFeasible_; }   ///< false if the problem cannot be evaluated at the initial state
 
-    /// Call after a change of the problem that leaves the evaluation valid, or after modifying the evaluation.
+    /// Discards the normal equations; call after the problem changed but the evaluation remains valid, or was modified.
     void relinearize() { isLinearized_ = false; }
 
-    /// Call after a change of the problem to evaluate the current state again.
+    /// Evaluates the current state again; call after the problem has changed.
     void reevaluate()
     {
         isFeasible_ = problem_.evaluate(state_, evaluations_.here);

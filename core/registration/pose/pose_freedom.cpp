@@ -47,7 +47,7 @@ PoseFreedom::PoseFreedom(const PoseLocks& locks, const Frame& frame, const Centr
     : locks_(locks), frame_(frame)
 {
     if (!isAnyShiftLocked(locks)) {
-        frame_.pivotFromCentroid.setZero();   // rotation about the centroid suits the solvers best
+        frame_.pivotFromCentroid.setZero();   // the solvers converge best with rotation about the centroid
     }
     start_ = coordinates(start);
 }
@@ -100,7 +100,7 @@ Matrix6d PoseFreedom::stepsPerCoordinate(const CentroidPose& pose) const
 StepBasis PoseFreedom::freeSteps(const CentroidPose& pose) const
 {
     if (isFull()) {
-        return StepBasis::Identity(6, 6);   // far from the reference, the angles may become dependent
+        return StepBasis::Identity(6, 6);   // because the angles may become dependent far from the reference
     }
     const Matrix6d all = stepsPerCoordinate(pose);
     StepBasis free(6, std::count(locks_.begin(), locks_.end(), false));

@@ -18,7 +18,7 @@ public:
         Eigen::Vector3d pivotFromCentroid = Eigen::Vector3d::Zero();   ///< mm, axes of the posed frame
     };
 
-    /// Allows all six degrees of freedom.
+    /// Leaves all six degrees of freedom free.
     PoseFreedom() = default;
 
     PoseFreedom(const PoseLocks& locks, const Frame& frame, const CentroidPose& start);
@@ -30,7 +30,7 @@ public:
     /// Returns a copy in which these axes are also locked, at their values in `pose`.
     PoseFreedom alsoLocking(std::initializer_list<PoseAxis> axes, const CentroidPose& pose) const;
 
-    /// Equivalent for motions cameraFromStart of a tree in the frame of the initial camera.
+    /// Returns the same freedom for motions cameraFromStart of a tree in the frame of the initial camera.
     PoseFreedom fromStart(const Eigen::Matrix3d& startRotation) const;
 
     Vector6d coordinates(const CentroidPose& pose) const;

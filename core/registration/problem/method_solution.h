@@ -25,7 +25,7 @@ struct MethodSolution {
     int filledForks = 0;   ///< number of bifurcations where three or more opacified segments meet
     std::shared_ptr<const WireFinding> wire;   ///< result of the wire method
     bool isSettled =
-        false;   ///< already refined by the residuals that judge it: it cannot slide to a better pose nearby
+        false;   ///< refined with the residuals used for its assessment, so that refining it again does not move it
     bool wantsCare = false;   ///< registerVessels may constrain a depth that the image does not determine, and check
                               ///< the image orientation
 };

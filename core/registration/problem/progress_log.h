@@ -18,8 +18,8 @@ public:
     /// observer has returned Stop, always returns Stop.
     Verdict report(IterationReport report);
 
-    /// Checks for a stop request while the pose is unchanged: forwards the last report again, with another stage if
-    /// given, but does not record it.
+    /// Checks for a stop request while the pose is unchanged by forwarding the last report again, with another stage if
+    /// given, without recording it.
     Verdict askAgain(std::string_view stage = {});
 
     bool isStopped() const { return isStopped_; }

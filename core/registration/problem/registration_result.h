@@ -38,7 +38,7 @@ struct RegistrationInput {
         image{};   ///< frame in which the target was traced; if null, intensity-based methods render the target
     Polarity polarity = Polarity::VesselsDark;   ///< polarity of `image`
     std::shared_ptr<const Mask2d> shutter{};   ///< shutter of `image`, see Angiogram::shutter; null if there is none
-    std::shared_ptr<const Volume> volume{};   ///< CTA that shows the tree; null: radiographs are simulated from tubes
+    std::shared_ptr<const Volume> volume{};   ///< CTA that shows the tree; null: DRRs are rendered from tubes
     CameraSpread cameraSpread{};   ///< standard deviations of the camera errors; zero for an exact camera
     std::optional<TableReading>
         tableReading{};   ///< alternative initial angles, for a gantry that reports its angles relative to the table
@@ -69,7 +69,7 @@ struct BranchResidual {
     double agreement = 0.0;   ///< fraction of the branch points within 3 px of the traced vessels, 0…1
 };
 
-/// Branch that appears unopacified in the image: a candidate for exclusion.
+/// Branch that appears unopacified in the image and may be excluded.
 struct UnopacifiedBranch {
     int branchId = 0;
     double share = 0.0;   ///< unopacified fraction of the branch length inside the image, 0…1
@@ -118,15 +118,15 @@ struct StageTimes {
     double traceMs = notMeasured;   ///< time for tracing the vessels in this view
 };
 
-/// Alternative pose that explains the image nearly as well.
+/// Alternative pose that explains the image nearly as well as the result.
 struct Hypothesis {
     RigidTransform cameraFromPatient;
     double score = 0.0;   ///< 0…1, higher is better; comparable only within one result
 };
 
-/// Indicators from which the error of a fit is estimated without ground truth (ALGORITHMS §6.21).
+/// Indicators for estimating the error of a fit without ground truth (ALGORITHMS §6.21).
 struct FitSigns {
-    double agreement = 0.0;   ///< in both directions, 0…1 (§6.8); only of the opacified parts where only these count
+    double agreement = 0.0;   ///< in both directions, 0…1 (§6.8); of the opacified parts if partly opacified
     double treeShare = 0.0;   ///< fraction of the tree points along traced vessels
     double inViewShare = 0.0;   ///< fraction of the tree points inside the image
     double followedShare = 0.0;   ///< fraction of the tree length inside the image that follows traced vessels
@@ -136,8 +136,8 @@ struct FitSigns {
     double expectedErrorMm = 0.0;   ///< 1-σ displacement from the covariance of a rigid tree
     double rivalMm = 0.0;   ///< displacement of the tree between the result and the farthest alternative
     bool isPartlyOpacified = false;
-    int filledForks = 0;   ///< for a partly opacified tree: places where three or more opacified pieces meet
-    bool isSinglePath = false;   ///< whether no three segments that lie on vessels meet anywhere
+    int filledForks = 0;   ///< for a partly opacified tree: bifurcations where three or more opacified segments meet
+    bool isSinglePath = false;   ///< whether the matched segments form a single path without bifurcations
     bool isLumen = false;   ///< widths indicate opacified vessels, not a wire or catheter; also false if unknown
 };
 

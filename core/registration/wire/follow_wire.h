@@ -15,7 +15,7 @@ struct WireFinding {
                                               ///< the uncertainty of the path
     Vector6d stdBefore = Vector6d::Zero();   ///< 1-σ of the initial pose (rad, mm)
     std::vector<std::uint8_t> isFollowed;   ///< one per tree point of the problem; 1 if it lies on the first path
-    bool isAskedFor = true;   ///< false if there are fewer paths than the requested rank
+    bool isAskedFor = true;   ///< false if the requested rank exceeds the number of paths
     double gapShare = 0.0;   ///< fraction of the wire's length that bridges gaps between curves
 };
 

@@ -23,7 +23,7 @@ struct WireCurve {
 /// end to an end of the line. Points are `spacingPx` apart, or farther to stay within `maxPoints`.
 WireCurve wireCurve(const TargetSamples& target, double spacingPx, std::size_t maxPoints);
 
-/// Returns the same curve in the opposite direction.
+/// Returns the curve with its points in reverse order.
 WireCurve reversed(const WireCurve& curve);
 
 }   // namespace angiopose::core

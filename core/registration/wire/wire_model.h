@@ -18,9 +18,9 @@ struct WireMove {
 inline constexpr std::array<WireMove, 6> wireMoves{{{1, 1}, {2, 1}, {1, 2}, {3, 1}, {1, 0}, {0, 1}}};
 
 /// Model of a guidewire or catheter in its vessel (ALGORITHMS §6.22). The wire may lie anywhere in the lumen and,
-/// because it straightens the vessel, slightly beyond. Its distance from the axis changes slowly along its length, and
-/// it runs nearly parallel to the axis; its shape therefore carries more information than its position. Parameters
-/// chosen on synthetic trees (wire_table --world made-up).
+/// because it straightens the vessel, slightly beyond. Its distance from the axis varies slowly along its length, and
+/// it runs nearly parallel to the axis; its shape is therefore more informative than its position. Parameters chosen on
+/// synthetic trees (wire_table --world made-up).
 struct WireModel {
     double offAxisMm = 1.5;   ///< 1-σ distance from the axis, independent of the vessel's width
     double offAxisOfRadius = 0.5;   ///< additional 1-σ distance in vessel radii, for a uniform distribution over a disk

@@ -134,7 +134,7 @@ WireFinding WireReport::of(const std::vector<WireFit>& fits, std::size_t wantedW
     return finding;
 }
 
-/// Knots along the wire, sorted.
+/// Returns the knots along the wire, sorted.
 std::vector<std::size_t> WireReport::courseOf(const WireFit& fit) const
 {
     const auto knot = [&](std::size_t place) { return fit.way.knots.begin() + static_cast<std::ptrdiff_t>(place); };

@@ -44,15 +44,15 @@ constexpr std::size_t frameSamples = 200000;
 // evidence is almost sufficient all along.
 constexpr double gapReachPx = 14.0;
 constexpr double minEvidenceInGap = 0.75;
-constexpr int maxTracingThreads = 2;   // more threads would only wait for memory
-constexpr double minShareStill = 0.35;   // minimum stationary fraction of the traced length, without contrast elsewhere
-constexpr double maxShareStill = 0.5;   // above it, the vessels are stationary too (phantom or patient)
+constexpr int maxTracingThreads = 2;   // memory bandwidth limits the gain from more threads
+constexpr double minShareStill = 0.35;   // minimum fraction of the traced length, if nothing else is opacified
+constexpr double maxShareStill = 0.5;   // above this, the vessels are stationary as well (phantom or patient)
 
 bool isFinite(const ImageF& frame)
 {
     constexpr std::uint32_t sign = 0x80000000U;
     constexpr std::uint32_t infinite = 0x7f800000U;
-    std::uint32_t largest = 0;   // compared as bits, which is four times faster
+    std::uint32_t largest = 0;   // comparing bit patterns is four times faster
     for (const float value : frame.pixels) {
         largest = std::max(largest, std::bit_cast<std::uint32_t>(value) & ~sign);
     }
@@ -106,7 +106,7 @@ Mask2d without(Mask2d mask, const Mask2d& part)
     return mask;
 }
 
-/// The field without shutters, borders and burned-in text.
+/// Returns the field without shutters, borders and burned-in text.
 Mask2d tracedField(const ImageF& vesselsDark, const TraceOptions& options, const Mask2d& shutter)
 {
     Mask2d field;
@@ -195,7 +195,7 @@ void addSuspects(AngiogramTrace& trace, const std::vector<int>& ids)
     trace.suspectCurves = std::move(suspects);
 }
 
-/// Takes the trunk off the suspects, because a catheter is narrower than the vessels that branch and has no branches.
+/// Removes the vessel trunk from the suspects: unlike a catheter, it has branches and is wider than they are.
 void spareTrunk(AngiogramTrace& trace)
 {
     if (const auto trunk = widestTrunk(trace.centerline)) {

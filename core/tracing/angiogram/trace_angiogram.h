@@ -25,15 +25,15 @@ struct AngiogramTrace {
 };
 
 /// Traces the vessels of one frame: vesselness → threshold above the frame's own clutter → thinning → ordered, smoothed
-/// curves with width (ALGORITHMS §8). A two-level mask (see `drawnMask`) is used unchanged. Fails if the options
-/// exclude all vessels (radii in the wrong order, …), or if the frame is empty, uniform, not finite, or shows nothing
-/// vessel-like. Traces nothing on or beyond the edge of the `shutter` (see `findField`).
+/// curves with width (ALGORITHMS §8). A two-level mask (see `drawnMask`) is used unchanged. Fails if the
+/// options exclude all vessels (radii in the wrong order, …), or if the frame is empty, uniform, not finite, or shows
+/// nothing vessel-like. Traces nothing on or beyond the edge of the `shutter` (see `findField`).
 Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& options = {},
                                       const Mask2d& shutter = {});
 
-/// Traces one frame of a run, with less noise where the run is static (see `steadyFrame`). Also marks as suspect the
-/// curves that the first frame already shows (see `seenBefore`; warns if these are nearly all) and the curves that are
-/// stationary while vessels move (see `stillCurves`).
+/// Traces one frame of a run, with less noise where the run is static (see `steadyFrame`). Also
+/// marks as suspect the curves that the first frame already shows (`seenBefore`; warns if nearly all)
+/// and those that are stationary while vessels move (`stillCurves`).
 Result<AngiogramTrace> traceFrame(const Angiogram& run, int frame, const TraceOptions& options = {});
 
 /// Traces the curves of a drawn mask (e.g. a PNG): thinning and ordering only.

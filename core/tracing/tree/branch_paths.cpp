@@ -145,7 +145,7 @@ private:
             shouldContinue = false;
             path.endsOn = ownedBy(node, index);
             if (path.endsOn >= 0) {
-                break;   // the other edges at this node branch from the vessel reached
+                break;   // the other edges at this node are branches of the vessel that was reached
             }
             const std::size_t next = continuation(way);
             for (const std::size_t e : meeting_[static_cast<std::size_t>(node)]) {
@@ -169,7 +169,7 @@ private:
         return before;
     }
 
-    /// Returns the edge that continues the vessel arriving along `way`, or the number of edges if the vessel ends.
+    /// Returns the edge that continues the vessel after `way`, or the number of edges if the vessel ends.
     std::size_t continuation(const VesselEdge& way) const
     {
         const Departure arriving = departureOf(reversed(way), nodeRadius(way.endNode));

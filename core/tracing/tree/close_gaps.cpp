@@ -141,7 +141,7 @@ std::vector<Partner> partnersOf(const std::vector<FreeEnd>& ends, TracingProgres
     return partners;
 }
 
-/// A straight edge between two ends.
+/// Creates a straight edge between two ends.
 VesselEdge bridge(const FreeEnd& from, const FreeEnd& to, double voxelMm)
 {
     VesselEdge edge{from.node, to.node, {}, {}};

@@ -10,7 +10,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minOfBlood = 0.65;   ///< relative to the start vessels; blurring leaves 0.8 in the thinnest evaluated
+constexpr double minOfBlood = 0.65;   ///< blurring alone leaves 0.8 in the thinnest evaluated vessels
 constexpr double minRadius = 1.5;   ///< in voxels; blurring dims the axis of thinner vessels
 constexpr double minWideShare = 0.5;   ///< minimum fraction of an edge's points wide enough to evaluate
 constexpr std::size_t minWide = 6;   ///< minimum number of evaluable points
@@ -18,8 +18,8 @@ constexpr double besideStartsMm = 25.0;   ///< exempt radius around the starts: 
 constexpr double minTrustInSections = 0.5;   ///< minimum confidence in a cross-section
 constexpr std::size_t partTangentReach = 3;   ///< points on either side for the tangent
 
-/// Fill at a point of an edge; nothing if the vessel is too thin there. A lumen that is barely bright enough is full of
-/// holes, so its balls are too small and its skeleton is off the axis; the cross-section corrects both.
+/// Returns the opacification at a point of an edge; nullopt if the vessel is too thin there. Masks of faint lumens have
+/// holes, which shrink the inscribed spheres and shift the skeleton off the axis; the cross-section corrects both.
 std::optional<double> fillWhereWide(const VesselEdge& edge, std::size_t n, const BloodFill& fill, double voxelMm)
 {
     const std::size_t before = n - std::min(n, partTangentReach);

@@ -8,7 +8,7 @@
 
 namespace angiopose::core {
 
-/// Removes leakage from a tree: parts in which wide segments are mostly dimmer than the vessels around `startsMm`.
+/// Removes leakage from a tree: subtrees whose wide segments are mostly dimmer than the vessels around `startsMm`.
 /// Contrast agent is not diluted along an artery, but the tissue of spleen and kidney contains less of it, and so do
 /// veins. Segments thinner than three voxels are dimmed by blurring and are ignored; parts that contain a start stay.
 /// `graph` must have no loops; `pruneSpurs` removes ends that are then too short. Returns the number of parts removed.

@@ -45,7 +45,7 @@ struct Cut {
     int layers = 0;
 };
 
-/// Number of layers for a cut: as many as its radius if it is round, none if it is elongated.
+/// Returns the number of layers for a cut: slightly more than its radius if it is round, none if it is elongated.
 int layersOf(const std::vector<Eigen::Vector3i>& voxels, int axis)
 {
     Eigen::Vector3i low = voxels.front();
@@ -181,7 +181,7 @@ LoopCount openLoopsAsAsked(VesselGraph& graph, const VesselTracingOptions& optio
                : LoopCount{openLoops(graph), 0};
 }
 
-/// Removes dim parts from the spanning forest, then restores the loop-closing edges whose end nodes both remain.
+/// Removes dim subtrees from the spanning forest, then restores the loop-closing edges whose end nodes both remain.
 int dropDimPartsAsAsked(VesselGraph& graph, const BloodFill& fill, const VolumeGeometry& grid,
                         const VesselTracingOptions& options)
 {
@@ -191,7 +191,7 @@ int dropDimPartsAsAsked(VesselGraph& graph, const BloodFill& fill, const VolumeG
     const int dropped = dropDimParts(graph, fill, startsOn(grid, options), grid.spacingMm.maxCoeff());
     const std::vector<int> after = graph.degrees();
     const auto isThere = [&](int node) {
-        return after[static_cast<std::size_t>(node)] > 0 || before[static_cast<std::size_t>(node)] == 0;   // ring node
+        return after[static_cast<std::size_t>(node)] > 0 || before[static_cast<std::size_t>(node)] == 0;   // ring
     };
     for (const VesselEdge& edge : closing) {
         if (isThere(edge.startNode) && isThere(edge.endNode)) {

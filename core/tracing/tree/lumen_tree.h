@@ -18,11 +18,11 @@ struct LumenTree {
     std::vector<std::size_t> skeleton;   ///< lumen voxels on the skeleton, ascending
     LoopCount loops;
     ClosedGaps closedGaps;   ///< only if all components are traced
-    int dimParts = 0;   ///< number of parts removed as veins or organs
+    int dimParts = 0;   ///< number of subtrees removed as veins or organs
 };
 
 /// Traces the tree of a lumen: thinning → graph → tree → smooth centerlines with radii. `lumen` is in patient axis
-/// order; `fill` locates the wall with subvoxel accuracy. Returns no branches if none is long enough, or when stopped.
+/// order; `fill` locates the wall with subvoxel accuracy. No branches if none is long enough or when stopped.
 LumenTree lumenTree(const VoxelMask& lumen, const BloodFill& fill, const VesselTracingOptions& options,
                     TracingProgress& progress);
 

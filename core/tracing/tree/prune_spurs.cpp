@@ -71,7 +71,7 @@ private:
     const std::vector<std::size_t>& meetingAt(int node) const { return meeting_[static_cast<std::size_t>(node)]; }
     bool isGone(std::size_t e) const { return graph_.edges[e].pointsMm.empty(); }
 
-    /// Half the width of the vessel at a node: the largest ball around it, not counting those in the spur itself.
+    /// Returns the vessel radius at a node: the largest inscribed sphere around the node, except those in the spur.
     double widthAt(int node, std::size_t spur) const
     {
         const Eigen::Vector3d& center = graph_.nodesMm[static_cast<std::size_t>(node)];

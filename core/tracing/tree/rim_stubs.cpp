@@ -32,7 +32,7 @@ bool isCutOff(const Eigen::Vector3d& endMm, const VoxelMask& lumen)
     return false;
 }
 
-/// Whether a point lies outside the wall of the nearest part of `parent`.
+/// Returns whether a point lies outside the wall of the nearest part of `parent`.
 bool isOutside(const Eigen::Vector3d& pointMm, const VesselCurve& parent)
 {
     double nearestSquared = std::numeric_limits<double>::max();

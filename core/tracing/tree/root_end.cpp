@@ -17,7 +17,7 @@ constexpr double spurShare = 0.3;
 /// Score of an end as a candidate for the root.
 struct RootWorth {
     double first = -std::numeric_limits<double>::infinity();
-    double second = 0.0;   ///< breaks ties
+    double second = 0.0;   ///< decides between equal first scores
 
     bool isAbove(const RootWorth& other) const
     {
@@ -92,7 +92,7 @@ private:
         return medianOf(std::move(radii));
     }
 
-    /// The single wide vessel that ends at the node, if `arriving` and all other edges there are spurs beside it.
+    /// Returns the only wide vessel that ends at the node if `arriving` and all other edges there are thin spurs.
     std::optional<std::size_t> wideEdgeBesideSpurs(int node, std::size_t arriving) const
     {
         std::optional<std::size_t> widest;

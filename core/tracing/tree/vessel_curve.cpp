@@ -14,7 +14,7 @@ constexpr int centringRounds = 3;
 constexpr double stationarySteps = 4.0;   ///< λ of the first smoothing, which only removes voxel stair steps
 constexpr double firmWeight = 50.0;
 constexpr int holdingRounds = 3;
-constexpr double minShareOfWay = 0.5;   ///< relative to the original path's opacification; below, outside the lumen
+constexpr double minShareOfWay = 0.5;   ///< relative to the original path; lower outside the lumen
 constexpr double radiusStiffness = 3.0;   ///< relative to the stiffness of the curve; widths vary more slowly
 
 VesselCurve evenly(const VesselCurve& curve, double spacingMm)
@@ -190,7 +190,7 @@ void extendEnd(VesselCurve& curve, const BloodFill& fill, const CurveSettings& s
     }
 }
 
-/// Drops points beyond the rim; cross-sections are cut off there, which can push a curve's end outside.
+/// Drops points outside the grid: cross-sections truncated at the boundary can move a curve's end there.
 void dropBeyondRim(VesselCurve& curve, const CurveSettings& settings)
 {
     const auto isFar = [&](const Eigen::Vector3d& point) {

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t shortestRing = 6;
 constexpr std::size_t voxelsUnheard = 0xFFF;   ///< bit mask; progress is reported every 4096 voxels
 
-/// Walks the skeleton voxel by voxel. Voxels are identified by their index in the skeleton's list.
+/// Follows the skeleton voxel by voxel. Voxels are identified by their index in the list of skeleton voxels.
 class VoxelWalker {
 public:
     VoxelWalker(const std::vector<std::size_t>& skeleton, const DistanceMap& distances)
@@ -52,7 +52,7 @@ private:
         return distances_.geometry.spacingMm.cwiseProduct(voxelOf(v).cast<double>());
     }
 
-    /// Radius of the lumen at a voxel. The wall lies half a voxel before the center of the first voxel outside.
+    /// Returns the lumen radius at a voxel. The wall lies half a voxel before the center of the first outside voxel.
     double radiusOf(std::size_t v) const
     {
         const double half = 0.5 * distances_.geometry.spacingMm.minCoeff();

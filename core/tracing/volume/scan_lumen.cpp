@@ -116,7 +116,7 @@ private:
 
     bool isCredible() const { return lumenShare_ <= maxLumenShare; }
 
-    /// Whether the peaks are definitely those of blood, or may be if seeds mark the vessels.
+    /// Returns whether the lumen level is certain, or plausible and confirmed by seeds in the vessels.
     bool isEnough() const
     {
         const std::vector<GreatVessel>& great = seen_.found.great;
@@ -169,7 +169,7 @@ private:
         return std::move(seen_);
     }
 
-    /// Whether the vessel is as wide as an aorta, or enters at the lower face of the scan.
+    /// Returns whether the vessel is as wide as an aorta, or enters at the lower face of the scan.
     bool isClear(const GreatVessel& vessel) const
     {
         const Trunk& trunk = vessel.trunks.front();

@@ -28,7 +28,7 @@ struct ScanLumen {
     const Volume& scan(const Volume& given) const { return corrected ? corrected->volume : given; }
 };
 
-/// Fraction of blood in each voxel, from its value relative to soft tissue and blood. The arguments must outlive it.
+/// Returns the opacification of a voxel: 0 in soft tissue, 1 in the lumen. The arguments must outlive the result.
 VoxelFill bloodShare(const Volume& volume, const AxisOrder& order, const BloodLevel& level);
 
 /// Finds the lumen candidates. Fails if nothing has the intensity of an opacified lumen. Fails with a request for a

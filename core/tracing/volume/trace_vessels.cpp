@@ -28,11 +28,11 @@ namespace {
 constexpr int holeRounds = 4;
 constexpr double minFilledRadius = 1.5;   ///< in voxels; blurring dims the axis of thinner vessels
 constexpr double minAxisFill = 0.65;   ///< minimum median opacification of the branch axes
-constexpr double minBesideMm = 80.0;   ///< minimum length next to a great vessel; pulmonary arteries have under half
+constexpr double minBesideMm = 80.0;   ///< minimum length beside a great vessel; pulmonary arteries reach under half
 constexpr double minFollowed = 0.98;   ///< minimum covered fraction of a mask's skeleton; below, a warning is issued
 constexpr double minHoleFill = 0.4;   ///< minimum mean opacification around a voxel darkened by noise
 
-/// Mask of the set voxels, in patient axis order.
+/// Returns the mask of the set voxels, in patient axis order.
 template <class Grid, class IsSet>
 VoxelMask maskOf(const Grid& grid, const IsSet& isSet)
 {

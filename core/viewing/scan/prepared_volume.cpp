@@ -43,7 +43,7 @@ void smooth(Volume& values)
     }
 }
 
-/// Copies the values of the mask to the nearest voxels of the reduced scan; the grids may differ.
+/// Copies the values of the mask to the nearest voxels of the downsampled scan; the grids may differ.
 void markMask(const VoxelMask& mask, const VolumeGeometry& grid, std::vector<std::uint8_t>& kinds)
 {
     const Eigen::Affine3d gridFromMask = grid.patientFromVoxel().inverse() * mask.geometry.patientFromVoxel();

@@ -43,7 +43,7 @@ struct PreparedVolume {
 inline constexpr int seenBlockSide = 8;
 inline constexpr std::int16_t maskValue = 1000;
 
-/// Returns nothing if there is nothing to show, or if `shouldContinue` returns false.
+/// Prepares the scan. Returns nothing if there is nothing to show or `shouldContinue` returns false.
 std::optional<PreparedVolume> preparedVolume(const VolumeToPrepare& request,
                                              const std::function<bool()>& shouldContinue);
 
@@ -97,7 +97,7 @@ struct IntensityLevels {
 /// the scan's own histogram, in which vessels are brighter than nearly all other voxels.
 IntensityLevels seenLevels(const Volume& volume, std::optional<double> threshold);
 
-/// `hasKinds`: the location of the vessels is known, which distinguishes them from everything else.
+/// Returns the appearance for these levels. `hasKinds`: whether vessel voxels are known and shown separately.
 ScanLook lookOf(const IntensityLevels& levels, const ScanRequest& request, bool hasKinds);
 
 /// Returns the appearance of a mask without a scan.

@@ -17,7 +17,7 @@ constexpr DicomTag studyUidTag = 0x0020000d;
 constexpr DicomTag seriesUidTag = 0x0020000e;
 struct Answers {
     std::vector<DicomDataset> sets;
-    bool isCut = false;   ///< truncated: the archive has more matches, and the association can no longer be used
+    bool isCut = false;   ///< whether the archive has more matches; the association is then unusable
 };
 
 core::Result<Answers> ask(DimseLink& link, const ArchiveNode& node, const Keys& keys, std::size_t most)

@@ -11,7 +11,7 @@ namespace angiopose::io {
 
 namespace sop {
 inline constexpr const char* verification = "1.2.840.10008.1.1";
-inline constexpr const char* find = "1.2.840.10008.5.1.4.1.2.2.1";   // Study Root, as are the next two models
+inline constexpr const char* find = "1.2.840.10008.5.1.4.1.2.2.1";   // Study Root model, like the next two
 inline constexpr const char* move = "1.2.840.10008.5.1.4.1.2.2.2";
 inline constexpr const char* get = "1.2.840.10008.5.1.4.1.2.2.3";
 inline constexpr std::string_view storagePrefix = "1.2.840.10008.5.1.4.1.1.";

@@ -32,7 +32,7 @@ core::Status showCertificate(DcmTLSTransportLayer& layer, const TlsFiles& files)
     if (files.certificateFile.empty()) {
         return core::Done{};
     }
-    layer.setPrivateKeyPasswd("");   // prevents a password prompt
+    layer.setPrivateKeyPasswd("");   // suppresses the password prompt
     if (const OFCondition set = layer.setPrivateKeyFile(files.keyFile.c_str(), DCF_Filetype_PEM); set.bad()) {
         return uselessFile(files.keyFile, set);
     }

@@ -8,7 +8,7 @@
 
 namespace angiopose::io {
 
-/// Parse QIDO-RS responses (PS3.18 F). Both functions fail if the text is not an array of DICOM JSON objects.
+/// Parses a QIDO-RS response (PS3.18 F); fails if the text is not an array of DICOM JSON objects.
 core::Result<std::vector<ArchiveMatch>> matchesOfJson(const std::string& json);
 core::Result<std::vector<ArchiveObject>> objectsOfJson(const std::string& json);
 

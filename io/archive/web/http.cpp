@@ -202,7 +202,7 @@ core::Result<HttpConnection> HttpConnection::open(const ArchiveNode& node, StopQ
     std::call_once(once, [] {
         curl_global_init(CURL_GLOBAL_DEFAULT);
         std::signal(SIGPIPE,
-                    SIG_IGN);   // as DCMTK does: a closed connection is then an error and does not end the program
+                    SIG_IGN);   // as DCMTK does, so that a closed connection is an error and does not end the program
     });
     auto authorization = authorizationOf(node);
     if (!authorization) {

@@ -103,7 +103,7 @@ StoredField<Case> otherViewsField()
             }};
 }
 
-/// The index of the shown view, which is stored in the case itself; it preserves the order of the views.
+/// Index of the shown view, whose fields are at the top level; preserves the order of the views.
 StoredField<Case> shownPlaceField()
 {
     return {

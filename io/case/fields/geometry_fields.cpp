@@ -123,7 +123,7 @@ StoredField<ViewGeometry> cameraField()
             }};
 }
 
-/// Older files have a single distance: taken from a header, it is the distance to the object plane.
+/// Single distance in older files; if it came from an image header, it is the distance to the object plane.
 StoredField<ViewGeometry> formerDistanceField()
 {
     return {"sourceToPatientMm", about(sourcedSchema(numberSchema()), "In older files: sourceToIsocenterMm."),

@@ -64,7 +64,7 @@ StoredFields<DistanceMetrics> distanceMetricsFields()
             storedMeasure("reverseDistanceMm", &DistanceMetrics::reverseMeanMm)};
 }
 
-/// A constant written for human readers and ignored when read; another value comes from another version.
+/// Constant that is written for human readers; ignored when read, because other versions may write another value.
 StoredField<PoseUncertainty> saidField(std::string key, Json said)
 {
     return {std::move(key), Json::object(), [](const Json&, PoseUncertainty&, Reading&) {},

@@ -29,7 +29,7 @@ struct StoredField {
     Json schema;
     std::function<void(const Json& value, Owner& owner, Reading& reading)>
         read;   ///< called only if the value is present
-    std::function<Json(const Owner& owner, const std::filesystem::path& folder)> write;   ///< null: nothing to write
+    std::function<Json(const Owner& owner, const std::filesystem::path& folder)> write;   ///< null if nothing to write
 };
 template <class Owner>
 using StoredFields = std::vector<StoredField<Owner>>;
@@ -94,7 +94,7 @@ StoredField<Owner> storedIfSet(std::string key, Json schema, Value Owner::*membe
     return field;
 }
 
-/// Returns the row of a part that has rows of its own and is stored as an object.
+/// Returns the row of a part that is stored as an object with the rows `fields`.
 template <class Owner, class Part>
 StoredField<Owner> storedPart(std::string key, Json schema, Part Owner::*member, StoredFields<Part> fields)
 {
@@ -122,7 +122,7 @@ StoredField<Owner> storedGroup(std::string key, Json schema, StoredFields<Owner>
             }};
 }
 
-/// Adapts the row of a part to its owner. `partOf` returns the part of an owner, const or not.
+/// Adapts the row of a part to its owner. `partOf` returns the part of a const or non-const owner.
 template <class Owner, class Part, class PartOf>
 StoredField<Owner> storedThrough(PartOf partOf, StoredField<Part> field)
 {
@@ -172,7 +172,7 @@ Json itemJson(const Item& item, const StoredFields<Item>& fields, const std::fil
     return json;
 }
 
-/// Returns the row of a list of objects that have rows of their own; an empty list is omitted.
+/// Returns the row of a list of objects, each with the rows `fields`; an empty list is omitted.
 template <class Owner, class Item>
 StoredField<Owner> storedList(std::string key, Json schema, std::vector<Item> Owner::*member, Json itemSchema,
                               StoredFields<Item> fields)

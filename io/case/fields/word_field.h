@@ -7,7 +7,7 @@
 
 namespace angiopose::io {
 
-/// The row of a choice stored as a word: `words` in the order of its values. The schema permits no others.
+/// Returns the row of an enum stored as a word; `words` lists the permitted words in enumerator order.
 template <class Owner, class Choice, std::size_t Count>
 StoredField<Owner> wordField(std::string key, Json schema, Choice Owner::*member,
                              const std::array<const char*, Count>& words)

@@ -50,7 +50,7 @@ void addCommonModules(DicomItem& root, const ObjectKind& kind, const SourceImage
     for (const SourceImage::Text& taken : source.patientAndStudy) {
         root.text(taken.tag, taken.vr, taken.value);
     }
-    root.text(0x00181000, "LO", "none");   // a program has no serial number, but some objects demand one
+    root.text(0x00181000, "LO", "none");   // a program has no serial number, but some objects require one
     root.text(0x00181020, "LO", "AngioPose " ANGIOPOSE_VERSION);
     root.text(0x00189004, "CS", "RESEARCH");
     root.text(0x0020000d, "UI", studyUidOf(source, origin));

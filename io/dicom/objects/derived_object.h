@@ -10,11 +10,11 @@ namespace angiopose::io {
 
 /// Properties shared by the objects that are exported from a case together.
 struct ObjectOrigin {
-    std::string seed;   ///< source of new UIDs: newUid(), or an earlier text for the same UIDs again
+    std::string seed;   ///< seed of the new UIDs: newUid(), or an earlier seed to reproduce its UIDs
     LocalTime made;
     std::string author;   ///< name of the author; may be empty
 
-    /// Returns the UID for a role, for example "series of the picture"; equal roles have equal UIDs.
+    /// Returns the UID for a role, for example "series of the image"; equal roles have equal UIDs.
     std::string uidFor(const std::string& role) const;
 };
 

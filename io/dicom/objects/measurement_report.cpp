@@ -69,7 +69,7 @@ void addImageContent(DicomItem& parent, const char* relationship, const SourceIm
     }
 }
 
-/// A line on the image, from the corner of its first pixel, and on which image.
+/// Adds a polyline in image coordinates (origin at the corner of the first pixel) with a reference to the image.
 void addPixelLine(DicomItem& number, const ReportedNumber& reported, const SourceImage& source)
 {
     std::vector<float> data;
@@ -117,7 +117,7 @@ void addNumber(DicomItem& group, const ReportedNumber& reported, const Measureme
     }
 }
 
-/// TID 1204, 1001 and 1004: language, and that a program observed.
+/// Adds language and observer, which is a program (TID 1204, 1001 and 1004).
 void addObservationContext(DicomItem& root, const ObjectOrigin& origin)
 {
     addCodeContent(root, "HAS CONCEPT MOD", languageTerm, english);
@@ -155,7 +155,7 @@ void addGroups(DicomItem& root, const MeasurementReport& report, const SourceIma
     }
 }
 
-/// SR Document General module (PS3.3 C.17.2).
+/// Adds the SR Document General module (PS3.3 C.17.2).
 void addDocument(DicomItem& root, const SourceImage& source, const ObjectOrigin& origin)
 {
     addContentTime(root, origin);

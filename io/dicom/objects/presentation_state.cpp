@@ -8,10 +8,10 @@ namespace angiopose::io {
 namespace {
 
 constexpr ObjectKind stateKind{"1.2.840.10008.5.1.4.1.1.11.1", "PR", "state", "AngioPose overlay, vectors", 9004};
-constexpr std::size_t maxPointsInLine = 8000;   // a value of this kind has at most 65534 bytes
+constexpr std::size_t maxPointsInLine = 8000;   // a value with a 16-bit length has at most 65534 bytes
 constexpr std::uint16_t whiteGray = 65535;
 
-/// The image that an item is about: the frame, where there are several.
+/// Adds a reference to the image and, if it has several frames, to one frame.
 void addImageReference(DicomItem& item, const SourceImage& source, int frame)
 {
     DicomItem image = addReference(item, 0x00081140, source.sopClassUid, source.sopInstanceUid);
@@ -20,7 +20,7 @@ void addImageReference(DicomItem& item, const SourceImage& source, int frame)
     }
 }
 
-/// Presentation State Relationship module (PS3.3 C.11.11).
+/// Adds the Presentation State Relationship module (PS3.3 C.11.11).
 void addRelationship(DicomItem& root, const SourceImage& source, int frame)
 {
     DicomItem series = root.addItem(0x00081115);
@@ -28,7 +28,7 @@ void addRelationship(DicomItem& root, const SourceImage& source, int frame)
     addImageReference(series, source, frame);
 }
 
-/// Displayed Area module: the whole image, as large as fits.
+/// Adds the Displayed Area module: the whole image, scaled to fit.
 void addDisplayedArea(DicomItem& root, const SourceImage& source)
 {
     DicomItem area = root.addItem(0x0070005a);
@@ -48,7 +48,7 @@ void addLayer(DicomItem& root, const StateLayer& layer, std::size_t order)
     item.unsignedShorts(0x00700401, labColor(layer.color));
 }
 
-/// Pixels of DICOM count from the corner of the first one, ours from its centre.
+/// Converts coordinates relative to the center of the first pixel to DICOM coordinates, which start at its corner.
 std::vector<float> cornerBased(const std::vector<Eigen::Vector2d>& line, std::size_t first, std::size_t last)
 {
     std::vector<float> values;
@@ -95,7 +95,7 @@ void addAnnotation(DicomItem& root, const StateLayer& layer, const SourceImage& 
     }
 }
 
-/// Modality LUT, Softcopy VOI LUT and Softcopy Presentation LUT modules.
+/// Adds the Modality LUT, Softcopy VOI LUT and Softcopy Presentation LUT modules.
 void addGrays(DicomItem& root, const ShownState& shown, const SourceImage& source)
 {
     for (const SourceImage::Text& rescale : source.modalityLut) {
@@ -104,7 +104,7 @@ void addGrays(DicomItem& root, const ShownState& shown, const SourceImage& sourc
     if (!source.modalityLut.empty() && source.modalityLut.back().tag != 0x00281054) {
         root.text(0x00281054, "LO", "US");
     }
-    if (shown.range) {   // PS3.3 C.11.2.1.2.1: from centre - 0.5 - (width - 1) / 2 on it is black
+    if (shown.range) {   // PS3.3 C.11.2.1.2.1: black up to center - 0.5 - (width - 1) / 2
         DicomItem window = root.addItem(0x00283110);
         window.decimals(0x00281050, {shown.range->level() + 0.5});
         window.decimals(0x00281051, {std::max(1.0, shown.range->window() + 1.0)});

@@ -30,7 +30,7 @@ struct StateLayer {
 struct ShownState {
     std::vector<StateLayer> layers;
     int frame = 0;   ///< frame to which the lines belong
-    std::optional<core::DisplayRange> range;   ///< of the rescaled values; none: as the image's header specifies
+    std::optional<core::DisplayRange> range;   ///< range of rescaled values; if not set, the range in the image header
     std::string description;
 };
 

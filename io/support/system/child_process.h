@@ -7,7 +7,7 @@
 
 namespace angiopose::io {
 
-/// Helper program and the read end of its output pipe. Its standard input is empty, and its error output is discarded.
+/// Helper program and the read end of its output pipe. Its standard input is empty; its error output is discarded.
 /// Ctrl+C reaches only the parent. The destructor kills the helper if it is still running.
 class ChildProcess {
 public:

@@ -4,7 +4,7 @@
 
 namespace angiopose::io {
 
-/// An open file or folder with a non-blocking lock between programs (flock). Released with the object.
+/// Open file or folder with a non-blocking lock between programs (flock). The destructor releases the lock.
 class HeldFile {
 public:
     enum class Way { Read, Write, Folder };   ///< `Write` creates the file if it does not exist

@@ -12,7 +12,7 @@ namespace {
 
 constexpr useconds_t askedEveryUs = 20000;
 
-/// Starts a program with this process's streams and returns its process id; negative: not started.
+/// Starts a program with this process's streams and returns its process ID; negative on failure.
 pid_t startWithOurStreams(const std::string& program, std::vector<std::string> arguments)
 {
     posix_spawn_file_actions_t files;

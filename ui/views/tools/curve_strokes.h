@@ -27,7 +27,7 @@ void addShadowed(StrokeMesh& mesh, const CurveCanvas& canvas, const StrokeLine& 
 void addShadowedDashes(StrokeMesh& mesh, const CurveCanvas& canvas, const StrokeLine& line, double widthPx,
                        double dashPx);
 
-/// Style of curves at rest: curves in `inDoubt` are dashed amber, curves in `apart` (devices) dashed white. `isFaint`
+/// Style of curves that are not being edited: suspects are dashed amber, devices dashed white. `isFaint`
 /// draws all curves faintly.
 struct CurveLook {
     double widthPx = 2.2;   ///< width in px at 100 % scale
@@ -40,7 +40,7 @@ void addCurves(StrokeMesh& mesh, const CurveCanvas& canvas, const core::Centerli
 /// Caches strokes of unedited curves until curves or view change, since mouse moves are far more frequent.
 class KeptCurveStrokes {
 public:
-    /// Returns the strokes; `revision` stands for curves and look, both of which are unchanged if it is equal.
+    /// Returns the strokes; an equal `revision` means that curves and style are unchanged.
     const StrokeMesh& of(int revision, const CurveCanvas& canvas, const core::Centerline2d& curves,
                          const CurveLook& look);
 

@@ -123,7 +123,7 @@ void EditCurvesTool::suspectKey(const QKeyEvent& event)
         return;
     }
     const int decided = chosenSuspect_;
-    chooseSuspect(1);   // moves on first: classifying removes the current curve from the list
+    chooseSuspect(1);   // selects the next curve before the current one is removed
     if (chosenSuspect_ == decided) {
         chosenSuspect_ = -1;
     }

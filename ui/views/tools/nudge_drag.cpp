@@ -7,14 +7,14 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double ringReachPx = 13.0;
-constexpr double depthPace = 4.0;   // depth barely shows: a drag moves four times as far in depth as in-plane
+constexpr double depthPace = 4.0;   // depth barely changes the image, so a drag moves four times as far
 
 double outerRadius(const NudgeGrip& grip)
 {
     return grip.ringRadius + outerHandleGapPx;
 }
 
-/// Returns the outer handle at the offset `way` (y down) from the center, if any.
+/// Returns the outer handle at the offset `fromCenter` (y down), if any.
 PoseHandle outerHandleAt(const NudgeGrip& grip, const Eigen::Vector2d& way)
 {
     const double outer = outerRadius(grip);

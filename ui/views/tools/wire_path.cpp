@@ -13,7 +13,7 @@ WirePath::Points WirePath::wayTo(const Eigen::Vector2d& pointPx, core::LiveWire*
     Points way{pieces_.back().back(), pointPx};
     if (wire && !straight) {
         way = wire->pathTo(pointPx);
-        way.insert(way.begin(), pieces_.back().back());   // the live wire starts at the strongest vessel response
+        way.insert(way.begin(), pieces_.back().back());   // the live wire starts at the strongest response
     }
     return way;
 }

@@ -44,7 +44,7 @@ public:
     void setCameraFromPatient(const Pose& cameraFromPatient);
     RegistrationOptions options() const;
     void setOptions(const RegistrationOptions& options);
-    void setTarget(const Centerline2d& target);   ///< of this frame, instead of tracing it; see targetOf
+    void setTarget(const Centerline2d& target);   ///< target of the current frame, which is then not traced
     TraceOptions traceOptions() const;   ///< used for frames whose target has not been set
     void setTraceOptions(const TraceOptions& options);
     std::vector<int> excludedBranchIds() const;   ///< see RegistrationInput

@@ -135,7 +135,7 @@ ANGIOPOSE_EXPORT MultiViewResult registerViews(const std::vector<RegistrationInp
 /// Reads a pose from a .json file or an ITK transform (.tfm, .mat or .h5), which maps patient points to camera points.
 ANGIOPOSE_EXPORT Pose readPose(const std::string& path);
 
-/// Writes a pose as .json, .tfm or .h5, by the extension; every number is restored to the last bit.
+/// Writes a pose as .json, .tfm or .h5, depending on the extension; all numbers are preserved exactly.
 ANGIOPOSE_EXPORT void writePose(const Pose& cameraFromPatient, const std::string& path);
 
 }   // namespace angiopose

@@ -9,7 +9,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double upperQuartile = 0.75;
-constexpr double clearlyFilled = 15.0;   // cap on ridge strength, in clutter units; above is metal, not more contrast
+constexpr double clearlyFilled = 15.0;   // cap, in units of `clutter`; stronger ridges are metal, not more contrast
 
 /// Returns the maximum vesselness in the 3×3 neighborhood, because ridges are narrow and points lie between pixels.
 double strongestAround(const ImageF& vesselness, const Eigen::Vector2d& point)

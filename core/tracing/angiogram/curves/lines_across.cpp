@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minShareAcross = 0.5;   // minimum chord / shorter field side; shorter paths may cut a corner
+constexpr double minShareAcross = 0.5;   // minimum chord / shorter field side; shorter paths may cut off a corner
 constexpr double largestDeformation = 0.01;   // maximum RMS distance from a straight line, relative to the length
 
 }   // namespace

@@ -7,8 +7,8 @@
 
 namespace angiopose::core {
 
-/// Whether a path runs straight from one side of the field to another, as leads, wires and bone edges outside the heart
-/// do: no vessel enters an image, keeps its direction and leaves it. A deviation of 1 % of the length is allowed.
+/// Returns whether a path runs straight from one side of the field to another, like leads, wires and bone edges outside
+/// the heart: no vessel enters an image, keeps its direction and leaves it. Allows a deviation of 1 % of the length.
 bool runsStraightAcross(const std::vector<Eigen::Vector2d>& pathPx, const Mask2d& field);
 
 }   // namespace angiopose::core

@@ -9,10 +9,10 @@ namespace {
 
 constexpr std::size_t minPointsOfEdge = 10;   // shorter paths are dominated by noise
 constexpr double nearestSidePx = 2.0;
-constexpr double farthestSidePx = 4.0;   // patients may move farther, but then both sides appear as separate lines
+constexpr double farthestSidePx = 4.0;   // patients may move farther, but the two sides then appear as separate lines
 constexpr std::size_t edgeTangentReach = 4;
 
-/// Unit normals pointing to the right of the path.
+/// Returns the unit normals, which point to the right of the path.
 std::vector<Eigen::Vector2d> normalsAlong(const std::vector<Eigen::Vector2d>& path)
 {
     std::vector<Eigen::Vector2d> normals(path.size());

@@ -33,7 +33,7 @@ Arm otherEnd(Arm arm)
     return arm ^ 1U;
 }
 
-/// Unit direction in which the arm leaves its node.
+/// Returns the unit direction in which the arm leaves its node.
 Eigen::Vector2d directionOf(const SkeletonGraph& graph, Arm arm)
 {
     const auto& points = edgeOf(graph, arm).pointsPx;
@@ -119,7 +119,7 @@ SkeletonGraph withCrossingsMerged(SkeletonGraph graph, double crossingPx)
     return graph;
 }
 
-/// For each arm, the arm that continues it straight through the shared node, or noArm.
+/// Returns, for each arm, the arm that continues it straight through the shared node, or noArm.
 std::vector<Arm> continuations(const SkeletonGraph& graph)
 {
     struct Pair {

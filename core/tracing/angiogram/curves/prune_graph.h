@@ -9,7 +9,7 @@ namespace angiopose::core {
 /// Size or score of an edge, such as its length or the vessel evidence along the edge.
 using EdgeMeasure = std::function<double(const SkeletonEdge&)>;
 
-/// Removes spurs (edges between a junction and a free end), lowest score first, until none scores below `least`. Merges
+/// Removes spurs (edges between a junction and a free end), weakest first, until none scores below `least`; joins
 /// edges that then continue each other.
 SkeletonGraph withoutSpurs(SkeletonGraph graph, const EdgeMeasure& worth, double least);
 

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Walks the skeleton pixel by pixel; `nodeAt` holds the node of junction and end pixels, -1 elsewhere.
+/// Follows the skeleton pixel by pixel; `nodeAt_` holds the node of junction and end pixels, -1 elsewhere.
 class PixelWalker {
 public:
     explicit PixelWalker(const Mask2d& skeleton)

@@ -10,8 +10,8 @@ namespace angiopose::core {
 namespace {
 
 constexpr double minShareOfSuspect = 0.15;
-constexpr double evenBendPx = 0.7;   // maximum RMS distance from the best-fit arc or line, short curves
-constexpr double evenBendPerLength = 0.006;   // maximum RMS distance relative to the length, long curves
+constexpr double evenBendPx = 0.7;   // maximum RMS distance from the best-fit arc or line, for short curves
+constexpr double evenBendPerLength = 0.006;   // maximum RMS distance relative to the length, for long curves
 constexpr double minLoopPx = 20.0;
 constexpr double maxShareOfLoop = 0.6;
 constexpr double loopGap = 0.15;   // maximum distance between the ends, relative to the length

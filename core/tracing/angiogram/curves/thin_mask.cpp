@@ -9,8 +9,8 @@
 namespace angiopose::core {
 namespace {
 
-/// For each 3×3 neighborhood (bit k: neighbor k is set, counterclockwise from east), whether the center pixel can be
-/// deleted.
+/// Computes for each 3×3 neighborhood (bit k: neighbor k is set, counterclockwise from east) whether the center pixel
+/// can be deleted.
 std::array<bool, 256> makeDeletableTable()
 {
     std::array<bool, 256> table{};
@@ -25,7 +25,7 @@ std::array<bool, 256> makeDeletableTable()
     return table;
 }
 
-/// The mask with a cleared rim, in which every pixel has eight neighbors, and the pixels still to be checked.
+/// Thins a mask padded with a clear border, so that every pixel has eight neighbors.
 class PixelPeeler {
 public:
     explicit PixelPeeler(const Mask2d& mask)

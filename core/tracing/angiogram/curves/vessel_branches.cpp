@@ -14,7 +14,7 @@
 namespace angiopose::core {
 namespace {
 
-// A side branch must be long or strong: √length times the amount by which its weak parts exceed half of the evidence.
+// A side branch must be long or strong: its score is √length × (20th percentile of its evidence − 0.5).
 constexpr double minBranchEvidence = 0.5;
 constexpr double minWorth = 4.5;
 constexpr double weakPart = 0.2;
@@ -38,7 +38,7 @@ std::vector<float> evidenceAlong(const SkeletonEdge& edge, const ImageF& evidenc
     return along;
 }
 
-/// Field eroded by `branchRimPx`; pixels beyond the image count as outside.
+/// Erodes the field by `branchRimPx`; pixels beyond the image count as outside.
 Mask2d insideOfRim(const Mask2d& field)
 {
     Mask2d inside = eroded(field, branchRimPx);

@@ -11,7 +11,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double profileStepPx = 0.5;
-constexpr int profilesAveraged = 3;   // on either side of the point
+constexpr int profilesAveraged = 3;   // number of profiles on either side of the point
 constexpr double maxShiftPx = 2.0;
 constexpr double leapPx = 1.0;
 constexpr double widestLeap = 1.4;   // maximum width relative to the typical width nearby
@@ -110,7 +110,7 @@ std::vector<std::optional<VesselWalls>> wallsAlong(const Profiles& profiles)
     return walls;
 }
 
-/// Median of a property of the known walls around a point.
+/// Returns the median of a property of the known walls around a point.
 double usualAround(const std::vector<std::optional<VesselWalls>>& walls, std::size_t i, double VesselWalls::*part)
 {
     constexpr std::size_t reach = 15;

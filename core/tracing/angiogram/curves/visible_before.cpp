@@ -43,7 +43,7 @@ std::vector<Depths> depthsAlong(const Curve2d& curve, const ImageF& frame, doubl
     return depths;
 }
 
-/// Mean over the points around the i-th point, at each shift.
+/// Averages the depths over the points around the i-th point, separately for each shift.
 Depths meanAround(const std::vector<Depths>& depths, std::size_t i)
 {
     const std::size_t first = i >= reachPoints ? i - reachPoints : 0;
@@ -57,7 +57,7 @@ Depths meanAround(const std::vector<Depths>& depths, std::size_t i)
     return mean;
 }
 
-/// Share of the curve's points that have a line at least half as deep within 1 px in nearly all other frames.
+/// Fraction of the curve's points at which nearly all other frames show a line within 1 px, at least half as deep.
 double shareStandingStill(const Curve2d& curve, const ImageF& frame, const std::vector<const ImageF*>& others,
                           double sign)
 {

@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// Images that guide manual drawing on a frame: `LiveWire` follows the vesselness, and `withDrawn` centers curves on
+/// Images that guide manual drawing on a frame: `LiveWire` follows the vesselness, `withDrawn` centers curves on
 /// the opacity. Unlike tracing, computing them does not fail if the frame shows no vessels.
 struct DrawingGround {
     ImageF vesselness;   ///< 0…1

@@ -21,7 +21,7 @@ int freeId(const Centerline2d& centerline)
     return id;
 }
 
-/// Points from `first` up to but not including `end` as a separate curve.
+/// Returns the points from `first` up to but not including `end` as a separate curve.
 Curve2d partOf(const Curve2d& curve, std::size_t first, std::size_t end)
 {
     const auto slice = [&](const auto& values) {

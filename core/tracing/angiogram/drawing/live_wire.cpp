@@ -19,7 +19,7 @@ struct WireStep {
 };
 constexpr std::array<WireStep, 8> wireSteps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
-/// Low cost on vessels, high cost beside them. The square root lets faint vessels guide the path as well.
+/// Assigns low costs to vessels and high costs beside them. The square root lets faint vessels guide the path as well.
 Image2d<std::uint8_t> costsOf(const ImageF& vesselness)
 {
     Image2d<std::uint8_t> costs(vesselness.width, vesselness.height);

@@ -10,7 +10,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double extremeShare = 0.02;   // tolerance around minimum and maximum (lossy compression), fraction of range
+constexpr double extremeShare = 0.02;   // tolerance around the extremes (lossy compression), fraction of the range
 constexpr double hardEdge = 0.3;   // minimum intensity step across a shape's border, as a fraction of the range
 constexpr double hardEdgeOfInk = 0.12;   // same for shapes of one exact value, which X-ray images never contain
 constexpr int inkLevels = 256;

@@ -7,7 +7,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr float edgeShare = 0.1F;   // tolerance around either level, as a fraction of the range
-constexpr double minOfLevels = 0.97;   // minimum fraction of pixels at the two levels; the rest are smoothed edges
+constexpr double minOfLevels = 0.97;   // minimum fraction of pixels at the two levels; others are blurred edges
 
 }   // namespace
 

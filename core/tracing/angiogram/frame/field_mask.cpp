@@ -20,7 +20,7 @@ constexpr double minShareOfEdge = 0.6;
 constexpr std::size_t smallestDrawnShare = 200;   // the frame's area divided by the minimum area of a region
 constexpr int shutterEdgePx = 4;   // width of the blurred edge, px of the full-size image
 
-/// Dark regions that reach the image edge and are wider than any vessel.
+/// Finds dark regions that reach the image edge and are wider than any vessel.
 Mask2d darkBorder(const ImageF& smooth, double threshold, int openingPx)
 {
     Mask2d dark(smooth.width + 2 * openingPx, smooth.height + 2 * openingPx, 255);
@@ -58,7 +58,7 @@ double edgeSlope(const ImageF& smooth, const Mask2d& border)
     return count > 0 ? sum / count : 0.0;
 }
 
-/// The unexposed border: of several gray levels, the one with the sharpest edge, or empty if none is sharp enough.
+/// Tries several gray levels and returns the unexposed border with the sharpest edge; empty if none is sharp enough.
 Mask2d unexposedBorder(const ImageF& image, int openingPx)
 {
     const ImageF smooth = blurred(image, fieldSmoothingPx);
@@ -79,7 +79,7 @@ Mask2d unexposedBorder(const ImageF& image, int openingPx)
     return best;
 }
 
-/// Regions of exactly one value at the image edge, such as digitally drawn shutters and frames.
+/// Finds regions of exactly one value at the image edge, such as digitally drawn shutters and frames.
 Mask2d drawnBorder(const ImageF& image, std::size_t smallestPartPx)
 {
     Mask2d flat(image.width, image.height);
@@ -113,7 +113,7 @@ ImageF negated(ImageF image)
     return image;
 }
 
-/// Replaces the marked part of the image by the median gray value of the rest to suppress its contrast.
+/// Replaces the marked part of the image by the median gray value of all other pixels to suppress its contrast.
 ImageF grayedOut(ImageF image, const Mask2d& marked)
 {
     std::vector<float> rest;

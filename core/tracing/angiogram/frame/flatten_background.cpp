@@ -14,9 +14,9 @@ namespace {
 // (Beer-Lambert), 0 for a fixed difference; display curves lie in between.
 constexpr double contrastPower = 0.65;
 constexpr float vesselWeight = 0.05F;
-constexpr float darkestShare = 0.3F;   // lower limit, fraction of the median background; less would amplify noise
+constexpr float darkestShare = 0.3F;   // fraction of the median background; lower values would amplify noise
 
-/// Weighted Gaussian mean, sum(w v)/sum(w), on a coarser grid; only variations slower than `sigmaPx` are needed.
+/// Weighted Gaussian mean, Σ w v / Σ w, on a coarser grid, because only variations slower than `sigmaPx` are needed.
 ImageF slowMean(const ImageF& values, const ImageF& weights, double sigmaPx)
 {
     ImageF weighted = values;
@@ -37,7 +37,7 @@ ImageF slowMean(const ImageF& values, const ImageF& weights, double sigmaPx)
     return enlarged(weighted, factor, values.width, values.height);
 }
 
-/// The background without pixels darker than it by more than the spread, because vessels must not darken it.
+/// Estimates the background. Pixels darker than it by more than the spread hardly count: vessels must not darken it.
 ImageF backgroundOf(const ImageF& image, const ImageF& exposed, double sigmaPx)
 {
     const ImageF first = slowMean(image, exposed, sigmaPx);

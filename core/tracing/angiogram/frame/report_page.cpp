@@ -12,14 +12,14 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t grayLevels = 64;   // histogram bins for finding the gray value of the page
-constexpr double minPaper = 0.7;   // minimum page-colored fraction; a narrow field in a black frame comes close
+constexpr double minPaper = 0.7;   // minimum fraction of page color; a narrow field in a black frame is close
 constexpr double inkContrast = 0.25;   // minimum difference of ink from the page, as a fraction of the gray range
 constexpr double maxToneShare = 0.1;   // maximum fraction of pixels in shapes too large for letters (images, frames)
 constexpr double greatestLetterShare = 0.05;   // maximum letter size, as a fraction of the longer side
 constexpr std::size_t minLetters = 30;
 constexpr double minInRows = 0.5;   // minimum fraction of letter-sized shapes in rows; specks do not form rows
 
-/// Returns the most frequent gray value if most pixels have it, else nullopt.
+/// Returns the predominant gray value, or nullopt if no value covers the required fraction of the image.
 std::optional<float> paperOf(const ImageF& picture, float low, float range)
 {
     std::array<std::size_t, grayLevels> counts{};

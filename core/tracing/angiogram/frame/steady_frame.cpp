@@ -14,8 +14,8 @@ namespace {
 constexpr int reachFrames = 4;
 constexpr int smallestSteadySide = 8;
 constexpr double steadySmoothingPx = 1.5;   // standard deviation of the smoothing, px of the half-size frame
-// Threshold for a change, as a multiple of the standard deviation of smoothed white noise; about 1 of the 4 allows for
-// detector noise that is not quite white.
+// Threshold for a change, as a multiple of the standard deviation of smoothed white noise; a quarter of it is a reserve
+// for detector noise that is not quite white.
 constexpr double changedMultiple = 4.0;
 constexpr double maxChanged = 0.01;
 constexpr double medianPerSigma = 0.6745;   // median of |x| for a standard normal x
@@ -27,7 +27,7 @@ bool hasFinitePixels(const ImageF& image)
 }
 
 struct Difference {
-    ImageF coarse;   ///< half-size other frame minus half-size frame, minus `brighterBy`
+    ImageF coarse;   ///< other frame − frame, both at half size, minus `brighterBy`
     float brighterBy = 0.0F;   ///< median brightness difference, other frame minus frame
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t minInRow = 3;
 
-/// Whether two shapes belong to one line of text: similar height, same baseline, at most two letters apart.
+/// Returns whether two shapes belong to one line of text: similar height, same baseline, at most two letters apart.
 bool areInOneRow(const Glyph& a, const Glyph& b)
 {
     const int height = std::max(a.height(), b.height());

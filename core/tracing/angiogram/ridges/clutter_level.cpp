@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double rank = 0.9;   // quantile above most noise but below the tail that vessel flanks add
+constexpr double rank = 0.9;   // quantile above most noise, but below the tail due to vessel flanks
 constexpr double tailRank = 0.98;
 // Ratio of these two quantiles if structures are present; lower for pure noise.
 constexpr double tailRatio = 1.75;
@@ -17,7 +17,7 @@ constexpr double minWeight = 0.5;   // lower limit of scale weights; thin vessel
 constexpr int clutterRimPx = 6;   // width of the border in which filters respond to the field edge
 constexpr double clearMultiple = 4.0;
 constexpr int flankPx = 10;
-constexpr std::size_t minShareLeft = 10;   // if less than 1/10 of the field is away from vessels, all of it counts
+constexpr std::size_t minShareLeft = 10;   // if less than 1/10 of the field has no vessels, all of it is used
 constexpr int maxBands = 4;
 constexpr int minBands = 2;
 constexpr int bandRows = 40;
@@ -55,7 +55,7 @@ ImageF invertedBand(const ImageF& opacity, const Band& band, int firstRow)
     return inverted;
 }
 
-/// Ridges of the opposite sign in all bands; -1 elsewhere.
+/// Computes the ridges of the opposite sign in all bands; -1 elsewhere.
 ImageF invertedRidges(const ImageF& opacity, const RidgeScale& scale)
 {
     ImageF inverted(opacity.width, opacity.height, -1.0F);

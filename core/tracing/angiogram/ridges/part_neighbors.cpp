@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-// Finer lines are mostly noise; the filters for wide vessels already detect background wider than this as such.
+// Finer lines are mostly noise; coarser background is already recognized by the filters for wide vessels.
 constexpr double finestGroundSigmaPx = 1.4;
 constexpr double coarsestGroundSigmaPx = 2.3;
 constexpr float minRidgeEvidence = 1.3F;   // slightly above the vessel threshold, so noise does not split wide vessels

@@ -21,13 +21,13 @@ constexpr double finestSigmaPx = 0.8;
 // Coarser scales are filtered on a half-size image, at a quarter of the cost.
 constexpr double coarsestSigmaOnGrid = 1.7;
 constexpr double lineReachInSigmas = 2.5;
-constexpr double shortestLineReachPx = 4.0;   // lower limit; the finest scales alone would not average out enough noise
+constexpr double shortestLineReachPx = 4.0;   // lower limit, because shorter lines would not average out enough noise
 constexpr std::size_t tapCount = 5;   // samples along the line, mostly 1.25 σ apart: fine enough at scale σ
 constexpr float slopeWeight = 0.85F;
 // Fraction of the difference between both sides by which a one-sided ridge, as at a blob, is reduced.
 constexpr float oneSidedPenalty = 0.5F;
 constexpr int rowsPerStrip = 32;
-constexpr int maxFilterThreads = 2;   // more threads would only wait for memory
+constexpr int maxFilterThreads = 2;   // memory bandwidth limits the gain from more threads
 
 /// Scale-normalized first and second Gaussian derivatives of some rows of an image.
 struct Derivatives {
@@ -41,8 +41,8 @@ struct ThreeRows {
     const float* below;
 };
 
-/// Central differences of a row without its first and last pixel. The `__restrict` pointers state that the targets do
-/// not overlap.
+/// Computes central differences of a row except its first and last pixel. The `__restrict` pointers promise the
+/// compiler that the targets do not overlap.
 ANGIOPOSE_WIDE_VECTORS
 void differentiateRow(const ThreeRows& rows, Derivatives& d, std::size_t start, float sigma)
 {
@@ -65,7 +65,7 @@ void differentiateRow(const ThreeRows& rows, Derivatives& d, std::size_t start, 
     }
 }
 
-/// Derivatives of as many rows as `d` has, from `firstRow` on; edge rows are repeated beyond the image.
+/// Computes the derivatives of as many rows as `d` has, from `firstRow` on; edge rows repeat beyond the image.
 void differentiate(const ImageF& smooth, int firstRow, double sigmaPx, Derivatives& d)
 {
     for (int row = 0; row < d.x.height; ++row) {
@@ -112,7 +112,7 @@ LineTaps lineTaps(double angle, const RidgeScale& scale)
     return taps;
 }
 
-/// Curvature minus slope across the direction, along its normal `n`, for the pixels of one row.
+/// Computes curvature minus slope along the normal `n` of the direction, for the pixels of one row.
 ANGIOPOSE_WIDE_VECTORS
 void ridgeRow(const Derivatives& d, std::size_t start, const Eigen::Vector2f& n, float* ridge)
 {
@@ -172,7 +172,7 @@ public:
         d_ = {strip, strip, strip, strip, strip};
     }
 
-    /// Raises the rows of `best` in the strip that starts at row `top`.
+    /// Updates the rows of `best` in the strip that starts at row `top`.
     void raise(int top, ImageF& best)
     {
         const int rowCount = std::min(rowsPerStrip, smooth_.height - top);
@@ -243,7 +243,7 @@ ImageF ridgeStrength(const ImageF& opacity, const std::vector<RidgeScale>& scale
     }
     ImageF grid = opacity;
     double gridSpacingPx = 1.0;
-    std::vector<ImageF> levels{ImageF(grid.width, grid.height)};   // strongest ridges per level, sizes halving
+    std::vector<ImageF> levels{ImageF(grid.width, grid.height)};   // strongest ridges per level of halved size
     for (const RidgeScale& scale : scales) {
         while (scale.sigmaPx / gridSpacingPx > coarsestSigmaOnGrid &&
                std::min(grid.width, grid.height) >= 2 * smallestSide) {

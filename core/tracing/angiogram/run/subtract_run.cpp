@@ -13,8 +13,8 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t maxMaskFrames = 8;
-constexpr double emptyShare = 0.15;   // fraction of the rise from lowest to peak opacification
-constexpr double minRise = 1.5;   // minimum ratio of peak to first opacification; below, the run starts with contrast
+constexpr double emptyShare = 0.15;   // limit for mask frames, as a fraction of the rise to the peak
+constexpr double minRise = 1.5;   // minimum ratio of peak to first opacification; lower if the run starts with contrast
 
 std::optional<Message> problemWith(const std::vector<ImageF>& frames, const SubtractionPlan& plan)
 {
@@ -35,7 +35,7 @@ std::optional<Message> problemWith(const std::vector<ImageF>& frames, const Subt
     return {};
 }
 
-/// Whether a frame could not be decoded or shows nothing; it is neither usable as a mask nor subtracted.
+/// Returns whether a frame could not be decoded or shows nothing; it is neither usable as a mask nor subtracted.
 bool isBlank(const ImageF& frame)
 {
     return std::ranges::all_of(frame.pixels, [&](float value) { return value == frame.pixels.front(); });
@@ -126,7 +126,7 @@ std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity p
     if (!(most > 0.0)) {
         return {};
     }
-    if (most < minRise * opacity(shown.front())) {   // bones and organ edges are ridges too
+    if (most < minRise * opacity(shown.front())) {   // bones and organ edges also produce ridges
         const auto isOpacified = [&](int frame) {
             return showsContrast(frames[static_cast<std::size_t>(frame)], polarity, shutter);
         };

@@ -14,8 +14,8 @@
 namespace angiopose::core {
 namespace {
 
-// Opacification is measured on a coarse copy of each frame, because only the vessel area matters here, not the
-// position.
+// Opacification is measured on a coarse copy of each frame, because only the area of the vessels matters here, not
+// their position.
 constexpr int widestSidePx = 300;
 constexpr double minRadiusPx = 1.5;
 constexpr double maxRadiusPx = 4.0;

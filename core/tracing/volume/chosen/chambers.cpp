@@ -5,8 +5,8 @@ namespace {
 
 constexpr double minSeedRadiusMm = 5.0;   ///< thinner vessels do not indicate the width of their trunk
 constexpr double minChamberRadiusMm = 4.0;   ///< thinner leaks are left to pruning
-constexpr double minNeckShare = 0.3;   ///< relative to the radius beyond; stenoses and compressed lumens stay above
-constexpr double minWideNeckShare = 0.5;   ///< same if wider than the seeds' vessel; an open valve stays below
+constexpr double minNeckShare = 0.3;   ///< relative to the radius beyond; stenoses and compressed lumens exceed this
+constexpr double minWideNeckShare = 0.5;   ///< for regions wider than the seeds' vessel; an open valve is narrower
 constexpr double maxChamberShare = 1.35;   ///< maximum radius relative to the radius at the seed
 
 }   // namespace

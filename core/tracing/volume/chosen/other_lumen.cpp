@@ -6,7 +6,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double wallMm = 4.0;   ///< maximum thickness of a flap, stent struts or two walls, including blur
+constexpr double wallMm = 4.0;   ///< maximum thickness of a dissection flap, stent struts or two walls, including blur
 constexpr double minRadiusMm = 4.0;
 constexpr double minParallel = 0.85;   ///< minimum cosine of the angle; pulmonary arteries cross the aorta
 

@@ -18,7 +18,7 @@ constexpr std::uint8_t vessel = 2;
 constexpr std::uint8_t other = 3;
 constexpr double maxBallBeyondSection = 1.3;   ///< maximum inscribed sphere relative to the cross-section
 constexpr double minNeckFromSeed =
-    0.45;   ///< minimum, relative to the thinner radius, between a seed and a vessel continuing its own
+    0.45;   ///< minimum neck toward the great vessel that continues a seeded vessel, relative to the thinner radius
 
 /// Voxel at the front of the flood; the widest is processed first, ties in order of insertion.
 struct Shore {

@@ -13,12 +13,12 @@ namespace angiopose::core {
 
 /// Removes from a mask everything that a point to avoid reaches along a wider path than a seed does, which separates
 /// connected vessels at their narrowest point (marker-based flooding of the distance map, Meyer 1994). Also removes
-/// regions beyond necks (see `voxelsBeyondNecks`) and, if `fill` is given, vessels with a different opacification.
-/// Points outside the mask are ignored. Incomplete when stopped.
+/// regions beyond necks (`voxelsBeyondNecks`) and, if `fill` is given, differently opacified vessels. Ignores
+/// points outside the mask. Incomplete when stopped.
 ///
-/// A seed stands for the great vessel that contains it, so all points in that vessel give the same result; only a seed
-/// outside all great vessels stands for itself. Without seeds, the first great vessel is used. Returns the start points
-/// from which the vessels were flooded.
+/// A seed inside a great vessel selects that whole vessel, so all points in it give the same result; a seed outside all
+/// great vessels is used unchanged. Without seeds, the first great vessel is used. Returns the start points of the
+/// flooding.
 std::vector<Eigen::Vector3d> splitBySeeds(VoxelMask& mask, const VesselTracingOptions& options, const VoxelFill& fill,
                                           const std::vector<GreatVessel>& greatVessels, TracingProgress& progress);
 

@@ -75,7 +75,7 @@ public:
         return grid;
     }
 
-    /// Means of one slice of blocks, i fastest.
+    /// Returns the means of one slice of blocks; i varies fastest.
     std::vector<double> slice(std::size_t k) const
     {
         std::vector<double> means;
@@ -103,8 +103,8 @@ public:
     }
 
 private:
-    /// Averages over the block's z extent for all columns and rows at once: blocks share voxels, and evaluating `fill_`
-    /// is the expensive part.
+    /// Averages over the block's z extent for all columns and rows at once, because blocks share voxels and
+    /// evaluating `fill_` is expensive.
     std::vector<double> planeOf(const Extent& z) const
     {
         const Eigen::Vector3i& size = lumen_.geometry.size;

@@ -28,12 +28,12 @@ struct TubeGround {
 };
 
 constexpr double minTrustInWall = 0.5;   ///< a sixth of the rays may miss the wall (branch origins)
-constexpr double minFlatTrust = 0.1;   ///< for closed flat sections, such as the true lumen of a dissection
+constexpr double minFlatTrust = 0.1;   ///< for flat sections with walls all around (true lumen of a dissection)
 constexpr double minClosed = 0.95;
 constexpr double maxWidening = 1.3;   ///< maximum ratio of consecutive radii
 constexpr double maxAside = 0.5;   ///< offset of the section's center from the expected point, in radii
 constexpr double stepInRadii = 0.5;
-constexpr int maxMissed = 3;   ///< consecutive sections; a wide branch origin spans one or two diameters
+constexpr int maxMissed = 3;   ///< maximum number of consecutive misses; a branch origin spans one or two diameters
 constexpr int maxSteps = 1000;
 
 /// Current state of the tracking.
@@ -119,7 +119,7 @@ Tube walkTube(const Eigen::Vector3d& startMm, double radiusMm, const TubeGround&
 }
 
 constexpr double minRadiusInBlocks = 1.3;   ///< in blocks, or in voxels if larger; thinner vessels are not detected
-constexpr double minSlendernessOfPiece = 3.0;   ///< minimum; a single heart chamber has 2
+constexpr double minSlendernessOfPiece = 3.0;   ///< minimum slenderness; a single heart chamber has 2
 constexpr double usualRadiusMm = 15.0;   ///< radius of the widest arteries; larger chambers score no higher
 constexpr double maxSlenderness = 20.0;   ///< cap in the score; otherwise thin vessels would win
 constexpr std::size_t minPointsOfTrunk = 6;

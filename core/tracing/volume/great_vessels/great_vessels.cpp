@@ -11,15 +11,15 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double maxGapInRadii = 2.0;   ///< maximum from a trunk's end to the next axis, in sums of both radii
+constexpr double maxGapInRadii = 2.0;   ///< maximum distance from a trunk's end to the other axis / sum of both radii
 constexpr double maxGapOfSameBlood = 2.5;
 constexpr double minSlendernessOfTrunks = 5.0;   ///< minimum of one trunk; two heart chambers in a row reach 4.5
 constexpr double minLengthMm = 40.0;   ///< minimum length of that trunk; marrow, ureters and dense bowel are shorter
 constexpr double minNeckBetween = 0.45;   ///< minimum neck relative to the thinner radius; touching vessels have 0.3
-constexpr double maxBeyondSection = 1.3;   ///< inscribed sphere / section; above, it lies in a touching structure
+constexpr double maxBeyondSection = 1.3;   ///< inscribed sphere / section; a larger sphere lies in a touching structure
 constexpr double maxFillStep = 0.2;   ///< maximum difference within an artery; veins and organs differ more
 constexpr double maxStepOfSameBlood = 0.1;   ///< variation of the opacification along a whole aorta
-constexpr double minOfOther = 0.5;   ///< thinner / wider radius; below, one trunk branches from the other
+constexpr double minOfOther = 0.5;   ///< thinner / wider radius; below this, one trunk branches off the other
 constexpr double minOfFirst = 0.01;   ///< score relative to the first trunk; excludes stumps that link trunks
 
 /// Decides whether one trunk continues another.

@@ -10,7 +10,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double blockMm = 2.5;
-constexpr double minBoneFill = 1.5;   ///< brighter than the lumen by half of its contrast
+constexpr double minBoneFill = 1.5;   ///< above the lumen level by half of the lumen contrast
 constexpr double minBoneShare = 0.25;   ///< minimum bone fraction of a block's voxels
 constexpr double maxAirFill = -1.0;
 constexpr int sectors = 48;
@@ -45,7 +45,7 @@ Block blockAt(const Eigen::Array3i& block, const Eigen::Array3i& per, const Voxe
     for (int n = 0; n < per.prod(); ++n) {
         const Eigen::Array3i in(n % per.x(), n / per.x() % per.y(), n / (per.x() * per.y()));
         if ((per > 2).any() && in.x() % 2 + in.y() % 2 + in.z() % 2 > 0) {
-            continue;   // every second voxel is enough
+            continue;   // sampling every second voxel is enough
         }
         const Eigen::Array3i at = block * per + in;
         const double share = fill(at.x(), at.y(), at.z());

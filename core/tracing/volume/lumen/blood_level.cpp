@@ -14,20 +14,20 @@ namespace {
 
 constexpr std::size_t levelBins = 300;
 constexpr int coarseStep = 3;   ///< sampling step in voxels, along each axis
-constexpr double maxAirHu = -500.0;   ///< CT in HU if the lowest value is below
+constexpr double maxAirHu = -500.0;   ///< a lowest value below this indicates CT in HU
 constexpr double wholeAirHu = -1000.0;
 constexpr double darkHu = -20.0;   ///< fat is darker; on unsigned scales (air at 0), only noise is this dark
 constexpr double darkShare = 0.001;   ///< minimum fraction of voxels at or below `darkHu`
 constexpr double denseHu = 800.0;   ///< bone and metal; for HU shifted by about 1000 (air at 0), the whole body
 constexpr double maxDenseShare = 0.2;   ///< maximum fraction of voxels above `denseHu`
 constexpr double minContrastHu = 150.0;   ///< minimum lumen contrast to tissue in CT; organs and marrow have less
-constexpr double minContrastShare = 0.15;   ///< same without HU, relative to the tissue-to-bone range (about 1000 HU)
+constexpr double minContrastShare = 0.15;   ///< without HU: fraction of the tissue-to-bone range (about 1000 HU)
 constexpr double minBloodMl = 0.03;
 constexpr double shareOfGreatest = 0.01;   ///< minimum volume of a peak relative to the largest peak
 constexpr double airShare = 0.05;   ///< fraction of the value range, from the lowest value, that counts as air
 constexpr double minBodyShare = 0.05;   ///< minimum volume relative to air; vessels alone have less
 constexpr double minMuscleShare = 0.2;   ///< minimum volume relative to the largest body peak, which may be fat
-constexpr double unchanged = 0.04;   ///< maximum change in homogeneous surroundings, fraction of the value range
+constexpr double unchanged = 0.04;   ///< maximum change in homogeneous regions, fraction of the value range
 
 constexpr int brightStep = 2;   ///< sampling step in voxels when searching for the brightest voxels
 constexpr double brightestMl = 0.5;   ///< volume of 10 mm of a common carotid artery
@@ -50,7 +50,7 @@ public:
 
     double at(int i, int j, int k) const { return volume_.value(order_.stored(i, j, k)); }
 
-    /// Mean over a voxel and its six neighbors, to reduce noise.
+    /// Returns the mean over a voxel and its six neighbors, which reduces noise.
     double mean(int i, int j, int k) const
     {
         return (at(i, j, k) + at(i - 1, j, k) + at(i + 1, j, k) + at(i, j - 1, k) + at(i, j + 1, k) + at(i, j, k - 1) +
@@ -121,7 +121,7 @@ Range rangeOf(const Reader& reader)
     return {isHu ? std::min(low, wholeAirHu) : low, high, isHu};
 }
 
-/// Histogram of the voxels above a value, sampling every `step`-th voxel along each axis.
+/// Computes the histogram of the voxels above a value, sampling every `step`-th voxel along each axis.
 Histogram histogramOf(const Reader& reader, const Range& range, double above, int step)
 {
     Histogram histogram;
@@ -216,7 +216,7 @@ double tissueValue(const Histogram& histogram, const Range& range, bool isHu)
     return isHu ? histogram.valueOf(highestBin(histogram, 0.0, 130.0)) : tissueWithoutHu(histogram, range);
 }
 
-/// Median of the values above the threshold.
+/// Returns the median of the values above the threshold.
 double typicalAbove(const Reader& reader, double threshold)
 {
     std::vector<float> values;
@@ -242,7 +242,7 @@ double valueAbove(std::vector<float>& values, double ml, double mlOfOne)
     return *at;
 }
 
-/// Mode of the values between `low` and `high`.
+/// Returns the mode of the values between `low` and `high`.
 double maxCommon(const std::vector<float>& values, double low, double high)
 {
     constexpr std::size_t bins = 60;

@@ -27,7 +27,7 @@ constexpr double maxStoredOfCoil = 32000.0;
 
 using Terms = Eigen::Matrix<double, 10, 1>;
 
-/// Polynomial terms of the field; `place` ranges from -1 to 1 along each axis.
+/// Returns the polynomial terms of the field; `place` ranges from -1 to 1 along each axis.
 Terms termsAt(const Eigen::Vector3d& place)
 {
     Terms terms;

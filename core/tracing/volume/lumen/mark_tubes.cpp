@@ -19,7 +19,7 @@ constexpr float minCurvature = 0.075F;   ///< minimum curvature × σ² / lumen 
 constexpr float minRoundness = 0.33F;   ///< minimum ratio of the transverse curvatures; a sheet has 0
 constexpr float maxAlong = 0.75F;   ///< maximum axial / weaker transverse curvature; a sphere has 1
 
-/// Block of the scan with a margin, as opacification.
+/// Opacification in a block of the scan with a margin.
 struct TubeBlock {
     Eigen::Vector3i low;   ///< first voxel in the volume, margin included; may lie outside
     Eigen::Vector3i size;
@@ -90,7 +90,7 @@ void smoothAlong(TubeBlock& block, std::vector<float>& scratch, int axis, double
     block.fill.swap(scratch);
 }
 
-/// Second derivatives by central differences, in mm, multiplied by `factor`.
+/// Returns the second derivatives (central differences, per mm²), multiplied by `factor`.
 Eigen::Matrix3f curvatureAt(const TubeBlock& block, std::ptrdiff_t at, const Eigen::Vector3f& spacing, float factor)
 {
     const float* f = &block.fill[static_cast<std::size_t>(at)];

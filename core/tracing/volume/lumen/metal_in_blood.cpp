@@ -10,15 +10,15 @@ namespace angiopose::core {
 namespace {
 
 constexpr double maxBoneHu = 2000.0;
-constexpr double maxBoneFill = 5.0;   ///< same for scans without Hounsfield units
-constexpr double solidReachMm = 6.0;   ///< a voxel bright to this distance on all sides is no stent, even if blurred
-constexpr double aroundMetalMm = 2.0;   ///< margin around the brightest voxels for their blur and thinner struts
+constexpr double maxBoneFill = 5.0;   ///< the same limit as opacification, for scans without Hounsfield units
+constexpr double solidReachMm = 6.0;   ///< no stent, even if blurred, is bright on all sides to this distance
+constexpr double aroundMetalMm = 2.0;   ///< margin around the brightest voxels, for their blur and thinner struts
 constexpr double besideWiresMm = 3.0;   ///< distance beyond the blur of the struts
 constexpr double brightFill = 1.6;
 constexpr double minBesideFill = 0.7;
 constexpr double minBesideShare = 0.38;   ///< minimum lumen fraction of non-bright voxels; sternal wires have 0.3
 
-/// The six positions at distance `reach` along the axes.
+/// Returns the six positions at distance `reach` along the axes.
 std::array<Eigen::Vector3i, 6> sidesOf(const Eigen::Vector3i& voxel, const Eigen::Vector3i& reach)
 {
     const Eigen::Vector3i x(reach.x(), 0, 0);
@@ -81,7 +81,7 @@ bool isStent(const VoxelPiece& piece, const VolumeGeometry& grid, const VoxelFil
     return around.isBlood() || isThinStent(piece, grid, fill);
 }
 
-/// Voxels of a component near `metal`.
+/// Returns the voxels of a component that are near `metal`.
 VoxelPiece partAround(const VoxelPiece& metal, const VoxelPiece& piece, const VolumeGeometry& grid)
 {
     const VoxelBox box = boxAround(metal, grid, aroundMetalMm);

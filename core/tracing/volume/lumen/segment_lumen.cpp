@@ -38,7 +38,7 @@ constexpr int maxWireWidth = 2;   ///< voxels from the edge of a strut to its br
 constexpr double bloomingMm = 4.0;   ///< reach of streaks and blurring from bone and dense contrast agent
 constexpr double cortexReachMm = 1.4;   ///< distance from marrow to cortical bone; at least two voxels
 constexpr double maxBoneWall = 0.3;   ///< maximum fraction of a vessel's wall that borders bone
-constexpr double minCoreShare = 0.2;   ///< minimum fraction of cores; above, bright walls indicate a stented vessel
+constexpr double minCoreShare = 0.2;   ///< minimum fraction of cores in a stented vessel; marrow has fewer
 
 class Segmenter {
 public:
@@ -273,7 +273,7 @@ private:
     const BloodLevel& level_;
     Eigen::Vector3i size_;
     int threads_;
-    Eigen::Vector3i coreReach_;   ///< in voxels along each axis, as the following reaches
+    Eigen::Vector3i coreReach_;   ///< in voxels along each axis, like the reaches below
     Eigen::Vector3i rim_;
     Eigen::Vector3i bloomingReach_;
     Eigen::Vector3i cortexReach_;

@@ -72,7 +72,7 @@ public:
     }
 
 private:
-    /// Whether the cheapest path is known: no path over a waiting voxel can be cheaper, or one side is exhausted.
+    /// Returns whether the cheapest path is known: no path over a queued voxel is cheaper, or one side is exhausted.
     bool isFound() const
     {
         return waiting_[0].empty() || waiting_[1].empty() || waiting_[0].top().key + waiting_[1].top().key >= shortest_;

@@ -11,15 +11,15 @@ namespace angiopose::core {
 namespace {
 
 constexpr double lookEveryMm = 2.0;
-constexpr std::ptrdiff_t steadyReach = 7;   // smoothing positions before and after; suppresses stents, plaque and gaps
+constexpr std::ptrdiff_t steadyReach = 7;   // positions averaged on either side; suppresses stents, plaque and gaps
 constexpr double bloodRank = 0.75;   // quantile for the lumen level; blurring dims thin segments
 constexpr double besideInShells = 1.5;   // in shell radii: distance from the axis at which the surroundings begin
 constexpr double clearlyDarker = 0.5;   // minimum drop, fraction of the vessel's contrast; excludes adjacent vessels
-constexpr double withinBlood = 0.5;   // fraction of the typical contrast; below, the shell contains only lumen
-constexpr double otherVessel = 0.4;   // minimum drop, as a fraction of the contrast; excludes blur from another vessel
+constexpr double withinBlood = 0.5;   // fraction of the typical contrast; lower if the shell holds only lumen
+constexpr double otherVessel = 0.4;   // minimum drop, fraction of the contrast; excludes blur from other vessels
 constexpr double rankBeside = 0.75;   // quantile for the brighter part of the surroundings
 constexpr double maxFillBeside = 0.35;
-constexpr std::size_t minAround = 6;   // minimum samples out of 26
+constexpr std::size_t minAround = 6;   // minimum number of samples, out of 26
 
 /// Refines the tissue level from the immediate surroundings of the vessel if enough samples are darker than the vessel;
 /// otherwise keeps the level of the wider surroundings. Raises it next to lung or fat, where the rest of the

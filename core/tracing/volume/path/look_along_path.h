@@ -17,8 +17,7 @@ public:
     /// Returns the opacification near the path: 0 as in the surroundings, 1 as in the vessel.
     double fill(const Eigen::Vector3d& pointMm) const;
 
-    /// Faster variant of `fill` that looks up the vessel's appearance once for all points within a millimeter. Not
-    /// thread-safe.
+    /// Faster variant of `fill`: looks up the vessel's appearance once per cubic millimeter. Not thread-safe.
     BloodFill quickFill() const;
 
 private:

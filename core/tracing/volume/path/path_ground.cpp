@@ -18,7 +18,7 @@ constexpr int directions = 13;
 constexpr double tissueReachMm = 6.0;
 constexpr double tissueRank = 0.3;   // quantile of the surrounding values; vessels occupy the smaller part
 
-/// Steps in half of the 26 directions, no two of them opposite.
+/// Returns steps in half of the 26 directions, no two of them opposite.
 std::vector<Eigen::Vector3i> halfShell(double radiusMm, const Eigen::Vector3d& spacingMm)
 {
     std::vector<Eigen::Vector3i> steps;
@@ -64,7 +64,7 @@ double PathGround::valueAt(const Eigen::Vector3i& voxel) const
     return volume_.value(volume_.geometry.index(inside.x(), inside.y(), inside.z()));
 }
 
-/// Number of pairs with both values at most `limit`; returns 0 as soon as fewer than `atLeast` remain possible.
+/// Counts the pairs with both values ≤ `limit`; returns 0 as soon as `atLeast` pairs can no longer be reached.
 int PathGround::darkerPairs(const Shell& shell, const Eigen::Vector3i& voxel, double limit, int atLeast) const
 {
     const VolumeGeometry& grid = volume_.geometry;

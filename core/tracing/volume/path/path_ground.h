@@ -40,7 +40,7 @@ public:
     /// Returns only `TubeLook::share`, which is faster to compute.
     double tubeShare(const Eigen::Vector3i& voxel, double tissue) const;
 
-    /// Values in 26 directions at the given distance.
+    /// Returns the values in 26 directions at the given distance.
     std::vector<double> valuesAround(const Eigen::Vector3i& voxel, double distanceMm) const;
 
     double valueAt(const Eigen::Vector3i& voxel) const;   ///< edge values are repeated beyond the boundary

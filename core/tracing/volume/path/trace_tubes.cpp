@@ -17,7 +17,7 @@ namespace {
 constexpr double maxWidening = 1.4;   // maximum width relative to the parent vessel
 constexpr double radiusNoiseMm = 0.3;
 
-/// The voxels inside the branches, in the scan's axis order.
+/// Marks the voxels inside the branches, in the scan's axis order.
 VoxelMask lumenOf(const VesselTree& tree, const VolumeGeometry& grid)
 {
     VoxelMask lumen(grid);
@@ -42,7 +42,7 @@ bool widens(const VesselBranch& branch, const VesselBranch& parent)
     return medianOf(branch.radiusMm) > maxWidening * parent.radiusMm[nearest] + radiusNoiseMm;
 }
 
-/// Removes branches wider than their parent, and their descendants; `paths` in the same order as the branches.
+/// Removes branches wider than their parent, and their descendants; `paths` and branches have the same order.
 VesselTree withoutWidening(const VesselTree& tree, const std::vector<BranchPath>& paths)
 {
     VesselTree kept;

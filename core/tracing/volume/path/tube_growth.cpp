@@ -16,7 +16,7 @@ namespace {
 // Maximum cost per millimeter (see `costOfVoxel`) of a tube voxel, corresponding to 0.7 of the lumen contrast and half
 // a tube; a higher cost adds to the path's debt.
 constexpr double tubeCost = 3.3;
-constexpr double maxDebt = 9.0;   // maximum; about 3 mm of a chamber or a quarter of a mm of tissue
+constexpr double maxDebt = 9.0;   // about 3 mm through a chamber or a quarter of a millimeter through tissue
 constexpr double paidBack = 0.5;   // fraction of the cost saved in tube voxels that reduces the debt
 constexpr double memoryMm = 12.0;   // length over which the expected appearance adapts to the path
 constexpr double fadingMm = 100.0;   // length over which the contrast of an artery fades
@@ -135,7 +135,7 @@ private:
         }
     }
 
-    /// Cost per mm at a voxel. A tube too wide to be dimmed by blurring but darker than the vessel so far is a vein.
+    /// Returns the cost per mm at a voxel. A darker tube that is too wide to be dimmed by blurring is a vein.
     double costAt(const Eigen::Vector3i& voxel, const ReachedVoxel& here) const
     {
         const double value = ground_.valueAt(voxel);
@@ -147,7 +147,7 @@ private:
         return costOfTube(value, tube.share, here.look);
     }
 
-    /// Share of the blood's contrast that blurring leaves in the middle of a tube whose wall lies within `shellMm`.
+    /// Returns the fraction of the contrast that blurring leaves at the center of a tube with walls within `shellMm`.
     double fullnessOf(double shellMm) const
     {
         const double radiusInBlur = radiusInShell * shellMm / (blurInVoxels * std::cbrt(grid_.spacingMm.prod()));

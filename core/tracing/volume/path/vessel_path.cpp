@@ -61,7 +61,7 @@ VoxelCost costBetween(const PathGround& ground, const PathEnd& from, const PathE
             cheapestPerMm};
 }
 
-/// Block size in voxels: twice the shortest voxel side, approximately cubic.
+/// Returns the block size in voxels: approximately cubic, twice the shortest voxel side.
 Eigen::Vector3i blockOf(const VolumeGeometry& grid)
 {
     const double sideMm = 2.0 * grid.spacingMm.minCoeff();

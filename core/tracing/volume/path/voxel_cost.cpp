@@ -7,10 +7,10 @@ namespace angiopose::core {
 namespace {
 
 constexpr double farAboveBlood = 1.4;   // relative to the lumen contrast; bone, plaque and metal are brighter
-constexpr double dimming = 3.0;   // decay rate of the likeness above `farAboveBlood`
+constexpr double dimming = 3.0;   // decay rate of the similarity above `farAboveBlood`
 constexpr double shareWithoutTube = 0.15;   // weight of a voxel with the intensity of a vessel but not in a tube
 
-/// 0…1 between tissue and blood; decreases again for values far brighter than blood.
+/// Returns the similarity to the lumen: 0 in tissue, 1 in the lumen, lower again for far brighter values.
 double likeness(double value, const VesselLook& look)
 {
     const double fill = (value - look.tissue) / (look.blood - look.tissue);

@@ -15,7 +15,7 @@ namespace angiopose::core {
 /// Struts of stents in wide vessels.
 struct StentWires {
     std::vector<VoxelPiece> pieces;
-    std::function<bool(int i, int j, int k)> isBeside;   ///< near the struts and possibly lumen (not bone)
+    std::function<bool(int i, int j, int k)> isBeside;   ///< near the struts and possibly lumen, not bone
 };
 
 /// Voxel data and labels of lumen components in a box around stents. Positions count from the low corner of the box.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double clearMm = 5.0;
 constexpr double farMm = 7.0;
-/// Minimum volume of blood at that distance, relative to the wires; beyond the ends of a thin stent it is 0.2.
+/// Minimum lumen volume at that distance, relative to the struts; thin stents reach 0.2, beyond their ends.
 constexpr double minShareOfWires = 0.35;
 
 }   // namespace

@@ -64,7 +64,7 @@ public:
         shore_.swap(next);
     }
 
-    /// Fills the gaps between components of the same vessel, except next to other vessels.
+    /// Closes the gaps between components of the same vessel, except next to other vessels.
     void join()
     {
         std::map<Label, Label> vessels = piecesToVessels();
@@ -121,7 +121,7 @@ private:
         return fill >= minFillBetweenWires && (isRising || !site_.isWire(from)) && site_.isBesideWires(to);
     }
 
-    /// Whether a voxel lies between different components; records the contact and whether blood is visible there.
+    /// Returns whether a voxel lies between different components; records their contact and whether it shows lumen.
     bool isParting(const Eigen::Vector3i& at, Label label)
     {
         const bool isBlood = !site_.isWire(at) && site_.fillAt(at) >= minBlood;
@@ -158,7 +158,7 @@ private:
         return vessels;
     }
 
-    /// Whether two components are one lumen crossed by wires, or a branch that leaves between them.
+    /// Returns whether two components are one lumen crossed by struts, or a vessel and a branch leaving between struts.
     bool isOneVessel(const Pair& pair, const Contact& contact) const
     {
         if (contact.open.empty() || !isSameBlood(pair, contact)) {

@@ -34,7 +34,7 @@ public:
 
 private:
     struct Basin {
-        std::uint32_t joined = 0;   ///< basin into which it was merged, or its own label
+        std::uint32_t joined = 0;   ///< basin into which this one was merged, or this one
         std::uint16_t summit = 0;
     };
 

@@ -5,7 +5,7 @@
 namespace angiopose::core {
 namespace {
 
-/// For each patient axis, the stored axis closest to it: the best of all six assignments.
+/// Returns, for each patient axis, the closest stored axis: the best of all six assignments.
 std::array<int, 3> bestAssignment(const Eigen::Matrix3d& direction)
 {
     constexpr std::array<std::array<int, 3>, 6> orders{

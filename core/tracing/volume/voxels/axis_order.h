@@ -36,7 +36,7 @@ AxisOrder patientAxisOrder(const VolumeGeometry& stored);
 AxisOrder cropped(const AxisOrder& order, const VoxelBox& box);
 VolumeGeometry cropped(const VolumeGeometry& geometry, const VoxelBox& box);
 
-/// `box` enlarged by `margin` voxels on all sides, within the volume.
+/// Enlarges `box` by `margin` voxels on all sides, within the volume.
 VoxelBox grown(const VoxelBox& box, int margin, const VolumeGeometry& within);
 
 }   // namespace angiopose::core

@@ -82,7 +82,7 @@ double limitToMedian(std::array<Ray, rayCount>& rays)
     return median;
 }
 
-/// Radius of the disc that contains as much blood as the section, above the background of its surroundings.
+/// Returns the radius of the disc with the same integrated opacification as the section, without the background.
 double weighedRadius(const std::array<Ray, rayCount>& rays, const Eigen::Vector3d& center, const SectionPlane& plane,
                      const BloodFill& fill, double radius)
 {

@@ -5,7 +5,7 @@
 
 namespace angiopose::core {
 
-/// Degree of opacification at a point: 0 tissue, 1 blood, 0.5 at the wall. Points in mm along the grid's axes.
+/// Opacification at a point in mm along the grid's axes: 0 in tissue, 1 in the lumen, 0.5 at the wall.
 using BloodFill = std::function<double(const Eigen::Vector3d& pointMm)>;
 
 /// Cross-section of a vessel lumen.
@@ -13,7 +13,7 @@ struct CrossSection {
     Eigen::Vector3d centerMm = Eigen::Vector3d::Zero();   ///< centroid of the area within the wall
     double radiusMm = 0.0;   ///< radius of a disc of equal area
     double closed = 0.0;   ///< fraction of rays that meet a wall, including the far one of a flattened vessel
-    double trust = 0.0;   ///< confidence: 0 if no section was found, near 1 for a round section with walls all around
+    double trust = 0.0;   ///< 0 if no section was found, near 1 for a round section with walls all around
 };
 
 /// Position, orientation and resolution of a cross-section.

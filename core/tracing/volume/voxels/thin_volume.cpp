@@ -12,7 +12,7 @@ namespace {
 // A neighborhood is stored in 27 bits: bit x + 3 y + 9 z for the steps x - 1, y - 1, z - 1; the center is bit 13.
 constexpr unsigned centerBit = 1U << 13U;
 
-/// Which of the 27 positions are adjacent, by corner (26) or by face (6); 18: without the corners of the cube.
+/// Neighbors of each of the 27 positions for 26- and 6-connectivity, and the 18-neighborhood of the center.
 struct Adjacency {
     std::array<unsigned, 27> byCorner{};
     std::array<unsigned, 27> byFace{};

@@ -10,7 +10,7 @@ struct TracedPiece {
     std::size_t voxels = 0;
     double lengthMm = 0.0;   ///< total length of its branches; 0 if excluded
     bool isAskedFor = false;   ///< whether the component was evaluated
-    Eigen::Vector3d placeInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm; a seed at this point selects the component
+    Eigen::Vector3d placeInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm; a seed here selects the component
     double share = 0.0;   ///< fraction of the voxels of all components
 
     bool isTraced() const { return lengthMm > 0.0; }

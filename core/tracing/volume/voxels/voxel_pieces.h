@@ -16,10 +16,10 @@ using VoxelPiece = std::vector<std::uint32_t>;
 /// index first). Incomplete if `progress`, where given, requests a stop.
 std::vector<VoxelPiece> piecesOf(const VoxelMask& mask, std::size_t minVoxels = 1, TracingProgress* progress = nullptr);
 
-/// The smallest box that contains all set voxels.
+/// Returns the smallest box that contains all set voxels.
 VoxelBox boxOf(const VoxelMask& mask);
 
-/// The bounding box of a component, enlarged by `aroundMm` on all sides within the grid.
+/// Returns the bounding box of a component, enlarged by `aroundMm` on all sides within the grid.
 VoxelBox boxAround(const VoxelPiece& piece, const VolumeGeometry& grid, double aroundMm);
 
 }   // namespace angiopose::core
